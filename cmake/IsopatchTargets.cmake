@@ -1,0 +1,51 @@
+# One call per folder: every .cpp beside the CMakeLists.txt belongs to its library, every .cpp in
+# tests/ to its test program.
+
+include(GNUInstallDirs)
+
+add_library(isopatch_settings INTERFACE)
+target_compile_features(isopatch_settings INTERFACE cxx_std_20)
+target_include_directories(isopatch_settings INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+  $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/isopatch>)
+# Eigen aligns its objects by the instruction set, so users must compile with the same one.
+if(ISOPATCH_NATIVE)
+  target_compile_options(isopatch_settings INTERFACE -march=native)
+endif()
+set_target_properties(isopatch_settings PROPERTIES EXPORT_NAME settings)
+set(ISOPATCH_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor)
+
+# isopatch_library(NAME [PUBLIC targets...] [PRIVATE targets...]): target isopatch_NAME, alias
+# isopatch::NAME.
+function(isopatch_library name)
+  cmake_parse_arguments(arg "" "" "PUBLIC;PRIVATE" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
+  add_library(isopatch_${name} STATIC ${sources})
+  add_library(isopatch::${name} ALIAS isopatch_${name})
+  set_target_properties(isopatch_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_link_libraries(isopatch_${name} PUBLIC isopatch_settings ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
+  target_compile_options(isopatch_${name} PRIVATE ${ISOPATCH_WARNINGS})
+  set_property(GLOBAL APPEND PROPERTY ISOPATCH_LIBRARIES isopatch_${name})
+endfunction()
+
+# isopatch_tests(NAME targets... [LABELS labels...]): program test_NAME from tests/*.cpp, one CTest
+# entry for each TEST.
+function(isopatch_tests name)
+  if(NOT ISOPATCH_TESTS)
+    return()
+  endif()
+  cmake_parse_arguments(arg "" "" "LABELS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/tests/*.cpp")
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(test_${name} ${sources})
+  target_link_libraries(test_${name} PRIVATE ${arg_UNPARSED_ARGUMENTS} GTest::gtest GTest::gmock GTest::gtest_main)
+  target_compile_options(test_${name} PRIVATE ${ISOPATCH_WARNINGS})
+  target_compile_definitions(test_${name} PRIVATE ISOPATCH_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  if(NOT arg_LABELS)
+    set(arg_LABELS quick)
+  endif()
+  gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60
+    PROPERTIES LABELS "${arg_LABELS}" ENVIRONMENT "OPENBLAS_NUM_THREADS=1;OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1")
+endfunction()

@@ -1,0 +1,118 @@
+#include "geometry/base/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <fstream>
+#include <mutex>
+#include <sstream>
+#include <string>
+
+#include "geometry/base/error.hpp"
+
+namespace isopatch {
+namespace {
+
+// The temporary file now being written. One file is written at a time, so one slot is enough; a plain
+// array because a signal handler may touch nothing else.
+std::mutex writing;
+char unfinished[4096];
+std::atomic<bool> has_unfinished{false};
+
+void remove_and_exit(int signal) {
+  if (has_unfinished) ::unlink(unfinished);
+  constexpr char message[] = "\ninterrupted: nothing half-written was left behind\n";
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message, sizeof(message) - 1);
+  ::_exit(128 + signal);
+}
+
+[[noreturn]] void fail(const char* verb, const std::filesystem::path& path, int reason) {
+  const char* advice = reason == ENOSPC || reason == EFBIG || reason == EDQUOT
+                           ? "; free some space or choose another output directory"
+                           : "";
+  throw Error(ErrorCode::io, fmt::format("cannot {} {}: {}{}", verb, path.string(), std::strerror(reason), advice));
+}
+
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::filesystem::path& target)
+      : target_(target), path_(target.string() + ".unfinished") {
+    if (path_.size() + 1 > sizeof(unfinished)) fail("write", target_, ENAMETOOLONG);
+    std::memcpy(unfinished, path_.c_str(), path_.size() + 1);
+    has_unfinished = true;
+    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) {
+      has_unfinished = false;
+      give_up();
+    }
+  }
+  ~TemporaryFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    if (has_unfinished) ::unlink(path_.c_str());
+    has_unfinished = false;
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  void write(std::string_view bytes) {
+    while (!bytes.empty()) {
+      const ::ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count < 0) give_up();
+      bytes.remove_prefix(static_cast<std::size_t>(count));
+    }
+  }
+  void finish() {
+    if (::fsync(descriptor_) != 0 && errno != EINVAL) give_up();
+    const int closed = ::close(descriptor_);
+    descriptor_ = -1;
+    if (closed != 0) give_up();
+    if (::rename(path_.c_str(), target_.c_str()) != 0) give_up();
+    has_unfinished = false;
+  }
+
+ private:
+  [[noreturn]] void give_up() { fail("write", target_, errno); }
+  std::filesystem::path target_;
+  std::string path_;
+  int descriptor_ = -1;
+};
+
+}  // namespace
+
+void write_file(const std::filesystem::path& path, std::string_view bytes) {
+  const std::lock_guard lock(writing);
+  // A file-size limit then shows as an error of write() instead of ending the process.
+  std::signal(SIGXFSZ, SIG_IGN);
+  TemporaryFile file(path);
+  file.write(bytes);
+  file.finish();
+}
+
+void remove_unfinished_files_on_interrupt() {
+  struct sigaction action = {};
+  action.sa_handler = remove_and_exit;
+  ::sigemptyset(&action.sa_mask);
+  ::sigaction(SIGINT, &action, nullptr);
+  ::sigaction(SIGTERM, &action, nullptr);
+}
+
+std::string read_file(const std::filesystem::path& path) {
+  struct stat status = {};
+  if (::stat(path.c_str(), &status) != 0) fail("read", path, errno);
+  if (S_ISDIR(status.st_mode)) fail("read", path, EISDIR);
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) fail("read", path, errno);
+  std::ostringstream content;
+  content << stream.rdbuf();
+  if (stream.bad()) fail("read", path, errno ? errno : EIO);
+  return std::move(content).str();
+}
+
+}  // namespace isopatch

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <compare>
+#include <functional>
+
+namespace isopatch {
+
+/// An index that cannot be mistaken for another kind of index. Counts from 0.
+template <class Tag>
+struct Id {
+  int value = -1;
+  constexpr Id() = default;
+  constexpr explicit Id(int index) : value(index) {}
+  constexpr auto operator<=>(const Id&) const = default;
+};
+
+using PatchId = Id<struct PatchTag>;
+using InterfaceId = Id<struct InterfaceTag>;
+
+}  // namespace isopatch
+
+template <class Tag>
+struct std::hash<isopatch::Id<Tag>> {
+  std::size_t operator()(const isopatch::Id<Tag>& id) const noexcept { return std::hash<int>()(id.value); }
+};

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "geometry/splines/nurbs.hpp"
+
+namespace isopatch::geometry {
+
+/// What can be promised about the sign of det J on a whole patch.
+enum class JacobianSign {
+  positive,     ///< det J > 0 everywhere
+  nonnegative,  ///< det J >= 0, zero only where an edge or face is collapsed
+  negative,     ///< det J < 0 at `parameter`
+  undecided,    ///< the subdivision's limit was reached between the bounds; treat as not certified
+};
+
+struct JacobianCertificate {
+  JacobianSign sign = JacobianSign::undecided;
+  double lower = 0;        ///< rigorous lower bound of det J over the patch, model units^3 per parameter^3
+  double upper = 0;        ///< rigorous upper bound
+  Parameter<3> parameter;  ///< where the smallest value was evaluated
+  Eigen::Vector3d place;   ///< the point there, model units
+  double smallest = 0;     ///< det J there
+  bool accepted() const { return sign == JacobianSign::positive || sign == JacobianSign::nonnegative; }
+};
+
+struct CertificateOptions {
+  int max_depth = 12;  ///< halvings of an element before giving up. Range 0 .. 30
+};
+
+/// Certifies the sign of the Jacobian determinant of a volume map.
+///
+/// The bound is rigorous, round-off included: det J times the fourth power of the weight function (for B-splines,
+/// det J itself) is expanded in Bernstein form on every knot element and subdivided until its sign is clear.
+///
+/// @param volume  any degree, control points (3, n), model units
+/// @cost          O((4 p)^3) per piece of the subdivision
+/// @source        Johnen, Remacle, Geuzaine 2013, section 3
+JacobianCertificate certify_jacobian(const NurbsVolume& volume, const CertificateOptions& options = {});
+
+}  // namespace isopatch::geometry

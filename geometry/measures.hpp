@@ -1,0 +1,32 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "geometry/multi_patch.hpp"
+
+namespace isopatch::geometry {
+
+/// Box of the control points, which contains the patch; model units.
+Eigen::AlignedBox3d box(const NurbsVolume& volume);
+Eigen::AlignedBox3d box(const MultiPatch& model);
+
+/// Volume by Gauss quadrature, degree + 2 points per element and direction; model units^3.
+double volume(const NurbsVolume& patch);
+
+/// Area by Gauss quadrature, degree + 2 points per element and direction; model units^2.
+double area(const NurbsSurface& surface);
+
+/// Outward unit normal of a patch's side at a face parameter, for a right-handed patch.
+Eigen::Vector3d outward_normal(const NurbsVolume& patch, Side side, const Parameter<2>& face_parameter);
+
+/// det J divided by the product of the columns' lengths at the Gauss points: 1 for a brick, <= 0 for a fold.
+struct Quality {
+  double min_scaled_jacobian = 1;
+  double mean_scaled_jacobian = 1;
+  double min_jacobian = 0;       ///< smallest det J at a Gauss point, model units^3 per parameter^3
+  Parameter<3> worst_parameter;  ///< of min_jacobian
+};
+/// @param points_per_direction  Gauss points per element and direction; 0: degree + 1
+Quality quality(const NurbsVolume& patch, int points_per_direction = 0);
+
+}  // namespace isopatch::geometry

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/base/tolerance.hpp"
+#include "geometry/patch_face.hpp"
+#include "geometry/splines/nurbs.hpp"
+
+namespace isopatch::geometry {
+
+/// A named set of patch faces.
+struct Boundary {
+  std::string name;
+  std::vector<PatchFace> faces;
+};
+
+/// How the parameters (s, t) in [0, 1]^2 of one face lie on another: exchanged if `swapped`, then each turned
+/// around (s becomes 1 - s) if its flag is set. All eight orientations of a square.
+struct FaceOrientation {
+  bool swapped = false;
+  bool flip_first = false;   ///< turns the other face's first parameter around
+  bool flip_second = false;  ///< turns the other face's second parameter around
+
+  auto operator<=>(const FaceOrientation&) const = default;
+
+  /// Parameters on the other face, both faces scaled to [0, 1]^2.
+  Parameter<2> operator()(const Parameter<2>& parameter) const;
+};
+
+FaceOrientation inverse(const FaceOrientation& orientation);
+
+/// Two faces that are the same surface, with the same parameters up to `orientation`.
+struct Interface {
+  PatchFace first;
+  PatchFace second;
+  FaceOrientation orientation;  ///< from first to second
+  double gap = 0;               ///< largest distance found between the two, model units
+};
+
+/// Patches as a reader or a generator gives them, before anything is known about how they meet.
+struct PatchSet {
+  std::vector<NurbsVolume> patches;
+  /// Named boundaries; may be empty.
+  std::vector<Boundary> boundaries;
+  /// Pairs that the file lists as interfaces; `connect` holds them against the geometry. May be empty.
+  std::vector<std::pair<PatchFace, PatchFace>> listed_interfaces;
+};
+
+/// Volume patches and how they meet.
+///
+/// Invariant: every patch is right-handed as far as the sign of its Jacobian at its middle tells; every face is in
+/// exactly one of: one interface, the boundary, the degenerate faces.
+class MultiPatch {
+ public:
+  const std::vector<NurbsVolume>& patches() const { return patches_; }
+  const NurbsVolume& patch(PatchId id) const { return patches_[static_cast<std::size_t>(id.value)]; }
+  int patch_count() const { return static_cast<int>(patches_.size()); }
+  const std::vector<Interface>& interfaces() const { return interfaces_; }
+  /// Faces with an area that no other patch shares, ordered by patch and side.
+  const std::vector<PatchFace>& boundary_faces() const { return boundary_faces_; }
+  /// Faces collapsed to a curve or a point: no interface, no boundary.
+  const std::vector<PatchFace>& degenerate_faces() const { return degenerate_faces_; }
+  const std::vector<Boundary>& boundaries() const { return boundaries_; }
+  /// Diagonal of the box of all control points, model units.
+  double size() const { return size_; }
+  const Tolerance& tolerance() const { return tolerance_; }
+
+  /// Whether the patch was left-handed as given, so that its first direction has been turned around.
+  bool was_reversed(PatchId id) const { return reversed_[static_cast<std::size_t>(id.value)]; }
+  /// Between a face, or a parameter, as the input names it and as `patches()` does; each is its own inverse.
+  PatchFace renamed(PatchFace face) const;
+  Parameter<3> renamed(PatchId id, const Parameter<3>& parameter) const;
+  /// "3:north", in the input's names: for messages and reports.
+  std::string label(PatchFace face) const;
+
+  /// Connected components over the interfaces: the bodies, each an increasing list of patches.
+  std::vector<std::vector<PatchId>> bodies() const;
+
+ private:
+  friend MultiPatch connect(PatchSet patches, const Tolerance& tolerance);
+  MultiPatch() = default;
+
+  std::vector<NurbsVolume> patches_;
+  std::vector<Interface> interfaces_;
+  std::vector<PatchFace> boundary_faces_;
+  std::vector<PatchFace> degenerate_faces_;
+  std::vector<Boundary> boundaries_;
+  std::vector<bool> reversed_;
+  Tolerance tolerance_;
+  double size_ = 0;
+};
+
+/// Finds from the geometry alone how patches meet.
+///
+/// Left-handed patches are turned around first. Two faces are an interface if, in one of the eight orientations,
+/// they agree to `tolerance.same_point` times the model's size at their corners and on a grid of inner points
+/// that sees every knot span: equal corners alone do not make an interface.
+///
+/// @throws Error invalid_argument  no patch, a named boundary or a listed interface with a face that does not exist
+/// @throws Error not_conforming    faces that nearly meet (a gap or an overlap, saying which and how far), more than
+///                                 two faces in one place, a listed interface that the geometry refutes
+/// @cost   O(faces log faces) for the search, O(control points) per candidate
+MultiPatch connect(PatchSet patches, const Tolerance& tolerance = {});
+
+}  // namespace isopatch::geometry

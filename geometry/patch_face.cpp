@@ -1,0 +1,1 @@
+#include "geometry/patch_face.hpp"
