@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/base/progress.hpp"
+#include "solvers/linear_system.hpp"
+
+namespace isopatch::solvers {
+
+/// Ways to solve a LinearSystem.
+enum class Method {
+  automatic,  ///< cholmod without constraints, mumps with them
+  cholmod,    ///< supernodal Cholesky with METIS ordering; no constraints
+  mumps,      ///< LDL^T with pivoting; with or without constraints
+  umfpack,    ///< LU with pivoting; fallback for both
+  cg,         ///< conjugate gradients with a block Jacobi preconditioner; no constraints
+};
+/// "auto", "cholmod", "mumps", "umfpack", "cg".
+std::string_view name(Method method);
+
+struct SolverOptions {
+  Method method = Method::automatic;
+  /// Relative residual to reach. Range [1e-14, 1e-2]. Direct methods refine until it is reached and fail
+  /// if they cannot.
+  double tolerance = 1e-10;
+  /// For iterative methods. Range 1 .. 10^7.
+  int max_iterations = 10000;
+};
+/// @throws Error invalid_argument naming field, value and range
+void validate(const SolverOptions& options);
+
+struct SolveReport {
+  Method method = Method::automatic;  ///< the one used, never automatic
+  std::string reason;                 ///< why this method, one sentence
+  int iterations = 0;                 ///< Krylov iterations, or steps of iterative refinement of a direct method
+  double relative_residual = 0;       ///< ||(f - K x - B^T y, B x)|| / ||f||, computed afresh at the end
+  std::vector<double> residual_history;  ///< relative residual after each iteration, the start first
+  std::int64_t matrix_nonzeros = 0;
+  std::int64_t factor_nonzeros = 0;  ///< 0 for iterative methods
+  double factor_flops = 0;
+  std::int64_t memory_bytes = 0;  ///< held by the solver at its peak, as it reports itself
+  double analysis_seconds = 0;    ///< ordering and symbolic factorization, or preconditioner set-up
+  double factorization_seconds = 0;
+  double solve_seconds = 0;
+};
+
+struct LinearSolution {
+  Eigen::VectorXd x;
+  Eigen::VectorXd multipliers;  ///< y, empty without constraints
+  SolveReport report;
+};
+
+/// Solves a linear system.
+///
+/// @throws Error invalid_argument  options out of range, a method that cannot treat constraints
+/// @throws Error singular_system   a zero or negative pivot, saying at which block row
+/// @throws Error not_converged     with the residual reached and advice
+/// @throws Error out_of_memory     with the memory that was asked for where the library says it
+LinearSolution solve(const LinearSystem& system, const SolverOptions& options = {}, const Progress& progress = {});
+
+}  // namespace isopatch::solvers
