@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "geometry/multi_patch.hpp"
+
+namespace isopatch::iga {
+
+/// How the solution space refines the geometry's.
+struct DiscretizationOptions {
+  /// Degree per direction, raised where the geometry's is lower and never lowered; 0 keeps the geometry's.
+  /// Raising keeps the continuity of the geometry at its knots. Range 0 .. 10.
+  std::array<int, 3> degree = {0, 0, 0};
+  /// Halvings of every knot span. Range 0 .. 10.
+  int refine = 0;
+  /// Least number of elements per direction of each patch; 0: as many as the geometry has. Range 0 .. 10000.
+  std::array<int, 3> elements_per_direction = {0, 0, 0};
+  /// Largest length of an element's edge, model units; 0: no limit.
+  double max_size = 0;
+  /// Highest continuity C^k across knots inside a patch; -1: as smooth as degree and geometry allow. Range -1 .. 9.
+  int continuity = -1;
+};
+/// @throws Error invalid_argument naming field, value and range
+void validate(const DiscretizationOptions& options);
+
+/// The solution space: every patch of the model in a finer space (so the geometry stays exact), matching across all
+/// interfaces. Its basis functions, all patches one after the other, are the *nodes*.
+struct Discretization {
+  geometry::MultiPatch model;
+  std::vector<geometry::NurbsVolume> patches;  ///< the model's patches in the solution space
+  std::vector<int> first_node;                 ///< of each patch, and the number of nodes at the end
+
+  int node_count() const { return first_node.back(); }
+  int patch_count() const { return static_cast<int>(patches.size()); }
+  /// Elements (nonempty knot spans) summed over the patches.
+  std::int64_t element_count() const;
+};
+
+/// Builds the solution space. Where neighbours differ in degree or knots, both get the union, and so on from patch
+/// to patch until all traces match.
+///
+/// @throws Error invalid_argument  options out of range
+/// @throws Error not_conforming    an interface whose weights are not proportional, or whose knots cannot be matched
+/// @cost   O(nodes * degree) per direction
+Discretization discretize(const geometry::MultiPatch& model, const DiscretizationOptions& options = {});
+
+}  // namespace isopatch::iga

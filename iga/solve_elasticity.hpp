@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "geometry/base/progress.hpp"
+#include "iga/elastic_field.hpp"
+#include "iga/problem.hpp"
+#include "solvers/solve.hpp"
+
+namespace isopatch::iga {
+
+/// How patches are held together.
+enum class Coupling {
+  elimination,  ///< coincident control points share their unknowns: a positive definite system
+  lagrange,     ///< every patch keeps its unknowns, multipliers tie them: a saddle point
+};
+std::string_view name(Coupling coupling);
+
+struct ElasticityOptions {
+  Coupling coupling = Coupling::elimination;
+  solvers::SolverOptions solver;
+  /// Gauss points per element and direction; 0: degree + 1. Range 0 .. 20.
+  int quadrature_points = 0;
+};
+
+/// Sizes of the discrete problem. Scalar counts, three components a node.
+struct ProblemSize {
+  std::int64_t elements = 0;
+  std::int64_t control_points = 0;     ///< summed over the patches
+  std::int64_t dofs_uncoupled = 0;     ///< 3 control_points
+  std::int64_t dofs_eliminated = 0;    ///< 3 times the classes of coincident control points
+  std::int64_t multipliers = 0;        ///< dofs_uncoupled - dofs_eliminated: rows that tie the patches
+  std::int64_t multipliers_free = 0;   ///< of these, rows left where supports already fix all their points
+  std::int64_t dofs = 0;               ///< unknowns of the chosen coupling before supports are fixed, multipliers included
+  std::int64_t dofs_free = 0;          ///< the same after supports are fixed
+};
+
+/// What holds two coincident control points together: the force that the first exerts on the second is `force`.
+struct Multiplier {
+  int first_node = 0;
+  int second_node = 0;
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< N
+};
+
+struct Reaction {
+  std::string support;
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< on the part, N
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< about the origin, N m
+};
+
+/// A largest value and where it is.
+struct Extremum {
+  double value = 0;
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< undeformed, m
+  int patch = -1;
+  geometry::Parameter<3> parameter = geometry::Parameter<3>::Zero();
+};
+
+struct ElasticityResults {
+  Extremum max_displacement;   ///< length of the displacement, m; on a grid of degree + 1 points per element and direction, ends included
+  Extremum max_von_mises;      ///< Pa; at the Gauss points
+  double internal_energy = 0;  ///< half the integral of stress : strain, J
+  double external_work = 0;    ///< half the work of loads and of reactions on prescribed displacements, J
+  std::vector<Reaction> reactions;  ///< one per support
+  Eigen::Vector3d total_load = Eigen::Vector3d::Zero();  ///< N
+};
+
+struct PhaseTime {
+  std::string phase;
+  double seconds = 0;
+};
+
+struct ElasticitySolution {
+  ElasticField field;
+  std::vector<Multiplier> multipliers;  ///< solved for with lagrange, recovered from the residual with elimination
+  ElasticityResults results;
+  ProblemSize size;
+  solvers::SolveReport solver;
+  std::vector<PhaseTime> timings;
+};
+
+/// Solves a linear elasticity problem.
+///
+/// Checks before any assembly: materials, supports that contradict each other, loads on faces that are no boundary,
+/// bodies that can still move.
+///
+/// @throws Error conflict    supports that contradict each other
+/// @throws Error free_body   naming the body's patches and its rigid motions left
+/// @throws Error fold_over   a Gauss point with a Jacobian determinant that is not positive, saying where
+/// @throws Error             whatever `solvers::solve` throws
+ElasticitySolution solve_elasticity(const ElasticityProblem& problem, const ElasticityOptions& options = {},
+                                    const Progress& progress = {});
+
+}  // namespace isopatch::iga
