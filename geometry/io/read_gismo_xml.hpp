@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "geometry/multi_patch.hpp"
+
+namespace isopatch::geometry {
+
+/// Reads the volume patches of a G+Smo XML file.
+///
+/// Patches are the `Geometry` elements of type TensorBSpline3 and TensorNurbs3 that the `MultiPatch` element
+/// lists, in its order, or all of them where there is none. `boundary` elements with a `name` attribute
+/// become named boundaries, the pairs of `interfaces` become listed interfaces. Curves and surfaces are left
+/// out.
+///
+/// @param text    the file's content
+/// @param source  its name, for messages
+/// @throws Error bad_format   broken XML, wrong counts, numbers or knots, with "source:line: "
+/// @throws Error unsupported  other volumes (hierarchical splines), points not in space, base64 data
+/// @cost   O(text)
+/// @source G+Smo 0.8 and later, gsIO/gsXmlUtils.hpp: only the format
+PatchSet read_gismo_xml(std::string_view text, const std::string& source);
+
+}  // namespace isopatch::geometry
