@@ -1,0 +1,126 @@
+"""Shows that scripts/check_layers finds each kind of breach, and accepts what is allowed."""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+CHECK_LAYERS = pathlib.Path(__file__).resolve().parents[1] / "check_layers"
+
+
+def run(files):
+    """Exit code and standard output for a tree made of {path: text}; headers get their #pragma once."""
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder)
+        for path, text in files.items():
+            target = root / path
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_text("#pragma once\n" + text if path.endswith(".hpp") else text)
+        done = subprocess.run([sys.executable, CHECK_LAYERS, "--root", root], capture_output=True, text=True)
+        return done.returncode, done.stdout
+
+
+class CheckLayers(unittest.TestCase):
+    def accepts(self, files):
+        code, output = run(files)
+        self.assertEqual((code, output), (0, output), output)
+
+    def rejects(self, files, where, what):
+        code, output = run(files)
+        self.assertEqual(code, 1, output)
+        self.assertEqual(len(output.splitlines()), 1, output)
+        self.assertTrue(output.startswith(where + ": "), output)
+        self.assertIn(what, output)
+
+    def test_accepts_the_floors_in_order(self):
+        self.accepts({
+            "geometry/base/error.hpp": "#include <string>\n#include <Eigen/Core>\n",
+            "geometry/patch.hpp": '#include "geometry/base/error.hpp"\n',
+            "geometry/io/read.cpp": '#include <pugixml.hpp>\n#include <vtkPoints.h>\n#include "geometry/patch.hpp"\n',
+            "solvers/solve.cpp": '#include <petscksp.h>\n#include <suitesparse/cholmod.h>\n'
+                                 '#include "geometry/base/error.hpp"\n',
+            "iga/assemble.hpp": '#include "geometry/patch.hpp"\n',
+            "app/run.cpp": '#include <toml++/toml.h>\n#include <CLI/CLI.hpp>\n#include "iga/assemble.hpp"\n',
+        })
+
+    def test_rejects_a_folder_above(self):
+        self.rejects({"iga/a.hpp": "", "solvers/b.cpp": '\n#include "iga/a.hpp"\n'}, "solvers/b.cpp:2",
+                     "solvers may not include iga")
+
+    def test_rejects_geometry_in_the_solvers(self):
+        self.rejects({"geometry/a.hpp": "", "solvers/b.cpp": '#include "geometry/a.hpp"\n'}, "solvers/b.cpp:1",
+                     "solvers may not include geometry")
+
+    def test_rejects_files_in_the_models(self):
+        self.rejects({"geometry/io/a.hpp": "", "geometry/models/b.cpp": '#include "geometry/io/a.hpp"\n'},
+                     "geometry/models/b.cpp:1", "geometry/models may not include geometry/io")
+
+    def test_rejects_the_program_below_it(self):
+        self.rejects({"app/a.hpp": "", "iga/deep/b.hpp": '#include "app/a.hpp"\n'}, "iga/deep/b.hpp:2",
+                     "iga may not include app")
+
+    def test_rejects_a_library_in_a_public_header(self):
+        self.rejects({"solvers/a.hpp": "#include <petscksp.h>\n"}, "solvers/a.hpp:2", "in a public header")
+
+    def test_accepts_a_library_in_an_internal_header(self):
+        self.accepts({"solvers/internal/a.hpp": "#include <petscksp.h>\n",
+                      "solvers/b.cpp": '#include "solvers/internal/a.hpp"\n'})
+
+    def test_rejects_an_internal_header_in_a_public_one(self):
+        self.rejects({"solvers/internal/a.hpp": "", "solvers/b.hpp": '#include "solvers/internal/a.hpp"\n'},
+                     "solvers/b.hpp:2", "is internal")
+
+    def test_rejects_an_internal_header_of_another_room(self):
+        self.rejects({"solvers/internal/a.hpp": "", "iga/b.cpp": '#include "solvers/internal/a.hpp"\n'},
+                     "iga/b.cpp:1", "is internal to solvers")
+
+    def test_rejects_a_library_of_another_room(self):
+        self.rejects({"iga/a.cpp": "#include <vtkPoints.h>\n"}, "iga/a.cpp:1", "iga may not include VTK")
+
+    def test_rejects_an_unknown_library(self):
+        self.rejects({"iga/a.cpp": "#include <boost/any.hpp>\n"}, "iga/a.cpp:1", "belongs to no known library")
+
+    def test_rejects_an_include_relative_to_the_file(self):
+        self.rejects({"iga/a.hpp": "", "iga/b.cpp": '#include "a.hpp"\n'}, "iga/b.cpp:1",
+                     'must be spelled from the root: "iga/a.hpp"')
+
+    def test_rejects_a_file_that_does_not_exist(self):
+        self.rejects({"iga/b.cpp": '#include "iga/a.hpp"\n'}, "iga/b.cpp:1", "is no file of the tree")
+
+    def test_rejects_a_circle_of_files(self):
+        self.rejects({"iga/a.hpp": '#include "iga/b.hpp"\n', "iga/b.hpp": '#include "iga/c.hpp"\n',
+                      "iga/c.hpp": '#include "iga/a.hpp"\n'}, "iga/a.hpp:1",
+                     "iga/a.hpp -> iga/b.hpp -> iga/c.hpp -> iga/a.hpp")
+
+    def test_rejects_a_circle_of_folders(self):
+        self.rejects({"iga/x/a.hpp": '#include "iga/y/a.hpp"\n', "iga/y/a.hpp": "", "iga/y/b.hpp":
+                      '#include "iga/x/b.hpp"\n', "iga/x/b.hpp": ""}, "iga/x:1", "iga/x -> iga/y -> iga/x")
+
+    def test_rejects_a_header_without_pragma_once(self):
+        self.rejects({"iga/a.hpp": "", "iga/b.cpp": ""} | {"iga/c.h": "#pragma once\n"}, "iga/c.h:1",
+                     "headers end in .hpp")
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "iga").mkdir()
+            (pathlib.Path(folder) / "iga/a.hpp").write_text("// #pragma once\n")
+            done = subprocess.run([sys.executable, CHECK_LAYERS, "--root", folder], capture_output=True, text=True)
+            self.assertEqual((done.returncode, done.stdout), (1, "iga/a.hpp:1: #pragma once is missing\n"))
+
+    def test_rejects_a_folder_that_is_no_room(self):
+        self.rejects({"tools/a.cpp": ""}, "tools/a.cpp:1", "lies in no room")
+
+    def test_rejects_an_empty_tree(self):
+        self.assertEqual(run({"README.md": ""})[0], 1)
+
+    def test_accepts_models_and_readers_in_tests(self):
+        self.accepts({"geometry/models/a.hpp": "", "geometry/io/a.hpp": "",
+                      "iga/tests/a.cpp": '#include <gtest/gtest.h>\n#include "geometry/models/a.hpp"\n'
+                                         '#include "geometry/io/a.hpp"\n'})
+
+    def test_rejects_tests_in_a_library(self):
+        self.rejects({"iga/tests/a.hpp": "", "iga/b.cpp": '#include "iga/tests/a.hpp"\n'}, "iga/b.cpp:1",
+                     "belongs to the tests of iga")
+
+
+if __name__ == "__main__":
+    unittest.main()
