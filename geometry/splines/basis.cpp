@@ -27,9 +27,13 @@ Eigen::RowVectorXd blossom_row(const KnotVector& knots, int span, const Eigen::V
 }
 
 BasisValues basis(const KnotVector& knots, double t, int order) {
-  const int p = knots.degree();
   t = std::clamp(t, knots.first(), knots.last());
   const int span = knots.span(t);
+  return {span - knots.degree(), basis_on_span(knots, span, t, order)};
+}
+
+Eigen::MatrixXd basis_on_span(const KnotVector& knots, int span, double t, int order) {
+  const int p = knots.degree();
   const auto& u = knots.knots();
   const auto knot = [&](int i) { return u[static_cast<std::size_t>(i)]; };
 
@@ -46,8 +50,8 @@ BasisValues basis(const KnotVector& knots, double t, int order) {
     }
   }
 
-  BasisValues result{span - p, Eigen::MatrixXd::Zero(order + 1, p + 1)};
-  result.values.row(0) = triangle.col(p).transpose();
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(order + 1, p + 1);
+  result.row(0) = triangle.col(p).transpose();
   // The d-th derivative is the functions of degree p - d times d difference operators.
   for (int d = 1; d <= std::min(order, p); ++d) {
     Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(p + 1);
@@ -61,7 +65,7 @@ BasisValues basis(const KnotVector& knots, double t, int order) {
       }
       row[k] = carried;
     }
-    result.values.row(d) = row;
+    result.row(d) = row;
   }
   return result;
 }

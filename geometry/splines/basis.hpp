@@ -17,6 +17,10 @@ struct BasisValues {
 /// @source  Piegl, Tiller, The NURBS Book, algorithm A2.3
 BasisValues basis(const KnotVector& knots, double t, int order = 0);
 
+/// The polynomials that the basis functions of one nonempty span are there, and their derivatives, at any t.
+/// @return  (order + 1, degree + 1), for functions span - degree .. span
+Eigen::MatrixXd basis_on_span(const KnotVector& knots, int span, double t, int order = 0);
+
 /// Weights of the blossom (polar form): for a spline with coefficients c, the polynomial piece on span `span`
 /// has the polar value sum_j row[j] c[span - degree + j] at the `degree` arguments given.
 /// @cost    O(degree^2)
