@@ -28,8 +28,9 @@ struct CertificateOptions {
 
 /// Certifies the sign of the Jacobian determinant of a volume map.
 ///
-/// The bound is rigorous, round-off included: det J times the fourth power of the weight function (for B-splines,
-/// det J itself) is expanded in Bernstein form on every knot element and subdivided until its sign is clear.
+/// The bound is rigorous, round-off included: det J times the fourth power of the weight function (for
+/// B-splines, det J itself) is expanded in Bernstein form on every knot element and subdivided until its sign
+/// is clear.
 ///
 /// @param volume  any degree, control points (3, n), model units
 /// @cost          O((4 p)^3) per piece of the subdivision

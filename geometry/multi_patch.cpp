@@ -1,0 +1,154 @@
+#include "geometry/multi_patch.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "geometry/base/error.hpp"
+#include "geometry/conformity.hpp"
+#include "geometry/interface_search.hpp"
+#include "geometry/splines/refine.hpp"
+
+namespace isopatch::geometry {
+namespace {
+
+/// Below this share of the columns' lengths the sign of det J at one point says nothing.
+constexpr double unclear_sign = 1e-3;
+
+double scaled_determinant(const Eigen::Matrix3d& jacobian) {
+  const double lengths = jacobian.colwise().norm().prod();
+  return lengths > 0 ? jacobian.determinant() / lengths : 0;
+}
+
+// By the sign of det J at the middle; where that is not clear, by its sum over a grid.
+bool is_left_handed(const NurbsVolume& patch) {
+  const Parameter<3> range = patch.high() - patch.low();
+  const double middle = scaled_determinant(patch.jacobian(patch.low() + 0.5 * range));
+  if (std::abs(middle) > unclear_sign) return middle < 0;
+  constexpr int n = 5;
+  double sum = 0;
+  for (int i = 0; i < n * n * n; ++i) {
+    const Parameter<3> share((i % n + 0.5) / n, (i / n % n + 0.5) / n, (i / n / n + 0.5) / n);
+    sum += patch.jacobian(patch.low() + share.cwiseProduct(range)).determinant();
+  }
+  return sum < 0;
+}
+
+void check_face(PatchFace face, std::size_t patches, const std::string& where) {
+  const int side = static_cast<int>(face.side);
+  if (face.patch.value < 0 || static_cast<std::size_t>(face.patch.value) >= patches || side < 0 || side > 5)
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("{}: no face {}:{}; there are {} patches, counted from 0, with sides {} to {}",
+                            where, face.patch.value,
+                            side >= 0 && side < 6 ? std::string(name(face.side)) : fmt::format("{}", side),
+                            patches, name(Side::west), name(Side::back)));
+}
+
+void check_input(const PatchSet& set, const Tolerance& tolerance) {
+  if (set.patches.empty()) throw Error(ErrorCode::invalid_argument, "a model needs at least one patch");
+  if (!(tolerance.same_point > 0 && tolerance.same_point < 1e-2))
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("tolerance.same_point is {}; its range is (0, 1e-2)", tolerance.same_point));
+  if (!(tolerance.near_miss > tolerance.same_point && tolerance.near_miss < 0.1))
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("tolerance.near_miss is {}; its range is (same_point, 0.1), and same_point is {}",
+                            tolerance.near_miss, tolerance.same_point));
+  for (const Boundary& boundary : set.boundaries)
+    for (const PatchFace& face : boundary.faces)
+      check_face(face, set.patches.size(), fmt::format("boundary '{}'", boundary.name));
+  for (const auto& [first, second] : set.listed_interfaces)
+    for (const PatchFace& face : {first, second}) check_face(face, set.patches.size(), "list of interfaces");
+}
+
+double diagonal(const std::vector<NurbsVolume>& patches) {
+  Eigen::AlignedBox3d box;
+  for (const NurbsVolume& patch : patches)
+    for (const auto& point : patch.control_points().colwise()) box.extend(point);
+  const double size = box.diagonal().norm();
+  if (!(size > 0) || !std::isfinite(size))
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("the diagonal of the model's box is {}; is the model a point, "
+                            "or in a wrong unit?",
+                            size));
+  return size;
+}
+
+}  // namespace
+
+Parameter<2> FaceOrientation::operator()(const Parameter<2>& parameter) const {
+  Parameter<2> result = swapped ? Parameter<2>(parameter[1], parameter[0]) : parameter;
+  if (flip_first) result[0] = 1 - result[0];
+  if (flip_second) result[1] = 1 - result[1];
+  return result;
+}
+
+FaceOrientation inverse(const FaceOrientation& orientation) {
+  if (!orientation.swapped) return orientation;
+  return {true, orientation.flip_second, orientation.flip_first};
+}
+
+PatchFace MultiPatch::renamed(PatchFace face) const {
+  if (was_reversed(face.patch) && direction(face.side) == 0) face.side = opposite(face.side);
+  return face;
+}
+
+Parameter<3> MultiPatch::renamed(PatchId id, const Parameter<3>& parameter) const {
+  if (!was_reversed(id)) return parameter;
+  const KnotVector& knots = patch(id).knots(0);
+  return {knots.first() + (knots.last() - parameter[0]), parameter[1], parameter[2]};
+}
+
+std::string MultiPatch::label(PatchFace face) const {
+  return fmt::format("{}:{}", face.patch.value, name(renamed(face).side));
+}
+
+std::vector<std::vector<PatchId>> MultiPatch::bodies() const {
+  // Every patch points to a patch of its body with a smaller number; the smallest points to itself.
+  std::vector<int> leader(patches_.size());
+  std::iota(leader.begin(), leader.end(), 0);
+  const auto find = [&](int i) {
+    while (leader[static_cast<std::size_t>(i)] != i) i = leader[static_cast<std::size_t>(i)];
+    return i;
+  };
+  for (const Interface& i : interfaces_) {
+    const auto [low, high] = std::minmax({find(i.first.patch.value), find(i.second.patch.value)});
+    leader[static_cast<std::size_t>(high)] = low;
+  }
+  std::vector<std::vector<PatchId>> found(patches_.size());
+  for (int i = 0; i < patch_count(); ++i) found[static_cast<std::size_t>(find(i))].push_back(PatchId(i));
+  std::erase_if(found, [](const auto& body) { return body.empty(); });
+  return found;
+}
+
+MultiPatch connect(PatchSet set, const Tolerance& tolerance) {
+  check_input(set, tolerance);
+  MultiPatch model;
+  model.tolerance_ = tolerance;
+  model.size_ = diagonal(set.patches);
+  for (NurbsVolume& patch : set.patches) {
+    model.reversed_.push_back(is_left_handed(patch));
+    model.patches_.push_back(model.reversed_.back() ? reversed(patch, 0) : std::move(patch));
+  }
+  for (Boundary& boundary : set.boundaries)
+    for (PatchFace& face : boundary.faces) face = model.renamed(face);
+  for (auto& [first, second] : set.listed_interfaces) {
+    first = model.renamed(first);
+    second = model.renamed(second);
+  }
+  model.boundaries_ = std::move(set.boundaries);
+
+  const FaceLabel label = [&](PatchFace face) { return model.label(face); };
+  FaceCensus census = find_interfaces(model.patches_, tolerance, model.size_, label);
+  check_listed(model.patches_, census.interfaces, set.listed_interfaces, tolerance, model.size_, label);
+  check_conforming(model.patches_, census.boundary, tolerance, model.size_, label);
+  model.interfaces_ = std::move(census.interfaces);
+  model.boundary_faces_ = std::move(census.boundary);
+  model.degenerate_faces_ = std::move(census.degenerate);
+  return model;
+}
+
+}  // namespace isopatch::geometry

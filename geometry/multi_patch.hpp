@@ -49,8 +49,8 @@ struct PatchSet {
 
 /// Volume patches and how they meet.
 ///
-/// Invariant: every patch is right-handed as far as the sign of its Jacobian at its middle tells; every face is in
-/// exactly one of: one interface, the boundary, the degenerate faces.
+/// Invariant: every patch is right-handed as far as the sign of its Jacobian at its middle tells; every face
+/// is in exactly one of: one interface, the boundary, the degenerate faces.
 class MultiPatch {
  public:
   const std::vector<NurbsVolume>& patches() const { return patches_; }
@@ -93,12 +93,14 @@ class MultiPatch {
 
 /// Finds from the geometry alone how patches meet.
 ///
-/// Left-handed patches are turned around first. Two faces are an interface if, in one of the eight orientations,
-/// they agree to `tolerance.same_point` times the model's size at their corners and on a grid of inner points
-/// that sees every knot span: equal corners alone do not make an interface.
+/// Left-handed patches are turned around first. Two faces are an interface if, in one of the eight
+/// orientations, they agree to `tolerance.same_point` times the model's size at their corners and on a grid
+/// of inner points that sees every knot span: equal corners alone do not make an interface.
 ///
-/// @throws Error invalid_argument  no patch, a named boundary or a listed interface with a face that does not exist
-/// @throws Error not_conforming    faces that nearly meet (a gap or an overlap, saying which and how far), more than
+/// @throws Error invalid_argument  no patch, a named boundary or a listed interface with a face that does not
+/// exist
+/// @throws Error not_conforming    faces that nearly meet (a gap or an overlap, saying which and how far),
+/// more than
 ///                                 two faces in one place, a listed interface that the geometry refutes
 /// @cost   O(faces log faces) for the search, O(control points) per candidate
 MultiPatch connect(PatchSet patches, const Tolerance& tolerance = {});

@@ -14,12 +14,21 @@ namespace isopatch::geometry {
 /// The six sides of a volume patch: low and high end of direction 1, 2 and 3.
 enum class Side { west, east, south, north, front, back };
 
-inline constexpr std::array<Side, 6> all_sides = {Side::west, Side::east, Side::south, Side::north, Side::front, Side::back};
+inline constexpr std::array<Side, 6> all_sides = {Side::west,  Side::east,  Side::south,
+                                                  Side::north, Side::front, Side::back};
 
-constexpr int direction(Side side) { return static_cast<int>(side) / 2; }
-constexpr bool is_high(Side side) { return static_cast<int>(side) % 2 == 1; }
-constexpr Side side_of(int direction, bool high) { return static_cast<Side>(2 * direction + (high ? 1 : 0)); }
-constexpr Side opposite(Side side) { return static_cast<Side>(static_cast<int>(side) ^ 1); }
+constexpr int direction(Side side) {
+  return static_cast<int>(side) / 2;
+}
+constexpr bool is_high(Side side) {
+  return static_cast<int>(side) % 2 == 1;
+}
+constexpr Side side_of(int direction, bool high) {
+  return static_cast<Side>(2 * direction + (high ? 1 : 0));
+}
+constexpr Side opposite(Side side) {
+  return static_cast<Side>(static_cast<int>(side) ^ 1);
+}
 /// The two directions that run in a side, increasing.
 constexpr std::array<int, 2> tangents(Side side) {
   return direction(side) == 0 ? std::array{1, 2} : direction(side) == 1 ? std::array{0, 2} : std::array{0, 1};

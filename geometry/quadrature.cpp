@@ -11,7 +11,8 @@ namespace isopatch::geometry {
 
 QuadratureRule gauss_legendre(int points) {
   if (points < 1 || points > 64)
-    throw Error(ErrorCode::invalid_argument, fmt::format("{} Gauss points per direction are outside 1 .. 64", points));
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("{} Gauss points per direction are outside 1 .. 64", points));
   Eigen::VectorXd off_diagonal(points - 1);
   for (int k = 1; k < points; ++k) off_diagonal[k - 1] = k / std::sqrt(4.0 * k * k - 1);
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen;

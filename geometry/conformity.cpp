@@ -1,0 +1,152 @@
+#include "geometry/conformity.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "geometry/base/error.hpp"
+#include "geometry/face_match.hpp"
+#include "geometry/measures.hpp"
+
+namespace isopatch::geometry {
+namespace {
+
+/// Share of a face's own diagonal above which a difference is a different face, not a badly made one.
+constexpr double near_miss_of_face = 0.02;
+
+struct FreeFace {
+  PatchFace face;
+  NurbsSurface surface;
+  Eigen::AlignedBox3d box;
+  Eigen::Vector3d middle;
+};
+
+std::vector<FreeFace> free_faces(const std::vector<NurbsVolume>& patches,
+                                 const std::vector<PatchFace>& faces) {
+  std::vector<FreeFace> result;
+  for (const PatchFace& face : faces) {
+    FreeFace free{face, face_surface(patches[static_cast<std::size_t>(face.patch.value)], face.side), {}, {}};
+    for (const auto& point : free.surface.control_points().colwise()) free.box.extend(point);
+    free.middle = free.surface.point(unscaled(free.surface, {0.5, 0.5}));
+    result.push_back(std::move(free));
+  }
+  return result;
+}
+
+std::string text(const Eigen::Vector3d& point) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", point[0], point[1], point[2]);
+}
+
+// Whether the second face lies outside the first one's patch where the two differ most: a gap. Of an overlap,
+// and of the two sides of a wall, each lies inside.
+bool is_gap(const std::vector<NurbsVolume>& patches, const FreeFace& first, const FaceMatch& match) {
+  const NurbsVolume& patch = patches[static_cast<std::size_t>(first.face.patch.value)];
+  const Eigen::Vector3d outward =
+      outward_normal(patch, first.face.side, unscaled(first.surface, match.parameter));
+  return outward.dot(match.second_point - match.first_point) > 0.5 * match.distance;
+}
+
+bool is_near_miss(const std::vector<NurbsVolume>& patches, const FreeFace& a, const FreeFace& b,
+                  const FaceMatch& match, double limit) {
+  const double smaller = std::min(a.box.diagonal().norm(), b.box.diagonal().norm());
+  if (match.distance > std::min(limit, near_miss_of_face * smaller)) return false;
+  if (is_gap(patches, a, match)) return true;
+  const auto across = [&](const FreeFace& f) {
+    return thickness(patches[static_cast<std::size_t>(f.face.patch.value)], f.face.side);
+  };
+  // The sides of a wall are at least as far apart as the layers between them are thick.
+  return match.distance < 0.5 * std::max(across(a), across(b));
+}
+
+void check_near_misses(const std::vector<NurbsVolume>& patches, const std::vector<FreeFace>& faces,
+                       const Tolerance& tolerance, double size, const FaceLabel& label) {
+  std::vector<Eigen::Vector3d> middles;
+  for (const FreeFace& face : faces) middles.push_back(face.middle);
+  const double limit = tolerance.near_miss * size;
+  std::string message;
+  int count = 0;
+  for (const auto& [i, j] : close_pairs(middles, limit)) {
+    const FaceMatch match = match_faces(faces[i].surface, faces[j].surface);
+    if (!is_near_miss(patches, faces[i], faces[j], match, limit) || ++count > 1) continue;
+    message = fmt::format(
+        "faces {} and {} nearly meet: they differ by up to {:.3g} at {}, {:.2g} of the model's size, and "
+        "{:.2g} is "
+        "allowed. Mend the model, or raise tolerance.same_point above {:.2g}; if the two are meant to be "
+        "apart, lower "
+        "tolerance.near_miss below it",
+        label(faces[i].face), label(faces[j].face), match.distance, text(match.first_point),
+        match.distance / size, tolerance.same_point, match.distance / size);
+  }
+  if (count > 1) message += fmt::format(" ({} more pairs like this)", count - 1);
+  if (count > 0) throw Error(ErrorCode::not_conforming, message);
+}
+
+// Whether at least three of five points of one face, no three of them in line, are on the other.
+bool lies_on(const FreeFace& face, const FreeFace& other, double same_point) {
+  int inside = 0;
+  for (const Parameter<2>& at : {Parameter<2>(0.5, 0.5), Parameter<2>(0.23, 0.31), Parameter<2>(0.71, 0.19),
+                                 Parameter<2>(0.83, 0.77), Parameter<2>(0.36, 0.86)}) {
+    const Eigen::Vector3d point = face.surface.point(unscaled(face.surface, at));
+    if (other.box.squaredExteriorDistance(point) > same_point * same_point) continue;
+    if (distance_to_surface(point, other.surface, same_point) <= same_point && ++inside == 3) return true;
+  }
+  return false;
+}
+
+void check_other_parameters(const std::vector<FreeFace>& faces, double same_point, const FaceLabel& label) {
+  std::vector<std::size_t> by_start(faces.size());
+  for (std::size_t i = 0; i < faces.size(); ++i) by_start[i] = i;
+  std::sort(by_start.begin(), by_start.end(),
+            [&](std::size_t a, std::size_t b) { return faces[a].box.min().x() < faces[b].box.min().x(); });
+  for (std::size_t k = 0; k < by_start.size(); ++k)
+    for (std::size_t l = k + 1; l < by_start.size(); ++l) {
+      const FreeFace& a = faces[std::min(by_start[k], by_start[l])];
+      const FreeFace& b = faces[std::max(by_start[k], by_start[l])];
+      if (faces[by_start[l]].box.min().x() > faces[by_start[k]].box.max().x() + same_point) break;
+      if (a.box.exteriorDistance(b.box) > same_point) continue;
+      if (!lies_on(a, b, same_point) && !lies_on(b, a, same_point)) continue;
+      throw Error(
+          ErrorCode::not_conforming,
+          fmt::format(
+              "faces {} and {} lie on one another, but are parametrized differently or have different "
+              "outlines, so they cannot be joined; split or reparametrize the patches so that the "
+              "faces agree point by point",
+              label(a.face), label(b.face)));
+    }
+}
+
+}  // namespace
+
+void check_conforming(const std::vector<NurbsVolume>& patches, const std::vector<PatchFace>& faces,
+                      const Tolerance& tolerance, double size, const FaceLabel& label) {
+  const std::vector<FreeFace> free = free_faces(patches, faces);
+  check_near_misses(patches, free, tolerance, size, label);
+  check_other_parameters(free, tolerance.same_point * size, label);
+}
+
+void check_listed(const std::vector<NurbsVolume>& patches, const std::vector<Interface>& found,
+                  const std::vector<std::pair<PatchFace, PatchFace>>& listed, const Tolerance& tolerance,
+                  double size, const FaceLabel& label) {
+  for (const auto& [a, b] : listed) {
+    const auto pair = std::minmax(a, b);
+    const bool confirmed = std::any_of(found.begin(), found.end(), [&](const Interface& i) {
+      return i.first == pair.first && i.second == pair.second;
+    });
+    if (confirmed) continue;
+    const auto surface = [&](PatchFace f) {
+      return face_surface(patches[static_cast<std::size_t>(f.patch.value)], f.side);
+    };
+    const FaceMatch match = match_faces(surface(a), surface(b));
+    throw Error(
+        ErrorCode::not_conforming,
+        fmt::format(
+            "the listed interface {} - {} is not one: the faces differ by up to {:.3g} at {}, {:.2g} of "
+            "the model's size, and {:.2g} is allowed. Correct the list, mend the model, or raise "
+            "tolerance.same_point",
+            label(a), label(b), match.distance, text(match.first_point), match.distance / size,
+            tolerance.same_point));
+  }
+}
+
+}  // namespace isopatch::geometry
