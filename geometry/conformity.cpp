@@ -4,15 +4,17 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 
 #include "geometry/base/error.hpp"
 #include "geometry/face_match.hpp"
 #include "geometry/measures.hpp"
+#include "geometry/splines/grid.hpp"
 
 namespace isopatch::geometry {
 namespace {
 
-/// Share of a face's own diagonal above which a difference is a different face, not a badly made one.
+/// Share of a face's own width above which a difference is a different face, not a badly made one.
 constexpr double near_miss_of_face = 0.02;
 
 struct FreeFace {
@@ -20,15 +22,34 @@ struct FreeFace {
   NurbsSurface surface;
   Eigen::AlignedBox3d box;
   Eigen::Vector3d middle;
+  double width = 0;  ///< the smaller length of the two lines through the middle
 };
+
+double width(const NurbsSurface& surface) {
+  constexpr int segments = 16;
+  const Parameter<2> middle = unscaled(surface, {0.5, 0.5});
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t d = 0; d < 2; ++d) {
+    GridParameters<2> line = {std::vector{middle[0]}, std::vector{middle[1]}};
+    const KnotVector& knots = surface.knots()[d];
+    line[d].clear();
+    for (int i = 0; i <= segments; ++i) line[d].push_back(knots.first() + knots.length() * i / segments);
+    const Eigen::Matrix3Xd points = points_on_grid(surface, line);
+    smallest =
+        std::min(smallest, (points.rightCols(segments) - points.leftCols(segments)).colwise().norm().sum());
+  }
+  return smallest;
+}
 
 std::vector<FreeFace> free_faces(const std::vector<NurbsVolume>& patches,
                                  const std::vector<PatchFace>& faces) {
   std::vector<FreeFace> result;
   for (const PatchFace& face : faces) {
-    FreeFace free{face, face_surface(patches[static_cast<std::size_t>(face.patch.value)], face.side), {}, {}};
+    FreeFace free{
+        face, face_surface(patches[static_cast<std::size_t>(face.patch.value)], face.side), {}, {}, 0};
     for (const auto& point : free.surface.control_points().colwise()) free.box.extend(point);
     free.middle = free.surface.point(unscaled(free.surface, {0.5, 0.5}));
+    free.width = width(free.surface);
     result.push_back(std::move(free));
   }
   return result;
@@ -49,8 +70,7 @@ bool is_gap(const std::vector<NurbsVolume>& patches, const FreeFace& first, cons
 
 bool is_near_miss(const std::vector<NurbsVolume>& patches, const FreeFace& a, const FreeFace& b,
                   const FaceMatch& match, double limit) {
-  const double smaller = std::min(a.box.diagonal().norm(), b.box.diagonal().norm());
-  if (match.distance > std::min(limit, near_miss_of_face * smaller)) return false;
+  if (match.distance > std::min(limit, near_miss_of_face * std::min(a.width, b.width))) return false;
   if (is_gap(patches, a, match)) return true;
   const auto across = [&](const FreeFace& f) {
     return thickness(patches[static_cast<std::size_t>(f.face.patch.value)], f.face.side);

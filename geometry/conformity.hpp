@@ -7,7 +7,7 @@ namespace isopatch::geometry {
 /// Refuses boundary faces that were probably meant to be interfaces.
 ///
 /// A near miss is a pair whose points of equal parameters differ by less than `tolerance.near_miss` times
-/// `size` and by less than 2 % of the smaller face's diagonal, unless the two are the sides of a thin wall.
+/// `size` and by less than 2 % of the narrower face's width, unless the two are the sides of a thin wall.
 /// Faces of which one lies on the other, but with other parameters or another outline (a T-joint), are
 /// refused as well.
 ///

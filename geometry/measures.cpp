@@ -52,6 +52,13 @@ void at_gauss_points(const Nurbs<D>& spline, Points points, Visit visit) {
   }
 }
 
+// Exact for the Jacobian determinant of a B-spline, degree 3p - 1; a rational integrand gets twice as many.
+template <int D>
+int points_for(const Nurbs<D>& spline, int direction) {
+  const int p = spline.degree(direction);
+  return spline.is_rational() ? 2 * p + 8 : (3 * p + 1) / 2 + 1;
+}
+
 }  // namespace
 
 Eigen::AlignedBox3d box(const NurbsVolume& volume) {
@@ -67,7 +74,7 @@ Eigen::AlignedBox3d box(const MultiPatch& model) {
 double volume(const NurbsVolume& patch) {
   double sum = 0;
   at_gauss_points(
-      patch, [&](int d) { return patch.degree(d) + 2; },
+      patch, [&](int d) { return points_for(patch, d); },
       [&](const Parameter<3>& at, double weight) { sum += weight * patch.jacobian(at).determinant(); });
   return sum;
 }
@@ -75,7 +82,7 @@ double volume(const NurbsVolume& patch) {
 double area(const NurbsSurface& surface) {
   double sum = 0;
   at_gauss_points(
-      surface, [&](int d) { return surface.degree(d) + 2; },
+      surface, [&](int d) { return points_for(surface, d); },
       [&](const Parameter<2>& at, double weight) {
         const Eigen::Matrix<double, 3, 2> columns = surface.jacobian(at);
         sum += weight * columns.col(0).cross(columns.col(1)).norm();

@@ -10,10 +10,11 @@ namespace isopatch::geometry {
 Eigen::AlignedBox3d box(const NurbsVolume& volume);
 Eigen::AlignedBox3d box(const MultiPatch& model);
 
-/// Volume by Gauss quadrature, degree + 2 points per element and direction; model units^3.
+/// Volume by Gauss quadrature, exact for B-splines; model units^3. Rational patches get 2 p + 8 points per
+/// element and direction, which integrates quarter arcs of degree 2 to round-off.
 double volume(const NurbsVolume& patch);
 
-/// Area by Gauss quadrature, degree + 2 points per element and direction; model units^2.
+/// Area by Gauss quadrature with as many points as the volume; model units^2.
 double area(const NurbsSurface& surface);
 
 /// Outward unit normal of a patch's side at a face parameter, for a right-handed patch.
