@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "geometry/io/reader_limits.hpp"
 #include "geometry/io/xml_text.hpp"

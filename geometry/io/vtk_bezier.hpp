@@ -1,0 +1,49 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace isopatch::geometry {
+
+/// A field on Bezier cells.
+struct BezierField {
+  std::string name;
+  /// (components, points): coefficients in the cells' rational Bernstein basis, the same that carries the
+  /// points; as a cell field (components, cells): one value per cell.
+  Eigen::MatrixXd values;
+};
+
+/// Rational Bezier hexahedra of one degree that share no points.
+struct BezierCells {
+  std::array<int, 3> degree = {1, 1, 1};  ///< 1 .. 20 per direction
+  /// (3, n), model units, not multiplied by the weights: each cell owns (p1+1)(p2+1)(p3+1) consecutive
+  /// points, first direction fastest.
+  Eigen::Matrix3Xd points;
+  Eigen::VectorXd weights;  ///< (n), positive
+  int cell_count = 0;
+  std::vector<BezierField> point_fields;
+  std::vector<BezierField> cell_fields;
+};
+
+/// An unstructured grid file (.vtu) of VTK_BEZIER_HEXAHEDRON cells, as ParaView 5.9 and later read it.
+///
+/// Double precision, compressed. Points and fields are exact: VTK evaluates the same rational polynomials.
+///
+/// @return  the file's content, for isopatch::write_file
+/// @throws Error invalid_argument  sizes that do not fit each other, a weight that is not positive, a value
+/// that is not
+///                                 finite, a field name that is empty, used twice or one of VTK's own
+///                                 (RationalWeights, HigherOrderDegrees)
+/// @cost    O(n), about 1 us per point
+/// @source  VTK 9.1: vtkBezierHexahedron, vtkHigherOrderHexahedron::PointIndexFromIJK
+std::string to_vtu(const BezierCells& cells);
+
+/// A multi-block file (.vtm) that opens several files as one model.
+/// @param blocks  name of each block and its file, relative to the folder of the collection
+/// @throws Error invalid_argument  for an absolute path, which would not survive a move of the folder
+std::string to_vtm(const std::vector<std::pair<std::string, std::string>>& blocks);
+
+}  // namespace isopatch::geometry
