@@ -8,8 +8,8 @@ namespace isopatch::solvers {
 
 /// Symmetric sparse matrix of 3x3 blocks; only the blocks on and above the diagonal are stored.
 ///
-/// Row r holds its blocks at positions row_start[r] .. row_start[r + 1], columns increasing, the first one the
-/// diagonal block (column r), which is always present and symmetric.
+/// Row r holds its blocks at positions row_start[r] .. row_start[r + 1], columns increasing, the first one
+/// the diagonal block (column r), which is always present and symmetric.
 struct SymmetricBlockMatrix {
   static constexpr int block_size = 3;
   std::vector<std::int64_t> row_start = {0};

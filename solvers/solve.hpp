@@ -24,7 +24,7 @@ std::string_view name(Method method);
 struct SolverOptions {
   Method method = Method::automatic;
   /// Relative residual to reach. Range [1e-14, 1e-2]. Direct methods refine until it is reached and fail
-  /// if they cannot.
+  /// if they cannot, unless rounding the solution to doubles alone leaves as much (then `reason` says so).
   double tolerance = 1e-10;
   /// For iterative methods. Range 1 .. 10^7.
   int max_iterations = 10000;
@@ -35,8 +35,10 @@ void validate(const SolverOptions& options);
 struct SolveReport {
   Method method = Method::automatic;  ///< the one used, never automatic
   std::string reason;                 ///< why this method, one sentence
-  int iterations = 0;                 ///< Krylov iterations, or steps of iterative refinement of a direct method
-  double relative_residual = 0;       ///< ||(f - K x - B^T y, B x)|| / ||f||, computed afresh at the end
+  int iterations = 0;  ///< Krylov iterations, or steps of iterative refinement of a direct method
+  /// ||(f - K x - B^T y, s B x)|| / ||f||, computed afresh at the end; s is the mean of |diag K|, which turns
+  /// the constraints' error into a force.
+  double relative_residual = 0;
   std::vector<double> residual_history;  ///< relative residual after each iteration, the start first
   std::int64_t matrix_nonzeros = 0;
   std::int64_t factor_nonzeros = 0;  ///< 0 for iterative methods
@@ -59,6 +61,7 @@ struct LinearSolution {
 /// @throws Error singular_system   a zero or negative pivot, saying at which block row
 /// @throws Error not_converged     with the residual reached and advice
 /// @throws Error out_of_memory     with the memory that was asked for where the library says it
-LinearSolution solve(const LinearSystem& system, const SolverOptions& options = {}, const Progress& progress = {});
+LinearSolution solve(const LinearSystem& system, const SolverOptions& options = {},
+                     const Progress& progress = {});
 
 }  // namespace isopatch::solvers

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "solvers/solve.hpp"
+
+namespace isopatch::solvers {
+
+/// Solves a system without constraints by conjugate gradients with the inverted diagonal blocks as
+/// preconditioner. Starts again from the true residual where the updated one has drifted from it.
+///
+/// A singular matrix is seen only where the load excites its kernel.
+///
+/// @throws Error singular_system  a direction without positive energy, or a diagonal block without
+/// @throws Error not_converged    with the residual reached and advice
+/// @cost   a copy of the matrix (76 bytes a block); iterations grow like the square root of the condition
+LinearSolution solve_with_cg(const LinearSystem& system, const SolverOptions& options,
+                             const Progress& progress);
+
+}  // namespace isopatch::solvers

@@ -1,0 +1,210 @@
+#include "solvers/cholmod_solver.hpp"
+
+#include <fmt/format.h>
+
+#include "geometry/base/error.hpp"
+#include "solvers/blas_threads.hpp"
+#include "solvers/block_ordering.hpp"
+#include "solvers/cholmod_api.hpp"
+#include "solvers/pivot_check.hpp"
+#include "solvers/refinement.hpp"
+#include "solvers/stopwatch.hpp"
+
+namespace isopatch::solvers {
+namespace {
+
+// Reads the permuted matrix as its lower triangle by columns, block row k of the order as columns 3k .. 3k
+// + 2.
+template <class Index>
+CompressedRows<Index> permuted_lower_triangle(const SymmetricBlockMatrix& matrix,
+                                              const BlockOrdering& ordering) {
+  const int n = matrix.block_rows();
+  CompressedRows<Index> lower;
+  std::vector<Index> blocks(n, 0);
+  for (int row = 0; row < n; ++row)
+    for (std::int64_t k = matrix.row_start[row]; k < matrix.row_start[row + 1]; ++k)
+      ++blocks[std::min(ordering.position[row], ordering.position[matrix.columns[k]])];
+  lower.row_start.resize(3 * static_cast<std::size_t>(n) + 1, 0);
+  for (int i = 0; i < 3 * n; ++i) lower.row_start[i + 1] = lower.row_start[i] + 3 * blocks[i / 3] - i % 3;
+  lower.columns.resize(lower.row_start.back());
+  lower.values.resize(lower.row_start.back());
+  std::vector<Index> filled(n, 3);  // rows of the diagonal block come first
+  for (int row = 0; row < n; ++row) {
+    for (std::int64_t k = matrix.row_start[row]; k < matrix.row_start[row + 1]; ++k) {
+      const int a = ordering.position[row], b = ordering.position[matrix.columns[k]];
+      const int first = std::min(a, b), second = std::max(a, b);
+      const double* const block = matrix.values.data() + 9 * k;
+      for (int i = 0; i < 3; ++i) {
+        const Index start = lower.row_start[3 * first + i] + (a == b ? -i : filled[first] - i);
+        for (int j = a == b ? i : 0; j < 3; ++j) {
+          lower.columns[start + j] = static_cast<Index>(3 * second + j);
+          lower.values[start + j] = a <= b ? block[3 * i + j] : block[3 * j + i];
+        }
+      }
+      if (a != b) filled[first] += 3;
+    }
+  }
+  return lower;
+}
+
+// One factorization with indices of one width.
+template <class Index>
+class Cholesky {
+ public:
+  Cholesky(const SymmetricBlockMatrix& matrix, const BlockOrdering& ordering)
+      : matrix_(matrix),
+        ordering_(ordering),
+        lower_(permuted_lower_triangle<Index>(matrix, ordering)),
+        view_(lower_triangle_view<Index>(lower_.row_start.size() - 1, lower_.row_start.data(),
+                                         lower_.columns.data(), lower_.values.data(), false)),
+        factor_(analyze(), workspace_) {}
+
+  // False if the factor has too many entries for this width of index.
+  bool fits() const { return factor_.get() != nullptr; }
+
+  void factorize() {
+    const BlasThreads threads;
+    Api::factorize(&view_, factor_.get(), workspace_.get());
+    check_status();
+    check_pivots();
+    matrix_bytes_ = lower_.bytes();
+    lower_ = {};
+  }
+
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) {
+    Eigen::VectorXd permuted(b.size());
+    for (std::size_t k = 0; k < ordering_.order.size(); ++k)
+      permuted.segment<3>(3 * k) = b.segment<3>(3 * static_cast<Eigen::Index>(ordering_.order[k]));
+    cholmod_dense view = {};
+    view.nrow = view.nzmax = view.d = static_cast<std::size_t>(b.size());
+    view.ncol = 1;
+    view.x = permuted.data();
+    view.xtype = CHOLMOD_REAL;
+    view.dtype = CHOLMOD_DOUBLE;
+    const BlasThreads threads;
+    cholmod_dense* solution = Api::solve(CHOLMOD_A, factor_.get(), &view, workspace_.get());
+    if (!solution) fail_out_of_memory(8.0 * b.size());
+    const Eigen::Map<const Eigen::VectorXd> values(static_cast<const double*>(solution->x), b.size());
+    Eigen::VectorXd x(b.size());
+    for (std::size_t k = 0; k < ordering_.order.size(); ++k)
+      x.segment<3>(3 * static_cast<Eigen::Index>(ordering_.order[k])) = values.segment<3>(3 * k);
+    Api::free_dense(&solution, workspace_.get());
+    return x;
+  }
+
+  double entries() { return workspace_->lnz; }
+  double flops() { return workspace_->fl; }
+  std::int64_t peak_bytes() { return static_cast<std::int64_t>(workspace_->memory_usage) + matrix_bytes_; }
+
+ private:
+  using Api = CholmodApi<Index>;
+
+  cholmod_factor* analyze() {
+    workspace_->nmethods = 1;
+    workspace_->method[0].ordering = CHOLMOD_NATURAL;
+    workspace_->postorder = false;
+    workspace_->supernodal = CHOLMOD_SUPERNODAL;
+    cholmod_factor* const factor = Api::analyze(&view_, workspace_.get());
+    if (!factor && workspace_->status == CHOLMOD_OUT_OF_MEMORY) fail_out_of_memory(lower_.bytes());
+    if (!factor && (workspace_->status != CHOLMOD_TOO_LARGE || sizeof(Index) == 8))
+      throw Error(ErrorCode::internal,
+                  fmt::format("CHOLMOD's analysis failed with status {}", workspace_->status));
+    return factor;
+  }
+
+  [[noreturn]] void fail_out_of_memory(double bytes) {
+    throw Error(
+        ErrorCode::out_of_memory,
+        fmt::format("the Cholesky factor of {} unknowns needs {:.0f} bytes more than the {} bytes held; use "
+                    "method 'cg', a coarser space, or a machine with more memory",
+                    matrix_.rows(), bytes, workspace_->memory_inuse));
+  }
+
+  [[noreturn]] void fail_at(std::size_t column, std::string_view finding) {
+    throw Error(
+        ErrorCode::singular_system,
+        fmt::format(
+            "the matrix is not positive definite: {} at block row {}, component {} of 3; it is "
+            "singular if a part can still move as a rigid body, indefinite if it was assembled wrongly",
+            finding, ordering_.order[column / 3], column % 3));
+  }
+
+  void check_status() {
+    if (workspace_->status == CHOLMOD_OUT_OF_MEMORY)
+      fail_out_of_memory(8.0 * static_cast<double>(factor_->xsize));
+    if (workspace_->status == CHOLMOD_NOT_POSDEF) fail_at(factor_->minor, "a zero or negative pivot");
+    if (workspace_->status < CHOLMOD_OK)
+      throw Error(ErrorCode::internal,
+                  fmt::format("CHOLMOD's factorization failed with status {}", workspace_->status));
+  }
+
+  // A singular matrix usually passes CHOLMOD's own test, which asks for positive pivots and no more.
+  void check_pivots() {
+    const auto* const first_column = static_cast<const Index*>(factor_->super);
+    const auto* const row_start = static_cast<const Index*>(factor_->pi);
+    const auto* const value_start = static_cast<const Index*>(factor_->px);
+    const auto* const values = static_cast<const double*>(factor_->x);
+    const double smallest = smallest_pivot_ratio(matrix_.rows());
+    for (std::size_t s = 0; s < factor_->nsuper; ++s) {
+      const std::int64_t height = row_start[s + 1] - row_start[s];
+      for (std::int64_t k = 0; k < first_column[s + 1] - first_column[s]; ++k) {
+        const std::int64_t column = first_column[s] + k;
+        const double root = values[value_start[s] + k * (height + 1)];
+        const double ratio = root * root / lower_.values[lower_.row_start[column]];
+        if (!(ratio > smallest))
+          fail_at(
+              static_cast<std::size_t>(column),
+              fmt::format("a pivot of {:.1e} times its diagonal entry, so zero but for round-off,", ratio));
+      }
+    }
+  }
+
+  const SymmetricBlockMatrix& matrix_;
+  const BlockOrdering& ordering_;
+  CompressedRows<Index> lower_;
+  std::int64_t matrix_bytes_ = 0;
+  CholmodWorkspace<Index> workspace_;
+  cholmod_sparse view_;
+  CholmodFactor<Index> factor_;
+};
+
+template <class Index>
+LinearSolution factorize_and_solve(Cholesky<Index>& cholesky, const LinearSystem& system,
+                                   const SolverOptions& options, const Progress& progress, Stopwatch& watch,
+                                   SolveReport report) {
+  report.analysis_seconds = watch.lap();
+  progress("factorization", 0);
+  cholesky.factorize();
+  report.factorization_seconds = watch.lap();
+  progress("solution", 0);
+  const ScaledSystem scaled(system);
+  RefinedSolution refined = solve_and_refine(
+      scaled, [&](const Eigen::VectorXd& b) { return cholesky.solve(b); }, options.tolerance);
+  report.solve_seconds = watch.lap();
+  report.residual_history = std::move(refined.history);
+  report.iterations = static_cast<int>(report.residual_history.size()) - 1;
+  report.factor_nonzeros = static_cast<std::int64_t>(cholesky.entries());
+  report.factor_flops = cholesky.flops();
+  report.memory_bytes = cholesky.peak_bytes();
+  return {std::move(refined.z), {}, std::move(report)};
+}
+
+}  // namespace
+
+LinearSolution solve_with_cholmod(const LinearSystem& system, const SolverOptions& options,
+                                  const Progress& progress) {
+  Stopwatch watch;
+  SolveReport report;
+  report.method = Method::cholmod;
+  progress("ordering", 0);
+  const BlockOrdering ordering = fill_reducing_ordering(system.stiffness);
+  if (9 * system.stiffness.blocks() <= std::numeric_limits<std::int32_t>::max()) {
+    Cholesky<std::int32_t> cholesky(system.stiffness, ordering);
+    if (cholesky.fits())
+      return factorize_and_solve(cholesky, system, options, progress, watch, std::move(report));
+  }
+  Cholesky<std::int64_t> cholesky(system.stiffness, ordering);
+  return factorize_and_solve(cholesky, system, options, progress, watch, std::move(report));
+}
+
+}  // namespace isopatch::solvers

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "solvers/solve.hpp"
+
+namespace isopatch::solvers {
+
+/// Solves a system without constraints by CHOLMOD's supernodal Cholesky factorization and iterative
+/// refinement.
+///
+/// @throws Error singular_system  naming the block row where a pivot is zero, negative, or so small beside
+/// the
+///                                diagonal that only round-off keeps it positive
+/// @throws Error out_of_memory    with the bytes that the factor needs
+/// @cost   the factorization's flops are in the report; memory about 8 bytes per factor entry and 108 bytes
+/// per
+///         block of the matrix
+/// @source Chen, Davis, Hager, Rajamanickam 2008 (CHOLMOD)
+LinearSolution solve_with_cholmod(const LinearSystem& system, const SolverOptions& options,
+                                  const Progress& progress);
+
+}  // namespace isopatch::solvers

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "solvers/solve.hpp"
+
+namespace isopatch::solvers {
+
+/// Solves a system, with or without constraints, by MUMPS' LDL^T factorization with pivoting and iterative
+/// refinement.
+///
+/// The factors' inertia proves what LinearSystem promises: as many negative pivots as constraints and none
+/// that is zero, else K is not positive definite on the kernel of B or B has not full rank.
+///
+/// @throws Error singular_system  with the number of zero and negative pivots
+/// @throws Error out_of_memory    with the megabytes that MUMPS asked for
+/// @throws Error unsupported      for more than 2^31 - 1 entries above the diagonal
+/// @source Amestoy, Duff, L'Excellent, Koster 2001 (MUMPS), through PETSc; inertia: Gould 1985
+LinearSolution solve_with_mumps(const LinearSystem& system, const SolverOptions& options,
+                                const Progress& progress);
+
+}  // namespace isopatch::solvers

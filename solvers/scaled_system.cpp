@@ -1,0 +1,161 @@
+#include "solvers/scaled_system.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "geometry/base/error.hpp"
+#include "solvers/block_product.hpp"
+
+namespace isopatch::solvers {
+namespace {
+
+using Extended = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
+
+// The constraints' share s B^T y and s B x of the matrix times z, added to `sum`.
+template <class Entry>
+Extended with_constraints(Extended sum, const ConstraintMatrix& constraints, double scale,
+                          const Eigen::VectorXd& z, const Entry& entry) {
+  const Eigen::Index n = sum.size();
+  sum.conservativeResize(n + constraints.rows());
+  sum.tail(constraints.rows()).setZero();
+  for (Eigen::Index i = 0; i < constraints.rows(); ++i) {
+    for (ConstraintMatrix::InnerIterator it(constraints, i); it; ++it) {
+      const long double value = static_cast<long double>(entry(it.value())) * scale;
+      sum[it.col()] += value * z[n + i];
+      sum[n + i] += value * z[it.col()];
+    }
+  }
+  return sum;
+}
+
+template <class Entry>
+Extended product(const ScaledSystem& scaled, const Eigen::VectorXd& z, const Entry& entry) {
+  const LinearSystem& system = scaled.system();
+  const Eigen::VectorXd x = scaled.unknowns(z);
+  return with_constraints(block_product<long double>(system.stiffness, x, entry), system.constraints,
+                          scaled.scale(), z, entry);
+}
+
+}  // namespace
+
+ScaledSystem::ScaledSystem(const LinearSystem& system) : system_(system) {
+  const double mean = system.has_constraints() ? mean_diagonal(system.stiffness) : 1;
+  if (mean > 0) scale_ = mean;
+}
+
+int ScaledSystem::rows() const {
+  return system_.stiffness.rows() + static_cast<int>(system_.constraints.rows());
+}
+
+Eigen::VectorXd ScaledSystem::right_side() const {
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(rows());
+  b.head(system_.load.size()) = system_.load;
+  return b;
+}
+
+Eigen::VectorXd ScaledSystem::residual(const Eigen::VectorXd& z) const {
+  Extended r = -product(*this, z, [](double value) { return value; });
+  r.head(system_.load.size()) += system_.load.cast<long double>();
+  return r.cast<double>();
+}
+
+double ScaledSystem::relative_residual(const Eigen::VectorXd& z) const {
+  const double residual_norm = residual(z).stableNorm();
+  return residual_norm == 0 ? 0 : residual_norm / system_.load.stableNorm();
+}
+
+double ScaledSystem::rounding_level(const Eigen::VectorXd& z) const {
+  Extended size = product(*this, z.cwiseAbs(), [](double value) { return std::abs(value); });
+  size.head(system_.load.size()) += system_.load.cwiseAbs().cast<long double>();
+  return std::numeric_limits<double>::epsilon() * static_cast<double>(size.norm()) /
+         system_.load.stableNorm();
+}
+
+Eigen::VectorXd ScaledSystem::unknowns(const Eigen::VectorXd& z) const {
+  return z.head(system_.stiffness.rows());
+}
+
+Eigen::VectorXd ScaledSystem::multipliers(const Eigen::VectorXd& z) const {
+  return scale_ * z.tail(system_.constraints.rows());
+}
+
+Eigen::VectorXd ScaledSystem::join(const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers) const {
+  Eigen::VectorXd z(rows());
+  z << x, multipliers / scale_;
+  return z;
+}
+
+template <class Index>
+CompressedRows<Index> upper_triangle(const ScaledSystem& scaled) {
+  const SymmetricBlockMatrix& stiffness = scaled.system().stiffness;
+  // Rows of B^T, so columns of B, stand to the right of K.
+  const Eigen::SparseMatrix<double, Eigen::RowMajor> transposed = scaled.system().constraints.transpose();
+  const std::int64_t constraint_rows = scaled.system().constraints.rows();
+  const std::int64_t entries =
+      9 * stiffness.blocks() - 3 * stiffness.block_rows() + transposed.nonZeros() + constraint_rows;
+  if (entries > std::numeric_limits<Index>::max())
+    throw Error(
+        ErrorCode::unsupported,
+        fmt::format(
+            "the matrix has {} entries above its diagonal, more than this solver's {}-bit indices can "
+            "count; use method 'cholmod' with eliminated interfaces, or 'umfpack'",
+            entries, 8 * sizeof(Index)));
+  CompressedRows<Index> upper;
+  upper.columns.reserve(entries);
+  upper.values.reserve(entries);
+  upper.row_start.reserve(scaled.rows() + 1);
+  upper.row_start.push_back(0);
+  const auto append = [&](std::int64_t column, double value) {
+    upper.columns.push_back(static_cast<Index>(column));
+    upper.values.push_back(value);
+  };
+  for (int row = 0; row < stiffness.rows(); ++row) {
+    const int block_row = row / 3, i = row % 3;
+    for (std::int64_t k = stiffness.row_start[block_row]; k < stiffness.row_start[block_row + 1]; ++k)
+      for (int j = stiffness.columns[k] == block_row ? i : 0; j < 3; ++j)
+        append(3 * static_cast<std::int64_t>(stiffness.columns[k]) + j, stiffness.values[9 * k + 3 * i + j]);
+    if (constraint_rows > 0)
+      for (ConstraintMatrix::InnerIterator it(transposed, row); it; ++it)
+        append(stiffness.rows() + it.col(), scaled.scale() * it.value());
+    upper.row_start.push_back(static_cast<Index>(upper.columns.size()));
+  }
+  for (std::int64_t row = 0; row < constraint_rows; ++row) {
+    append(stiffness.rows() + row, 0);  // solvers want every diagonal entry, also the zero ones
+    upper.row_start.push_back(static_cast<Index>(upper.columns.size()));
+  }
+  return upper;
+}
+
+template CompressedRows<std::int32_t> upper_triangle(const ScaledSystem& system);
+template CompressedRows<std::int64_t> upper_triangle(const ScaledSystem& system);
+
+CompressedRows<std::int64_t> full_matrix(const ScaledSystem& system) {
+  const CompressedRows<std::int64_t> upper = upper_triangle<std::int64_t>(system);
+  const std::int64_t n = system.rows();
+  CompressedRows<std::int64_t> full;
+  full.row_start.assign(n + 1, 0);
+  for (std::int64_t row = 0; row < n; ++row)
+    for (std::int64_t k = upper.row_start[row]; k < upper.row_start[row + 1]; ++k) {
+      ++full.row_start[row + 1];
+      if (upper.columns[k] != row) ++full.row_start[upper.columns[k] + 1];
+    }
+  for (std::int64_t row = 0; row < n; ++row) full.row_start[row + 1] += full.row_start[row];
+  full.columns.resize(full.row_start[n]);
+  full.values.resize(full.row_start[n]);
+  std::vector<std::int64_t> next(full.row_start.begin(), full.row_start.end() - 1);
+  const auto put = [&](std::int64_t row, std::int64_t column, double value) {
+    full.columns[next[row]] = column;
+    full.values[next[row]++] = value;
+  };
+  // Row by row, every mirrored entry arrives before the row's own ones: columns increase.
+  for (std::int64_t row = 0; row < n; ++row)
+    for (std::int64_t k = upper.row_start[row]; k < upper.row_start[row + 1]; ++k) {
+      put(row, upper.columns[k], upper.values[k]);
+      if (upper.columns[k] != row) put(upper.columns[k], row, upper.values[k]);
+    }
+  return full;
+}
+
+}  // namespace isopatch::solvers

@@ -1,0 +1,168 @@
+#include "solvers/solve.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "geometry/base/error.hpp"
+#include "solvers/cg_solver.hpp"
+#include "solvers/cholmod_solver.hpp"
+#include "solvers/mumps_solver.hpp"
+#include "solvers/scaled_system.hpp"
+#include "solvers/umfpack_solver.hpp"
+
+namespace isopatch::solvers {
+namespace {
+
+[[noreturn]] void refuse(const std::string& message) {
+  throw Error(ErrorCode::invalid_argument, message);
+}
+
+void check_sizes(const LinearSystem& system) {
+  const SymmetricBlockMatrix& matrix = system.stiffness;
+  const auto blocks = static_cast<std::size_t>(matrix.blocks());
+  if (matrix.row_start.empty() || matrix.row_start.front() != 0 ||
+      matrix.row_start.back() != matrix.blocks() || matrix.values.size() != 9 * blocks)
+    refuse(
+        fmt::format("the block matrix is inconsistent: {} columns, {} values", blocks, matrix.values.size()));
+  if (system.load.size() != matrix.rows())
+    refuse(fmt::format("the load has {} entries, the matrix {} rows", system.load.size(), matrix.rows()));
+  if (system.has_constraints() && system.constraints.cols() != matrix.rows())
+    refuse(fmt::format("the constraints have {} columns, the matrix {} rows", system.constraints.cols(),
+                       matrix.rows()));
+}
+
+void check_columns(const SymmetricBlockMatrix& matrix) {
+  for (int row = 0; row < matrix.block_rows(); ++row) {
+    const std::int64_t begin = matrix.row_start[row], end = matrix.row_start[row + 1];
+    if (begin >= end || matrix.columns[begin] != row)
+      refuse(fmt::format("block row {} does not start with its diagonal block", row));
+    for (std::int64_t k = begin + 1; k < end; ++k)
+      if (matrix.columns[k] <= matrix.columns[k - 1] || matrix.columns[k] >= matrix.block_rows())
+        refuse(
+            fmt::format("block row {}: column {} is out of order or out of range", row, matrix.columns[k]));
+  }
+}
+
+void check_values(const LinearSystem& system) {
+  const SymmetricBlockMatrix& matrix = system.stiffness;
+  for (int row = 0; row < matrix.block_rows(); ++row)
+    for (std::int64_t k = 9 * matrix.row_start[row]; k < 9 * matrix.row_start[row + 1]; ++k)
+      if (!std::isfinite(matrix.values[k]))
+        refuse(fmt::format("the matrix is not a number or infinite in block row {}, block column {}", row,
+                           matrix.columns[k / 9]));
+  for (Eigen::Index i = 0; i < system.load.size(); ++i)
+    if (!std::isfinite(system.load[i]))
+      refuse(fmt::format("the load is not a number or infinite at block row {}, component {} of 3", i / 3,
+                         i % 3));
+  for (Eigen::Index i = 0; i < system.constraints.rows(); ++i)
+    for (ConstraintMatrix::InnerIterator it(system.constraints, i); it; ++it)
+      if (!std::isfinite(it.value()))
+        refuse(fmt::format("the constraints are not a number or infinite in row {}, column {}", i, it.col()));
+}
+
+void check_method(const LinearSystem& system, Method method) {
+  if (system.has_constraints() && (method == Method::cholmod || method == Method::cg))
+    refuse(fmt::format(
+        "method '{}' cannot treat the {} constraints; use 'auto', 'mumps' or 'umfpack', or eliminate "
+        "the interfaces",
+        name(method), system.constraints.rows()));
+}
+
+LinearSolution solve_with(Method method, const LinearSystem& system, const SolverOptions& options,
+                          const Progress& progress) {
+  switch (method) {
+    case Method::automatic:
+      break;
+    case Method::cholmod:
+      return solve_with_cholmod(system, options, progress);
+    case Method::mumps:
+      return solve_with_mumps(system, options, progress);
+    case Method::umfpack:
+      return solve_with_umfpack(system, options, progress);
+    case Method::cg:
+      return solve_with_cg(system, options, progress);
+  }
+  throw Error(ErrorCode::internal, "no method was chosen");
+}
+
+// Computes the residual afresh and insists on it.
+LinearSolution verified(LinearSolution solution, const LinearSystem& system, const SolverOptions& options) {
+  SolveReport& report = solution.report;
+  report.matrix_nonzeros = system.stiffness.nonzeros() + 2 * system.constraints.nonZeros();
+  const ScaledSystem scaled(system);
+  const Eigen::VectorXd z = scaled.join(solution.x, solution.multipliers);
+  report.relative_residual = scaled.relative_residual(z);
+  if (report.relative_residual <= options.tolerance) return solution;
+  // Where the load is small beside the forces that cancel inside the body, no vector of doubles comes nearer.
+  constexpr double worst_rounding_level = 1e-6;
+  const double level = scaled.rounding_level(z);
+  if (level <= worst_rounding_level && report.relative_residual <= level) {
+    report.reason += fmt::format("; the relative residual of {:.1e} is what double precision allows",
+                                 report.relative_residual);
+    return solution;
+  }
+  const std::string_view advice = report.method == Method::cg
+                                      ? "raise max_iterations, or use a direct method ('cholmod')"
+                                      : "the matrix is badly conditioned: look for parts that are hardly "
+                                        "held, for extreme differences of "
+                                        "stiffness and for badly shaped patches, or loosen the tolerance";
+  throw Error(
+      ErrorCode::not_converged,
+      fmt::format(
+          "method '{}' reached a relative residual of {:.3e} instead of {:.3e} after {} iterations; {}",
+          name(report.method), report.relative_residual, options.tolerance, report.iterations, advice));
+}
+
+LinearSolution zero_solution(const LinearSystem& system, Method method, std::string reason) {
+  LinearSolution solution;
+  solution.x = Eigen::VectorXd::Zero(system.load.size());
+  solution.multipliers = Eigen::VectorXd::Zero(system.constraints.rows());
+  solution.report.method = method;
+  solution.report.reason = std::move(reason);
+  solution.report.residual_history = {0};
+  solution.report.matrix_nonzeros = system.stiffness.nonzeros() + 2 * system.constraints.nonZeros();
+  return solution;
+}
+
+LinearSolution solve_by_choice(const LinearSystem& system, const SolverOptions& options,
+                               const Progress& progress) {
+  if (!system.has_constraints()) {
+    LinearSolution solution = solve_with(Method::cholmod, system, options, progress);
+    solution.report.reason = "no constraints, so the matrix is positive definite: supernodal Cholesky";
+    return verified(std::move(solution), system, options);
+  }
+  try {
+    LinearSolution solution = solve_with(Method::mumps, system, options, progress);
+    solution.report.reason = "constraints make the matrix indefinite: LDL^T with pivoting";
+    return verified(std::move(solution), system, options);
+  } catch (const Error& error) {
+    // LU needs twice the memory and finds a singular matrix just as singular.
+    if (error.code() == ErrorCode::singular_system || error.code() == ErrorCode::out_of_memory) throw;
+    LinearSolution solution = solve_with(Method::umfpack, system, options, progress);
+    solution.report.reason =
+        fmt::format("constraints make the matrix indefinite, and MUMPS failed ({})", error.what());
+    return verified(std::move(solution), system, options);
+  }
+}
+
+}  // namespace
+
+LinearSolution solve(const LinearSystem& system, const SolverOptions& options, const Progress& progress) {
+  validate(options);
+  check_sizes(system);
+  check_columns(system.stiffness);
+  check_values(system);
+  check_method(system, options.method);
+  if (system.load.isZero(0)) {
+    const Method fallback = system.has_constraints() ? Method::mumps : Method::cholmod;
+    return zero_solution(system, options.method == Method::automatic ? fallback : options.method,
+                         "nothing to solve: the load is zero");
+  }
+  if (options.method == Method::automatic) return solve_by_choice(system, options, progress);
+  LinearSolution solution = solve_with(options.method, system, options, progress);
+  solution.report.reason = "asked for by name";
+  return verified(std::move(solution), system, options);
+}
+
+}  // namespace isopatch::solvers

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "solvers/solve.hpp"
+
+namespace isopatch::solvers {
+
+/// Solves a system, with or without constraints, by UMFPACK's LU factorization with pivoting and iterative
+/// refinement. Takes about twice the memory of a symmetric factorization; does not see whether K is
+/// indefinite.
+///
+/// @throws Error singular_system  with the estimate of the reciprocal condition
+/// @throws Error out_of_memory    with the bytes that were asked for
+/// @source Davis 2004 (UMFPACK)
+LinearSolution solve_with_umfpack(const LinearSystem& system, const SolverOptions& options,
+                                  const Progress& progress);
+
+}  // namespace isopatch::solvers
