@@ -1,0 +1,23 @@
+# Installs the program, the libraries with their headers and a package file, so that another project says
+#   find_package(isopatch) and target_link_libraries(... isopatch::iga).
+
+include(CMakePackageConfigHelpers)
+
+set(config_folder "${CMAKE_INSTALL_LIBDIR}/cmake/isopatch")
+get_property(libraries GLOBAL PROPERTY ISOPATCH_LIBRARIES)
+
+install(TARGETS isopatch RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+install(TARGETS isopatch_settings ${libraries} EXPORT isopatch ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+install(EXPORT isopatch NAMESPACE isopatch:: FILE isopatchTargets.cmake DESTINATION "${config_folder}")
+
+# Headers keep their folders, so that they are included as in the tree: "geometry/multi_patch.hpp".
+install(DIRECTORY geometry solvers iga app DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/isopatch"
+  FILES_MATCHING PATTERN "*.hpp" PATTERN tests EXCLUDE PATTERN internal EXCLUDE PATTERN program EXCLUDE)
+install(FILES LICENSE NOTICE.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+
+configure_package_config_file(cmake/isopatchConfig.cmake.in "${PROJECT_BINARY_DIR}/isopatchConfig.cmake"
+  INSTALL_DESTINATION "${config_folder}")
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/isopatchConfigVersion.cmake"
+  COMPATIBILITY SameMinorVersion)
+install(FILES "${PROJECT_BINARY_DIR}/isopatchConfig.cmake" "${PROJECT_BINARY_DIR}/isopatchConfigVersion.cmake"
+  cmake/IsopatchDependencies.cmake DESTINATION "${config_folder}")

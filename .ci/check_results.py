@@ -1,0 +1,55 @@
+"""Checks that a run has left whole and sane results: check_results.py DIRECTORY."""
+
+import json
+import math
+import pathlib
+import sys
+import xml.etree.ElementTree
+
+HDF5_SIGNATURE = b"\x89HDF\r\n\x1a\n"
+
+
+def problems(folder):
+    """What is wrong with the results in a folder, one sentence each."""
+    found = []
+
+    def expect(condition, sentence):
+        if not condition:
+            found.append(sentence)
+
+    summary = json.loads((folder / "summary.json").read_text())
+    results, solver = summary["results"], summary["solver"]
+    energy, work = results["internal_energy"], results["external_work"]
+    expect(energy > 0 and math.isfinite(energy), f"internal energy {energy} J is not positive")
+    expect(abs(energy - work) <= 1e-8 * abs(energy), f"internal energy {energy} J and external work {work} J differ")
+    expect(0 <= solver["relative_residual"] <= 1e-8, f"relative residual {solver['relative_residual']}")
+    expect(results["max_displacement"] > 0, f"largest displacement {results['max_displacement']} m")
+    expect(results["max_von_mises"] > 0, f"largest von Mises stress {results['max_von_mises']} Pa")
+    expect(summary["model"]["volume"] > 0, f"volume {summary['model']['volume']} m^3")
+    expect(summary["discretization"]["dofs_free"] > 0, "no free degree of freedom")
+
+    stored = folder / "results.h5"
+    expect(stored.is_file() and stored.read_bytes()[:8] == HDF5_SIGNATURE, "results.h5 is no HDF5 file")
+    patches = sorted(folder.rglob("*.vtu"))
+    expect(len(patches) == summary["model"]["patches"], f"{len(patches)} .vtu files of {summary['model']['patches']}")
+    collections = sorted(folder.rglob("*.pvd")) + sorted(folder.rglob("*.vtm"))
+    expect(collections, "no collection of the .vtu files")
+    for collection in collections:
+        xml.etree.ElementTree.parse(collection)
+    leftovers = [path.name for path in folder.rglob("*") if ".tmp" in path.name or ".partial" in path.name]
+    expect(not leftovers, f"unfinished files: {leftovers}")
+    return found
+
+
+def main():
+    folder = pathlib.Path(sys.argv[1])
+    found = problems(folder)
+    for sentence in found:
+        print(f"{folder}: {sentence}", file=sys.stderr)
+    if not found:
+        print(f"{folder}: the results are whole and sane")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
