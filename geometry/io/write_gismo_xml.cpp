@@ -4,7 +4,6 @@
 
 #include <array>
 #include <iterator>
-#include <set>
 #include <string_view>
 #include <vector>
 
@@ -111,7 +110,7 @@ std::vector<PatchFace> renamed(const MultiPatch& model, const std::vector<PatchF
   return result;
 }
 
-Text begin(const std::vector<NurbsVolume>& patches) {
+Text opening(const std::vector<NurbsVolume>& patches) {
   Text text;
   add(text,
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!--Written by isopatch in the format of "
@@ -122,7 +121,7 @@ Text begin(const std::vector<NurbsVolume>& patches) {
   return text;
 }
 
-std::string end(Text& text) {
+std::string closed(Text& text) {
   add(text, " </MultiPatch>\n</xml>\n");
   return fmt::to_string(text);
 }
@@ -133,26 +132,21 @@ std::string to_gismo_xml(const MultiPatch& model) {
   std::vector<NurbsVolume> patches = model.patches();
   for (std::size_t p = 0; p < patches.size(); ++p)
     if (model.was_reversed(PatchId(static_cast<int>(p)))) patches[p] = reversed(patches[p], 0);
-  Text text = begin(patches);
+  Text text = opening(patches);
   add(text, "  <interfaces>");
   for (const Interface& found : model.interfaces()) add(text, "{}\n", interface_line(model, found));
   add(text, "</interfaces>\n");
-  std::set<PatchFace> named;
-  for (const Boundary& boundary : model.boundaries())
-    named.insert(boundary.faces.begin(), boundary.faces.end());
-  std::vector<PatchFace> others;
-  for (const PatchFace& face : model.boundary_faces())
-    if (!named.contains(face)) others.push_back(face);
-  if (!others.empty()) add_faces(text, renamed(model, others), "");
+  // All outer faces first: older versions of G+Smo read only the first list, newer ones drop repetitions.
+  if (!model.boundary_faces().empty()) add_faces(text, renamed(model, model.boundary_faces()), "");
   for (const Boundary& boundary : model.boundaries())
     add_faces(text, renamed(model, boundary.faces), boundary.name);
-  return end(text);
+  return closed(text);
 }
 
 std::string to_gismo_xml(const PatchSet& patches) {
-  Text text = begin(patches.patches);
+  Text text = opening(patches.patches);
   for (const Boundary& boundary : patches.boundaries) add_faces(text, boundary.faces, boundary.name);
-  return end(text);
+  return closed(text);
 }
 
 }  // namespace isopatch::geometry
