@@ -1,0 +1,93 @@
+#include "geometry/jacobian_piece.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace isopatch::geometry {
+namespace {
+
+constexpr double unit_roundoff = 0.5 * std::numeric_limits<double>::epsilon();
+
+}  // namespace
+
+// Both divide by the weight that makes the bound hold for the numerator's sign.
+double JacobianPiece::lower() const {
+  const double n = numerator.coefficients.minCoeff() - error;
+  return n * scale / std::pow(n < 0 ? lowest_weight : highest_weight, 4);
+}
+
+double JacobianPiece::upper() const {
+  const double n = numerator.coefficients.maxCoeff() + error;
+  return n * scale / std::pow(n > 0 ? lowest_weight : highest_weight, 4);
+}
+
+double JacobianPiece::corner_numerator(int corner) const {
+  const auto& [p, q, r] = numerator.degree;
+  const int u = (corner & 1) != 0 ? p : 0;
+  const int v = (corner & 2) != 0 ? q : 0;
+  const int w = (corner & 4) != 0 ? r : 0;
+  return numerator.coefficients[u + (p + 1) * (v + (q + 1) * w)];
+}
+
+int JacobianPiece::lowest_corner() const {
+  int lowest = 0;
+  for (int corner = 1; corner < 8; ++corner)
+    if (corner_numerator(corner) < corner_numerator(lowest)) lowest = corner;
+  return lowest;
+}
+
+Parameter<3> JacobianPiece::corner_parameter(int corner) const {
+  Parameter<3> result = low;
+  for (int d = 0; d < 3; ++d)
+    if (((corner >> d) & 1) != 0) result[d] = high[d];
+  return result;
+}
+
+std::array<JacobianPiece, 8> JacobianPiece::halved() const {
+  std::array<BernsteinPolynomial, 8> numerators = halves(numerator);
+  std::array<JacobianPiece, 8> parts;
+  const Parameter<3> middle = 0.5 * (low + high);
+  for (std::size_t i = 0; i < 8; ++i) {
+    parts[i] = {std::move(numerators[i]),
+                error + halving_error,
+                halving_error,
+                scale,
+                lowest_weight,
+                highest_weight,
+                low,
+                high,
+                depth + 1};
+    for (int d = 0; d < 3; ++d) (((i >> d) & 1) != 0 ? parts[i].low : parts[i].high)[d] = middle[d];
+  }
+  return parts;
+}
+
+CentredVolume centred(const NurbsVolume& volume) {
+  const Eigen::Matrix3Xd& given = volume.control_points();
+  const Eigen::Vector3d middle = 0.5 * given.rowwise().minCoeff() + 0.5 * given.rowwise().maxCoeff();
+  Eigen::Matrix3Xd points = given.colwise() - middle;
+  double radius = points.cwiseAbs().maxCoeff();
+  if (!(radius > 0)) radius = 1;
+  return {NurbsVolume(volume.knots(), points / radius, volume.weights() / volume.weights().maxCoeff()),
+          radius};
+}
+
+JacobianPiece jacobian_piece(const NurbsVolume& element, double radius) {
+  JacobianExpansion expansion = expand_jacobian(element);
+  JacobianPiece piece;
+  piece.low = element.low();
+  piece.high = element.high();
+  piece.error = expansion.error;
+  const auto& degree = expansion.numerator.degree;
+  piece.halving_error = 3 * (*std::max_element(degree.begin(), degree.end()) + 2) * unit_roundoff *
+                        expansion.numerator.coefficients.cwiseAbs().maxCoeff();
+  piece.scale = radius * radius * radius / (piece.high - piece.low).prod();
+  piece.lowest_weight = expansion.lowest_weight;
+  piece.highest_weight = expansion.highest_weight;
+  piece.numerator = std::move(expansion.numerator);
+  return piece;
+}
+
+}  // namespace isopatch::geometry
