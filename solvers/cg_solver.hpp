@@ -11,7 +11,7 @@ namespace isopatch::solvers {
 ///
 /// @throws Error singular_system  a direction without positive energy, or a diagonal block without
 /// @throws Error not_converged    with the residual reached and advice
-/// @cost   a copy of the matrix (76 bytes a block); iterations grow like the square root of the condition
+/// @cost   12 vectors beside the matrix; iterations grow like the square root of the condition
 LinearSolution solve_with_cg(const LinearSystem& system, const SolverOptions& options,
                              const Progress& progress);
 
