@@ -123,9 +123,11 @@ void add_eye(ModelBuilder& builder, const Eye& eye, const Eigen::Vector3d& up, s
               {{Side::south, "sides"}, {Side::north, "sides"}, {Side::front, "bottom"}, {Side::back, "top"}});
 }
 
-NurbsSurface rectangle(double left, double right, double half_width) {
-  return section_between(segment({left, -half_width, 0}, {left, half_width, 0}),
-                         segment({right, -half_width, 0}, {right, half_width, 0}));
+// Quadratic across, like the necks it joins.
+NurbsSurface shank_section(double left, double right, double half_width) {
+  return elevate_degree(section_between(segment({left, -half_width, 0}, {left, half_width, 0}),
+                                        segment({right, -half_width, 0}, {right, half_width, 0})),
+                        1, 1);
 }
 
 void check_front(std::string_view side, const Eye& eye) {
@@ -184,7 +186,7 @@ PatchSet link_model(const LinkOptions& options) {
     const double high =
         i + 1 == options.shank_patches ? start + length : start + length * (i + 1) / options.shank_patches;
     builder.add(
-        extruded(rectangle(low, high, left.half_width), up),
+        extruded(shank_section(low, high, left.half_width), up),
         {{Side::south, "sides"}, {Side::north, "sides"}, {Side::front, "bottom"}, {Side::back, "top"}});
   }
   return builder.patches();
