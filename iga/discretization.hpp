@@ -18,14 +18,15 @@ struct DiscretizationOptions {
   std::array<int, 3> elements_per_direction = {0, 0, 0};
   /// Largest length of an element's edge, model units; 0: no limit.
   double max_size = 0;
-  /// Highest continuity C^k across knots inside a patch; -1: as smooth as degree and geometry allow. Range -1 .. 9.
+  /// Highest continuity C^k across knots inside a patch; -1: as smooth as degree and geometry allow. Range -1
+  /// .. 9.
   int continuity = -1;
 };
 /// @throws Error invalid_argument naming field, value and range
 void validate(const DiscretizationOptions& options);
 
-/// The solution space: every patch of the model in a finer space (so the geometry stays exact), matching across all
-/// interfaces. Its basis functions, all patches one after the other, are the *nodes*.
+/// The solution space: every patch of the model in a finer space (so the geometry stays exact), matching
+/// across all interfaces. Its basis functions, all patches one after the other, are the *nodes*.
 struct Discretization {
   geometry::MultiPatch model;
   std::vector<geometry::NurbsVolume> patches;  ///< the model's patches in the solution space
@@ -37,11 +38,12 @@ struct Discretization {
   std::int64_t element_count() const;
 };
 
-/// Builds the solution space. Where neighbours differ in degree or knots, both get the union, and so on from patch
-/// to patch until all traces match.
+/// Builds the solution space. Where neighbours differ in degree or knots, both get the union, and so on from
+/// patch to patch until all traces match.
 ///
 /// @throws Error invalid_argument  options out of range
-/// @throws Error not_conforming    an interface whose weights are not proportional, or whose knots cannot be matched
+/// @throws Error not_conforming    an interface whose weights are not proportional, or whose knots cannot be
+/// matched
 /// @cost   O(nodes * degree) per direction
 Discretization discretize(const geometry::MultiPatch& model, const DiscretizationOptions& options = {});
 

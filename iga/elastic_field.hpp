@@ -10,9 +10,9 @@ namespace isopatch::iga {
 
 /// A displacement on patches with their materials: all that post-processing needs.
 struct ElasticField {
-  std::vector<geometry::NurbsVolume> patches;   ///< geometry in the solution space
-  std::vector<Eigen::Matrix3Xd> displacement;   ///< coefficients per patch, (3, control points), m
-  std::vector<Material> materials;              ///< one per patch
+  std::vector<geometry::NurbsVolume> patches;  ///< geometry in the solution space
+  std::vector<Eigen::Matrix3Xd> displacement;  ///< coefficients per patch, (3, control points), m
+  std::vector<Material> materials;             ///< one per patch
 };
 
 /// All values at one point.

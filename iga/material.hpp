@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <string>
 
 namespace isopatch::iga {
@@ -14,11 +15,15 @@ struct Material {
 
 /// @param young    E > 0, Pa
 /// @param poisson  nu in (-1, 0.5)
-/// @throws Error invalid_argument, also for nu = 0.5: an incompressible material has no displacement formulation
+/// @throws Error invalid_argument, also for nu = 0.5: an incompressible material has no displacement
+/// formulation
 Material isotropic(double young, double poisson, double density = 0, std::string name = {});
 
 double young(const Material& material);
 double poisson(const Material& material);
+
+/// Stress of a small strain, Pa.
+Eigen::Matrix3d stress(const Eigen::Matrix3d& strain, const Material& material);
 
 /// @throws Error invalid_argument if the stiffness is not positive definite or a value is not finite
 void validate(const Material& material);

@@ -38,12 +38,13 @@ struct SurfaceLoad {
   std::vector<geometry::PatchFace> faces;
   std::function<Eigen::Vector3d(const Eigen::Vector3d& place, const Eigen::Vector3d& normal)> traction;
 };
-SurfaceLoad constant_traction(std::string name, std::vector<geometry::PatchFace> faces, const Eigen::Vector3d& traction);
+SurfaceLoad constant_traction(std::string name, std::vector<geometry::PatchFace> faces,
+                              const Eigen::Vector3d& traction);
 /// @param pressure  Pa, positive pushes against the face
 SurfaceLoad pressure_load(std::string name, std::vector<geometry::PatchFace> faces, double pressure);
 /// A total force (N) spread evenly over the faces' area.
-SurfaceLoad total_force(std::string name, std::vector<geometry::PatchFace> faces, const Eigen::Vector3d& force,
-                        const geometry::MultiPatch& model);
+SurfaceLoad total_force(std::string name, std::vector<geometry::PatchFace> faces,
+                        const Eigen::Vector3d& force, const geometry::MultiPatch& model);
 
 /// Force per volume in patches, N/m^3.
 struct VolumeLoad {
@@ -53,8 +54,8 @@ struct VolumeLoad {
 };
 /// Weight of patches with the given acceleration (m/s^2); one load per patch, because densities differ.
 /// @throws Error invalid_argument if a patch's material has no density
-std::vector<VolumeLoad> gravity(const std::string& name, const std::vector<PatchId>& patches, const Eigen::Vector3d& acceleration,
-                                const std::vector<Material>& materials);
+std::vector<VolumeLoad> gravity(const std::string& name, const std::vector<PatchId>& patches,
+                                const Eigen::Vector3d& acceleration, const std::vector<Material>& materials);
 
 /// Linear elasticity on a multi-patch model, SI units throughout.
 struct ElasticityProblem {

@@ -29,16 +29,17 @@ struct ElasticityOptions {
 /// Sizes of the discrete problem. Scalar counts, three components a node.
 struct ProblemSize {
   std::int64_t elements = 0;
-  std::int64_t control_points = 0;     ///< summed over the patches
-  std::int64_t dofs_uncoupled = 0;     ///< 3 control_points
-  std::int64_t dofs_eliminated = 0;    ///< 3 times the classes of coincident control points
-  std::int64_t multipliers = 0;        ///< dofs_uncoupled - dofs_eliminated: rows that tie the patches
-  std::int64_t multipliers_free = 0;   ///< of these, rows left where supports already fix all their points
-  std::int64_t dofs = 0;               ///< unknowns of the chosen coupling before supports are fixed, multipliers included
-  std::int64_t dofs_free = 0;          ///< the same after supports are fixed
+  std::int64_t control_points = 0;    ///< summed over the patches
+  std::int64_t dofs_uncoupled = 0;    ///< 3 control_points
+  std::int64_t dofs_eliminated = 0;   ///< 3 times the classes of coincident control points
+  std::int64_t multipliers = 0;       ///< dofs_uncoupled - dofs_eliminated: rows that tie the patches
+  std::int64_t multipliers_free = 0;  ///< of these, rows left where supports already fix all their points
+  std::int64_t dofs = 0;  ///< unknowns of the chosen coupling before supports are fixed, multipliers included
+  std::int64_t dofs_free = 0;  ///< the same after supports are fixed
 };
 
-/// What holds two coincident control points together: the force that the first exerts on the second is `force`.
+/// What holds two coincident control points together: the force that the first exerts on the second is
+/// `force`.
 struct Multiplier {
   int first_node = 0;
   int second_node = 0;
@@ -60,11 +61,12 @@ struct Extremum {
 };
 
 struct ElasticityResults {
-  Extremum max_displacement;   ///< length of the displacement, m; on a grid of degree + 1 points per element and direction, ends included
+  Extremum max_displacement;   ///< length of the displacement, m; on a grid of degree + 1 points per element
+                               ///< and direction, ends included
   Extremum max_von_mises;      ///< Pa; at the Gauss points
   double internal_energy = 0;  ///< half the integral of stress : strain, J
   double external_work = 0;    ///< half the work of loads and of reactions on prescribed displacements, J
-  std::vector<Reaction> reactions;  ///< one per support
+  std::vector<Reaction> reactions;                       ///< one per support
   Eigen::Vector3d total_load = Eigen::Vector3d::Zero();  ///< N
 };
 
@@ -75,7 +77,8 @@ struct PhaseTime {
 
 struct ElasticitySolution {
   ElasticField field;
-  std::vector<Multiplier> multipliers;  ///< solved for with lagrange, recovered from the residual with elimination
+  std::vector<Multiplier>
+      multipliers;  ///< solved for with lagrange, recovered from the residual with elimination
   ElasticityResults results;
   ProblemSize size;
   solvers::SolveReport solver;
@@ -84,8 +87,8 @@ struct ElasticitySolution {
 
 /// Solves a linear elasticity problem.
 ///
-/// Checks before any assembly: materials, supports that contradict each other, loads on faces that are no boundary,
-/// bodies that can still move.
+/// Checks before any assembly: materials, supports that contradict each other, loads on faces that are no
+/// boundary, bodies that can still move.
 ///
 /// @throws Error conflict    supports that contradict each other
 /// @throws Error free_body   naming the body's patches and its rigid motions left

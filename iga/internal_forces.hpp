@@ -1,0 +1,24 @@
+#pragma once
+
+#include "geometry/base/progress.hpp"
+#include "iga/discretization.hpp"
+#include "iga/elastic_field.hpp"
+#include "iga/solve_elasticity.hpp"
+
+namespace isopatch::iga {
+
+/// What the stresses of a displacement do.
+struct InternalForces {
+  Eigen::Matrix3Xd
+      forces;  ///< K u per node before any coupling, (3, nodes), N; from the stresses, not from a matrix
+  double energy = 0;       ///< half the integral of stress : strain, J
+  Extremum max_von_mises;  ///< over the Gauss points, Pa
+};
+
+/// @param displacement  coefficients per node, (3, nodes), m
+/// @cost  O(n q) per element of n functions and q points
+InternalForces internal_forces(const Discretization& discretization, const std::vector<Material>& materials,
+                               const Eigen::Matrix3Xd& displacement, int points = 0,
+                               const Progress& progress = {});
+
+}  // namespace isopatch::iga

@@ -1,0 +1,157 @@
+#include "iga/loads.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <utility>
+
+#include "geometry/base/error.hpp"
+#include "geometry/measures.hpp"
+#include "iga/element.hpp"
+
+namespace isopatch::iga {
+
+using geometry::PatchFace;
+
+SurfaceLoad constant_traction(std::string name, std::vector<PatchFace> faces,
+                              const Eigen::Vector3d& traction) {
+  return {std::move(name), std::move(faces),
+          [traction](const Eigen::Vector3d&, const Eigen::Vector3d&) { return traction; }};
+}
+
+SurfaceLoad pressure_load(std::string name, std::vector<PatchFace> faces, double pressure) {
+  return {std::move(name), std::move(faces),
+          [pressure](const Eigen::Vector3d&, const Eigen::Vector3d& normal) {
+            return Eigen::Vector3d(-pressure * normal);
+          }};
+}
+
+SurfaceLoad total_force(std::string name, std::vector<PatchFace> faces, const Eigen::Vector3d& force,
+                        const geometry::MultiPatch& model) {
+  double area = 0;
+  for (const PatchFace face : faces)
+    area += geometry::area(geometry::face_surface(model.patch(face.patch), face.side));
+  if (!(area > 0))
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("'{}': a force needs faces with an area to act on", name));
+  return constant_traction(std::move(name), std::move(faces), force / area);
+}
+
+std::vector<VolumeLoad> gravity(const std::string& name, const std::vector<PatchId>& patches,
+                                const Eigen::Vector3d& acceleration, const std::vector<Material>& materials) {
+  std::vector<VolumeLoad> loads;
+  for (const PatchId patch : patches) {
+    const Material& material = materials.at(static_cast<std::size_t>(patch.value));
+    if (!(material.density > 0))
+      throw Error(
+          ErrorCode::invalid_argument,
+          fmt::format("'{}': patch {} has no density; gravity needs one in its material", name, patch.value));
+    const Eigen::Vector3d force = material.density * acceleration;
+    loads.push_back({name, {patch}, [force](const Eigen::Vector3d&) { return force; }});
+  }
+  return loads;
+}
+
+Eigen::Matrix3Xd face_load(
+    const geometry::NurbsVolume& patch, geometry::Side side, int points,
+    const std::function<Eigen::Vector3d(const Eigen::Vector3d&, const Eigen::Vector3d&)>& traction) {
+  const geometry::NurbsSurface surface = geometry::face_surface(patch, side);
+  // Of a right-handed patch, the second direction is the one whose two tangents, in increasing order, turn
+  // inwards.
+  const double outward = (geometry::is_high(side) ? 1 : -1) * (geometry::direction(side) == 1 ? -1 : 1);
+  std::array<DirectionTable, 2> tables;
+  for (int d = 0; d < 2; ++d)
+    tables[static_cast<std::size_t>(d)] = direction_table(
+        surface.knots(d), geometry::gauss_legendre(points > 0 ? points : surface.degree(d) + 1));
+  Eigen::Matrix3Xd load = Eigen::Matrix3Xd::Zero(3, surface.size());
+  for (const auto& v : tables[1].elements) {
+    for (const auto& u : tables[0].elements) {
+      for (Eigen::Index qv = 0; qv < v.nodes.size(); ++qv) {
+        for (Eigen::Index qu = 0; qu < u.nodes.size(); ++qu) {
+          const geometry::Parameter<2> parameter(u.nodes[qu], v.nodes[qv]);
+          const auto jacobian = surface.jacobian(parameter);
+          const Eigen::Vector3d area =
+              outward * Eigen::Vector3d(jacobian.col(0)).cross(Eigen::Vector3d(jacobian.col(1)));
+          const double measure = area.norm();
+          if (!(measure > 0)) continue;  // a collapsed edge carries nothing
+          const Eigen::Vector3d weighted =
+              u.weights[qu] * v.weights[qv] * measure * traction(surface.point(parameter), area / measure);
+          double total = 0;
+          for (Eigen::Index j = 0; j < v.values.cols(); ++j)
+            for (Eigen::Index i = 0; i < u.values.cols(); ++i)
+              total += u.values(qu, i) * v.values(qv, j) *
+                       surface.weights()[u.first + i + surface.size(0) * (v.first + j)];
+          for (Eigen::Index j = 0; j < v.values.cols(); ++j) {
+            for (Eigen::Index i = 0; i < u.values.cols(); ++i) {
+              const Eigen::Index index = u.first + i + surface.size(0) * (v.first + j);
+              load.col(index) +=
+                  weighted * (u.values(qu, i) * v.values(qv, j) * surface.weights()[index] / total);
+            }
+          }
+        }
+      }
+    }
+  }
+  return load;
+}
+
+namespace {
+
+void add_surface_load(const ElasticityProblem& problem, const SurfaceLoad& surface_load, int points,
+                      Eigen::Matrix3Xd& load) {
+  const Discretization& d = problem.discretization;
+  const auto& boundary = d.model.boundary_faces();
+  for (const PatchFace face : surface_load.faces) {
+    if (std::find(boundary.begin(), boundary.end(), face) == boundary.end())
+      throw Error(ErrorCode::invalid_argument,
+                  fmt::format("'{}': face {} is not on the boundary of the model", surface_load.name,
+                              d.model.label(face)));
+    const auto p = static_cast<std::size_t>(face.patch.value);
+    const Eigen::Matrix3Xd on_face = face_load(d.patches[p], face.side, points, surface_load.traction);
+    if (!on_face.allFinite())
+      throw Error(ErrorCode::invalid_argument, fmt::format("'{}': the load on face {} is not finite",
+                                                           surface_load.name, d.model.label(face)));
+    const std::vector<int> indices = geometry::face_control_points(d.patches[p].sizes(), face.side);
+    for (std::size_t i = 0; i < indices.size(); ++i)
+      load.col(d.first_node[p] + indices[i]) += on_face.col(static_cast<Eigen::Index>(i));
+  }
+}
+
+void add_volume_load(const ElasticityProblem& problem, const VolumeLoad& volume_load, int points,
+                     Eigen::Matrix3Xd& load) {
+  const Discretization& d = problem.discretization;
+  ElementValues values;
+  for (const PatchId patch : volume_load.patches) {
+    if (patch.value < 0 || patch.value >= d.patch_count())
+      throw Error(ErrorCode::invalid_argument, fmt::format("'{}': there is no patch {}; the model has {}",
+                                                           volume_load.name, patch.value, d.patch_count()));
+    const auto p = static_cast<std::size_t>(patch.value);
+    const ElementEvaluator evaluator(d.patches[p], points);
+    for (std::int64_t e = 0; e < evaluator.element_count(); ++e) {
+      evaluator.evaluate(e, values);
+      for (Eigen::Index q = 0; q < values.measures.size(); ++q) {
+        const Eigen::Vector3d force = values.measures[q] * volume_load.force(values.places.col(q));
+        if (!force.allFinite())
+          throw Error(ErrorCode::invalid_argument, fmt::format("'{}': the force in patch {} is not finite",
+                                                               volume_load.name, patch.value));
+        for (std::size_t a = 0; a < values.functions.size(); ++a)
+          load.col(d.first_node[p] + values.functions[a]) +=
+              values.values(static_cast<Eigen::Index>(a), q) * force;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Eigen::Matrix3Xd load_vector(const ElasticityProblem& problem, int points) {
+  Eigen::Matrix3Xd load = Eigen::Matrix3Xd::Zero(3, problem.discretization.node_count());
+  for (const SurfaceLoad& surface_load : problem.surface_loads)
+    add_surface_load(problem, surface_load, points, load);
+  for (const VolumeLoad& volume_load : problem.volume_loads)
+    add_volume_load(problem, volume_load, points, load);
+  return load;
+}
+
+}  // namespace isopatch::iga

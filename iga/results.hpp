@@ -1,0 +1,16 @@
+#pragma once
+
+#include "iga/internal_forces.hpp"
+#include "iga/support_frames.hpp"
+
+namespace isopatch::iga {
+
+/// The largest displacement on a grid of degree + 1 points per element and direction, ends included.
+Extremum max_displacement(const ElasticField& field);
+
+/// Force and moment of every support on the part, from the residual K u - f of the fixed components.
+/// @param forces  internal forces minus loads per node, (3, nodes), N
+std::vector<Reaction> support_reactions(const ElasticityProblem& problem, const NodeClasses& classes,
+                                        const std::vector<Frame>& frames, const Eigen::Matrix3Xd& forces);
+
+}  // namespace isopatch::iga

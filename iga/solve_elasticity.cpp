@@ -1,0 +1,177 @@
+#include "iga/solve_elasticity.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <numeric>
+
+#include "geometry/base/error.hpp"
+#include "iga/assembly.hpp"
+#include "iga/internal_forces.hpp"
+#include "iga/loads.hpp"
+#include "iga/results.hpp"
+#include "iga/rigid_motions.hpp"
+#include "iga/supported_system.hpp"
+
+namespace isopatch::iga {
+namespace {
+
+class Stopwatch {
+ public:
+  explicit Stopwatch(std::vector<PhaseTime>& times) : times_(times) {}
+  // Ends a phase: the time since the last one goes to its name.
+  void lap(const char* phase) {
+    const auto now = std::chrono::steady_clock::now();
+    times_.push_back({phase, std::chrono::duration<double>(now - last_).count()});
+    last_ = now;
+  }
+
+ private:
+  std::vector<PhaseTime>& times_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+void check(const ElasticityProblem& problem, const ElasticityOptions& options) {
+  if (options.quadrature_points < 0 || options.quadrature_points > 20)
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("quadrature_points is {}; its range is 0 .. 20", options.quadrature_points));
+  solvers::validate(options.solver);
+  if (static_cast<int>(problem.materials.size()) != problem.discretization.patch_count())
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("{} materials for {} patches", problem.materials.size(),
+                            problem.discretization.patch_count()));
+  for (const Material& material : problem.materials) validate(material);
+}
+
+ProblemSize problem_size(const Discretization& d, const NodeClasses& classes,
+                         const std::vector<Frame>& frames, std::size_t multipliers_free, Coupling coupling) {
+  ProblemSize size;
+  size.elements = d.element_count();
+  size.control_points = d.node_count();
+  size.dofs_uncoupled = 3 * size.control_points;
+  size.dofs_eliminated = 3 * std::int64_t{classes.count()};
+  size.multipliers = size.dofs_uncoupled - size.dofs_eliminated;
+  size.multipliers_free = static_cast<std::int64_t>(multipliers_free);
+  std::int64_t free = 0;
+  const bool merged = coupling == Coupling::elimination;
+  for (int c = 0; c < classes.count(); ++c)
+    free += frames[static_cast<std::size_t>(c)].free *
+            (merged ? 1 : static_cast<std::int64_t>(classes.of(c).size()));
+  size.dofs = merged ? size.dofs_eliminated : size.dofs_uncoupled + size.multipliers;
+  size.dofs_free = merged ? free : free + size.multipliers_free;
+  return size;
+}
+
+// The unknowns of one coupling: which block row each node has, and the frame of each row.
+struct Unknowns {
+  RowNumbering numbering;
+  std::vector<const Frame*> frame_of_row;
+};
+
+Unknowns unknowns(const NodeClasses& classes, const std::vector<Frame>& frames, Coupling coupling) {
+  Unknowns result;
+  if (coupling == Coupling::elimination) {
+    result.numbering = {classes.class_of, classes.count()};
+    for (const Frame& frame : frames) result.frame_of_row.push_back(&frame);
+  } else {
+    result.numbering.rows = static_cast<int>(classes.class_of.size());
+    result.numbering.row_of_node.resize(classes.class_of.size());
+    std::iota(result.numbering.row_of_node.begin(), result.numbering.row_of_node.end(), 0);
+    for (const int c : classes.class_of) result.frame_of_row.push_back(&frames[static_cast<std::size_t>(c)]);
+  }
+  return result;
+}
+
+Eigen::VectorXd load_of_rows(const Eigen::Matrix3Xd& load, const RowNumbering& numbering) {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(3 * numbering.rows);
+  for (Eigen::Index node = 0; node < load.cols(); ++node)
+    result.segment<3>(3 * numbering.row_of_node[static_cast<std::size_t>(node)]) += load.col(node);
+  return result;
+}
+
+std::vector<Multiplier> multipliers_in_space(const std::vector<MultiplierRow>& rows,
+                                             const std::vector<Frame>& frames,
+                                             const Eigen::VectorXd& values) {
+  std::vector<Multiplier> result;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const MultiplierRow& row = rows[r];
+    if (result.empty() || result.back().second_node != row.second)
+      result.push_back({row.first, row.second, Eigen::Vector3d::Zero()});
+    result.back().force += values[static_cast<Eigen::Index>(r)] *
+                           frames[static_cast<std::size_t>(row.node_class)].axes.col(row.axis);
+  }
+  return result;
+}
+
+ElasticField field_of(const ElasticityProblem& problem, const Eigen::Matrix3Xd& displacement) {
+  const Discretization& d = problem.discretization;
+  ElasticField field{d.patches, {}, problem.materials};
+  for (std::size_t p = 0; p < d.patches.size(); ++p)
+    field.displacement.push_back(displacement.middleCols(d.first_node[p], d.patches[p].size()));
+  return field;
+}
+
+}  // namespace
+
+std::string_view name(Coupling coupling) {
+  return coupling == Coupling::elimination ? "elimination" : "lagrange";
+}
+
+ElasticitySolution solve_elasticity(const ElasticityProblem& problem, const ElasticityOptions& options,
+                                    const Progress& progress) {
+  check(problem, options);
+  ElasticitySolution solution;
+  Stopwatch watch(solution.timings);
+  const Discretization& d = problem.discretization;
+
+  const NodeClasses classes = node_classes(d);
+  const std::vector<Frame> frames = support_frames(problem, classes);
+  require_supported(d, classes, frames);
+  const Eigen::Matrix3Xd load = load_vector(problem, options.quadrature_points);
+  const std::vector<MultiplierRow> rows = multiplier_rows(classes, frames);
+  solution.size = problem_size(d, classes, frames, rows.size(), options.coupling);
+  const Unknowns unknown = unknowns(classes, frames, options.coupling);
+  watch.lap("coupling and loads");
+
+  solvers::LinearSystem system;
+  system.stiffness =
+      assemble_stiffness(d, problem.materials, unknown.numbering, options.quadrature_points, progress);
+  system.load = load_of_rows(load, unknown.numbering);
+  apply_supports(system, unknown.frame_of_row);
+  if (options.coupling == Coupling::lagrange) system.constraints = multiplier_matrix(rows, d.node_count());
+  watch.lap("assembly");
+
+  const solvers::LinearSolution linear = solvers::solve(system, options.solver, progress);
+  solution.solver = linear.report;
+  watch.lap("solve");
+
+  const Eigen::Matrix3Xd of_rows = displacement_of_rows(linear.x, unknown.frame_of_row);
+  Eigen::Matrix3Xd displacement(3, d.node_count());
+  for (Eigen::Index node = 0; node < displacement.cols(); ++node)
+    displacement.col(node) = of_rows.col(unknown.numbering.row_of_node[static_cast<std::size_t>(node)]);
+  solution.field = field_of(problem, displacement);
+
+  const InternalForces internal =
+      internal_forces(d, problem.materials, displacement, options.quadrature_points, progress);
+  const Eigen::Matrix3Xd unbalanced = internal.forces - load;
+  const Eigen::VectorXd multipliers = options.coupling == Coupling::lagrange
+                                          ? linear.multipliers
+                                          : recovered_multipliers(rows, classes, frames, -unbalanced);
+  solution.multipliers = multipliers_in_space(rows, frames, multipliers);
+  ElasticityResults& results = solution.results;
+  results.max_displacement = max_displacement(solution.field);
+  results.max_von_mises = internal.max_von_mises;
+  results.internal_energy = internal.energy;
+  results.reactions = support_reactions(problem, classes, frames, unbalanced);
+  results.total_load = load.rowwise().sum();
+  // Prescribed displacements do work through the reactions, free ones through the loads.
+  double work = load.cwiseProduct(displacement).sum();
+  for (Eigen::Index node = 0; node < displacement.cols(); ++node)
+    work += unbalanced.col(node).dot(
+        frames[static_cast<std::size_t>(classes.class_of[static_cast<std::size_t>(node)])].prescribed);
+  results.external_work = 0.5 * work;
+  watch.lap("results");
+  return solution;
+}
+
+}  // namespace isopatch::iga

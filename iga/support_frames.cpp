@@ -1,0 +1,139 @@
+#include "iga/support_frames.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/base/error.hpp"
+#include "geometry/measures.hpp"
+
+namespace isopatch::iga {
+namespace {
+
+using geometry::PatchFace;
+
+// One scalar condition on a point: direction . u = value, direction of unit length.
+struct Condition {
+  Eigen::Vector3d direction;
+  double value;
+};
+
+// Directions closer than this (radians) count as parallel: planes of published models are flat to about 1e-8.
+constexpr double parallel = 1e-5;
+
+std::string point_text(const Eigen::Vector3d& x) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g}) m", x[0], x[1], x[2]);
+}
+
+// Fixes one more direction of a frame, or holds the condition against those already there.
+void impose(Frame& frame, const Condition& condition, int support, const ElasticityProblem& problem,
+            const Eigen::Vector3d& place) {
+  Eigen::Vector3d rest = condition.direction;
+  for (int k = frame.free; k < 3; ++k) rest -= frame.axes.col(k) * frame.axes.col(k).dot(condition.direction);
+  const double value_there = condition.direction.dot(frame.prescribed);
+  if (frame.free == 0 || rest.norm() < parallel) {
+    const double scale = std::max(
+        {std::abs(condition.value), frame.prescribed.norm(), 1e-6 * problem.discretization.model.size()});
+    if (std::abs(condition.value - value_there) <= 1e-6 * scale) return;
+    int other = support;
+    for (int k = frame.free; k < 3; ++k)
+      if (std::abs(frame.axes.col(k).dot(condition.direction)) > 0.5)
+        other = frame.support[static_cast<std::size_t>(k)];
+    throw Error(ErrorCode::conflict,
+                fmt::format("'{}' and '{}' contradict each other at {}: along ({:.3g}, {:.3g}, {:.3g}) one "
+                            "prescribes {:.6g} m, the "
+                            "other {:.6g} m",
+                            problem.supports[static_cast<std::size_t>(other)].name,
+                            problem.supports[static_cast<std::size_t>(support)].name, point_text(place),
+                            condition.direction[0], condition.direction[1], condition.direction[2],
+                            value_there, condition.value));
+  }
+  const Eigen::Vector3d axis = rest.normalized();
+  frame.prescribed += axis * (condition.value - value_there) / rest.norm();
+  // The new fixed axis takes the last free place; the free ones before it span what remains.
+  const int place_of_axis = --frame.free;
+  frame.axes.col(place_of_axis) = axis;
+  frame.support[static_cast<std::size_t>(place_of_axis)] = support;
+  int filled = 0;
+  for (int candidate = 0; candidate < 3 && filled < frame.free; ++candidate) {
+    Eigen::Vector3d direction = Eigen::Vector3d::Unit(candidate);
+    for (int pass = 0; pass < 2; ++pass) {
+      for (int k = frame.free; k < 3; ++k) direction -= frame.axes.col(k) * frame.axes.col(k).dot(direction);
+      for (int k = 0; k < filled; ++k) direction -= frame.axes.col(k) * frame.axes.col(k).dot(direction);
+    }
+    // What is still to be spanned is orthogonal to the unit vectors taken, so one of the others passes.
+    if (direction.norm() > 0.5) frame.axes.col(filled++) = direction.normalized();
+  }
+}
+
+// Outward unit normal of a face that must be plane.
+Eigen::Vector3d plane_normal(const geometry::MultiPatch& model, PatchFace face, const std::string& support) {
+  const geometry::NurbsVolume& patch = model.patch(face.patch);
+  const Eigen::Matrix3Xd points = geometry::face_surface(patch, face.side).control_points();
+  const Eigen::Vector3d centre = points.rowwise().mean();
+  const Eigen::Matrix3d scatter = (points.colwise() - centre) * (points.colwise() - centre).transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(scatter);
+  Eigen::Vector3d normal = eigen.eigenvectors().col(0);
+  const double off_plane = ((points.colwise() - centre).transpose() * normal).cwiseAbs().maxCoeff();
+  const double extent = std::sqrt(eigen.eigenvalues()[2]);
+  if (off_plane > std::max(1e-5 * extent, 10 * model.tolerance().same_point * model.size()))
+    throw Error(ErrorCode::invalid_argument, fmt::format("'{}': face {} is not plane (off by {:.3g} m), so "
+                                                         "it cannot be a symmetry plane or a roller; give "
+                                                         "displacement components instead",
+                                                         support, model.label(face), off_plane));
+  const geometry::Parameter<3> middle = 0.5 * (patch.low() + patch.high());
+  const auto directions = geometry::tangents(face.side);
+  const geometry::Parameter<2> on_face(middle[directions[0]], middle[directions[1]]);
+  if (geometry::outward_normal(patch, face.side, on_face).dot(normal) < 0) normal = -normal;
+  // Nearly axis-parallel planes are taken as exactly so: conditions then touch one component each.
+  for (int d = 0; d < 3; ++d)
+    if (std::abs(std::abs(normal[d]) - 1) < 1e-12)
+      normal = Eigen::Vector3d::Unit(d) * (normal[d] > 0 ? 1 : -1);
+  return normal;
+}
+
+std::vector<Condition> conditions_at(const Support& support, const Eigen::Vector3d& place,
+                                     const Eigen::Vector3d& normal) {
+  if (const auto* plane = std::get_if<PlaneSupport>(&support.condition))
+    return {{normal, plane->normal_displacement}};
+  const auto& prescribed = std::get<PrescribedDisplacement>(support.condition);
+  std::vector<Condition> result;
+  for (int d = 0; d < 3; ++d)
+    if (const auto& value = prescribed.value[static_cast<std::size_t>(d)])
+      result.push_back({Eigen::Vector3d::Unit(d), *value + prescribed.gradient.row(d).dot(place)});
+  return result;
+}
+
+}  // namespace
+
+std::vector<Frame> support_frames(const ElasticityProblem& problem, const NodeClasses& classes) {
+  const Discretization& d = problem.discretization;
+  const auto& boundary = d.model.boundary_faces();
+  std::vector<Frame> frames(static_cast<std::size_t>(classes.count()));
+  for (std::size_t s = 0; s < problem.supports.size(); ++s) {
+    const Support& support = problem.supports[s];
+    for (const PatchFace face : support.faces) {
+      if (std::find(boundary.begin(), boundary.end(), face) == boundary.end())
+        throw Error(ErrorCode::invalid_argument,
+                    fmt::format("'{}': face {} is not on the boundary of the model", support.name,
+                                d.model.label(face)));
+      const bool plane = std::holds_alternative<PlaneSupport>(support.condition);
+      const Eigen::Vector3d normal =
+          plane ? plane_normal(d.model, face, support.name) : Eigen::Vector3d::Zero();
+      const auto patch = static_cast<std::size_t>(face.patch.value);
+      for (const int point : geometry::face_control_points(d.patches[patch].sizes(), face.side)) {
+        const int node_class = classes.class_of[static_cast<std::size_t>(d.first_node[patch] + point)];
+        const Eigen::Vector3d place = d.patches[patch].control_points().col(point);
+        for (const Condition& condition : conditions_at(support, place, normal))
+          impose(frames[static_cast<std::size_t>(node_class)], condition, static_cast<int>(s), problem,
+                 place);
+      }
+    }
+  }
+  return frames;
+}
+
+}  // namespace isopatch::iga

@@ -1,0 +1,111 @@
+#include "iga/supported_system.hpp"
+
+#include <Eigen/SparseCholesky>
+
+#include "geometry/base/error.hpp"
+
+namespace isopatch::iga {
+namespace {
+
+using Block = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
+bool is_identity(const Frame& frame) {
+  return frame.free == 3;
+}
+
+// Part of a block that survives: rows and columns of fixed components are 0.
+Block turned(const Block& block, const Frame& row, const Frame& column) {
+  Block result = row.axes.transpose() * block * column.axes;
+  for (int k = row.free; k < 3; ++k) result.row(k).setZero();
+  for (int k = column.free; k < 3; ++k) result.col(k).setZero();
+  return result;
+}
+
+}  // namespace
+
+void apply_supports(solvers::LinearSystem& system, const std::vector<const Frame*>& frame_of_row) {
+  solvers::SymmetricBlockMatrix& k = system.stiffness;
+  Eigen::VectorXd& load = system.load;
+  const double diagonal = solvers::mean_diagonal(k);
+  for (int row = 0; row < k.block_rows(); ++row) {
+    const Frame& of_row = *frame_of_row[static_cast<std::size_t>(row)];
+    for (std::int64_t position = k.row_start[static_cast<std::size_t>(row)];
+         position < k.row_start[static_cast<std::size_t>(row) + 1]; ++position) {
+      const int column = k.columns[static_cast<std::size_t>(position)];
+      const Frame& of_column = *frame_of_row[static_cast<std::size_t>(column)];
+      if (is_identity(of_row) && is_identity(of_column)) continue;
+      Eigen::Map<Block> block(&k.values[static_cast<std::size_t>(9 * position)]);
+      load.segment<3>(3 * row) -= block * of_column.prescribed;
+      if (column != row) load.segment<3>(3 * column) -= block.transpose() * of_row.prescribed;
+      block = turned(block, of_row, of_column);
+      if (column == row)
+        for (int i = of_row.free; i < 3; ++i) block(i, i) = diagonal;
+    }
+  }
+  for (int row = 0; row < k.block_rows(); ++row) {
+    const Frame& frame = *frame_of_row[static_cast<std::size_t>(row)];
+    if (is_identity(frame)) continue;
+    Eigen::Vector3d in_axes = frame.axes.transpose() * load.segment<3>(3 * row);
+    in_axes.tail(3 - frame.free).setZero();
+    load.segment<3>(3 * row) = in_axes;
+  }
+}
+
+Eigen::Matrix3Xd displacement_of_rows(const Eigen::VectorXd& x,
+                                      const std::vector<const Frame*>& frame_of_row) {
+  Eigen::Matrix3Xd u(3, x.size() / 3);
+  for (Eigen::Index row = 0; row < u.cols(); ++row) {
+    const Frame& frame = *frame_of_row[static_cast<std::size_t>(row)];
+    u.col(row) = frame.prescribed + frame.axes.leftCols(frame.free) * x.segment(3 * row, frame.free);
+  }
+  return u;
+}
+
+std::vector<MultiplierRow> multiplier_rows(const NodeClasses& classes, const std::vector<Frame>& frames) {
+  std::vector<MultiplierRow> rows;
+  for (int c = 0; c < classes.count(); ++c) {
+    const auto members = classes.of(c);
+    for (std::size_t i = 1; i < members.size(); ++i)
+      for (int axis = 0; axis < frames[static_cast<std::size_t>(c)].free; ++axis)
+        rows.push_back({c, members[0], members[i], axis});
+  }
+  return rows;
+}
+
+solvers::ConstraintMatrix multiplier_matrix(const std::vector<MultiplierRow>& rows, int nodes) {
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(2 * rows.size());
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    entries.emplace_back(static_cast<int>(r), 3 * rows[r].first + rows[r].axis, 1.0);
+    entries.emplace_back(static_cast<int>(r), 3 * rows[r].second + rows[r].axis, -1.0);
+  }
+  solvers::ConstraintMatrix b(static_cast<Eigen::Index>(rows.size()), 3 * nodes);
+  b.setFromTriplets(entries.begin(), entries.end());
+  if (rows.empty()) return b;
+  const Eigen::SparseMatrix<double> gram = b * b.transpose();
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(gram);
+  // The entries are 1 and 2, so a dependent row shows as a pivot of 0 up to round-off.
+  if (factor.info() != Eigen::Success || factor.vectorD().minCoeff() < 1e-8)
+    throw Error(ErrorCode::internal, "the multiplier rows are linearly dependent");
+  return b;
+}
+
+Eigen::VectorXd recovered_multipliers(const std::vector<MultiplierRow>& rows, const NodeClasses& classes,
+                                      const std::vector<Frame>& frames, const Eigen::Matrix3Xd& residual) {
+  const auto component = [&](const MultiplierRow& row, int node) {
+    return frames[static_cast<std::size_t>(row.node_class)].axes.col(row.axis).dot(residual.col(node));
+  };
+  Eigen::VectorXd result(static_cast<Eigen::Index>(rows.size()));
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    // (I + 1 1^T)^-1 = I - 1 1^T / m applied to the rows r_first - r_second leaves the class's mean less
+    // r_second.
+    const auto members = classes.of(rows[r].node_class);
+    double sum = 0;
+    for (const int node : members) sum += component(rows[r], node);
+    result[static_cast<Eigen::Index>(r)] =
+        sum / static_cast<double>(members.size()) - component(rows[r], rows[r].second);
+  }
+  return result;
+}
+
+}  // namespace isopatch::iga
