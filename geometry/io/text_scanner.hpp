@@ -55,13 +55,15 @@ class TextScanner {
   char comment_;
 };
 
-/// Calls `make`, and gives an Error that it throws the code bad_format and the place "source:line: where: ".
+/// Calls `make`, and begins the message of an Error that it throws with "source:line: where: "; the code
+/// invalid_argument becomes bad_format.
 template <class Make>
 auto located(const std::string& source, int line, const std::string& where, Make make) {
   try {
     return make();
   } catch (const Error& error) {
-    throw Error(ErrorCode::bad_format,
+    const bool is_argument = error.code() == ErrorCode::invalid_argument;
+    throw Error(is_argument ? ErrorCode::bad_format : error.code(),
                 source + ":" + std::to_string(line) + ": " + where + ": " + error.what());
   }
 }

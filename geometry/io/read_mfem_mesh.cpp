@@ -1,0 +1,258 @@
+#include "geometry/io/read_mfem_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "geometry/io/mfem_topology.hpp"
+#include "geometry/io/reader_limits.hpp"
+#include "geometry/io/text_scanner.hpp"
+
+namespace isopatch::geometry {
+namespace {
+
+constexpr int max_attribute = 2'000'000'000;
+constexpr int cube = 5;    // MFEM's number of a hexahedron
+constexpr int square = 3;  // and of a quadrilateral
+
+class MfemReader {
+ public:
+  MfemReader(std::string_view text, const std::string& source) : in_(text, source, 1, '#') {}
+
+  PatchSet read() {
+    read_head();
+    read_topology();
+    PatchSet result;
+    if (in_.peek() == "patches")
+      result.patches = read_patches();
+    else
+      result.patches = read_numbered();
+    result.boundaries =
+        located(in_.source(), boundary_line_, "boundary", [&] { return mfem_boundaries(topology_); });
+    for (const MfemFace& face : topology_.faces)
+      if (face.patches.size() == 2) result.listed_interfaces.emplace_back(face.patches[0], face.patches[1]);
+    return result;
+  }
+
+ private:
+  void read_head() {
+    in_.expect("MFEM");
+    in_.expect("NURBS");
+    in_.expect("mesh");
+    if (const std::string_view version = in_.word("the version"); version != "v1.0")
+      in_.fail(fmt::format("version {}; v1.0 is supported", quoted(version)), ErrorCode::unsupported);
+    in_.expect("dimension");
+    if (const int dimension = in_.integer("the dimension", 1, 3); dimension != 3)
+      in_.fail(fmt::format("a mesh of dimension {}; volumes (dimension 3) are needed", dimension),
+               ErrorCode::unsupported);
+  }
+
+  template <std::size_t N>
+  std::array<int, N> vertices() {
+    std::array<int, N> result{};
+    for (int& v : result) v = in_.integer("a vertex", 0, max_control_points);
+    return result;
+  }
+
+  int shape(int wanted, const char* name) {
+    const int attribute = in_.integer("an attribute", -max_attribute, max_attribute);
+    if (const int type = in_.integer("a geometry type", 0, 100); type != wanted)
+      in_.fail(fmt::format("geometry type {}; {} ({}) is supported here", type, wanted, name),
+               ErrorCode::unsupported);
+    return attribute;
+  }
+
+  void read_topology() {
+    in_.expect("elements");
+    const int patches = in_.integer("the number of elements (patches)", 1, max_patches);
+    const int first_line = in_.line();
+    for (int p = 0; p < patches; ++p) {
+      shape(cube, "cube");
+      topology_.patches.push_back(vertices<8>());
+    }
+    in_.expect("boundary");
+    boundary_line_ = in_.line();
+    const int boundary = in_.integer("the number of boundary elements", 0, 6 * max_patches);
+    for (int b = 0; b < boundary; ++b) {
+      const int attribute = shape(square, "square");
+      topology_.boundary.push_back({attribute, vertices<4>(), in_.line()});
+    }
+    in_.expect("edges");
+    const int edges = in_.integer("the number of edges", 0, 12 * max_patches);
+    for (int e = 0; e < edges; ++e) {
+      const int knots = in_.integer("a knot vector's number", 0, 12 * max_patches);
+      const auto [from, to] = vertices<2>();
+      topology_.edges.push_back({knots, from, to});
+    }
+    in_.expect("vertices");
+    topology_.vertex_count = in_.integer("the number of vertices", 8, 8 * max_patches);
+    check_vertices();
+    topology_.faces =
+        located(in_.source(), first_line, "elements", [&] { return mfem_faces(topology_.patches); });
+  }
+
+  void check_vertices() {
+    std::vector<bool> used(static_cast<std::size_t>(topology_.vertex_count));
+    for (const auto& patch : topology_.patches)
+      for (const int v : patch) {
+        if (v >= topology_.vertex_count)
+          in_.fail(fmt::format("{} vertices, but an element has vertex {}", topology_.vertex_count, v));
+        used[static_cast<std::size_t>(v)] = true;
+      }
+    const auto unused = std::find(used.begin(), used.end(), false);
+    if (unused != used.end()) in_.fail(fmt::format("vertex {} belongs to no element", unused - used.begin()));
+  }
+
+  KnotVector read_knots(const std::string& name) {
+    const int degree = in_.integer("the degree of " + name, 1, KnotVector::max_degree);
+    const int count = in_.integer("the number of control points of " + name, 2, max_control_points);
+    const int line = in_.line();
+    const std::size_t knot_count = static_cast<std::size_t>(count) + static_cast<std::size_t>(degree) + 1;
+    in_.require_room(knot_count, fmt::format("{} knots of {}", knot_count, name));
+    std::vector<double> knots(knot_count);
+    for (double& knot : knots) knot = in_.number("a knot of " + name);
+    return located(in_.source(), line, name, [&] { return KnotVector(degree, std::move(knots)); });
+  }
+
+  std::vector<NurbsVolume> read_patches() {
+    in_.expect("patches");
+    std::vector<NurbsVolume> result;
+    for (std::size_t p = 0; p < topology_.patches.size(); ++p)
+      result.push_back(read_patch(fmt::format("patch {}", p)));
+    in_.expect_end("the last patch");
+    return result;
+  }
+
+  NurbsVolume read_patch(const std::string& name) {
+    in_.expect("knotvectors");
+    if (in_.integer("the number of knot vectors of " + name, 1, 3) != 3)
+      in_.fail(name + ": three knot vectors are needed", ErrorCode::unsupported);
+    const int line = in_.line();
+    NurbsVolume::KnotVectors knots;
+    for (std::size_t d = 0; d < 3; ++d) knots[d] = read_knots(fmt::format("{}, direction {}", name, d));
+    in_.expect("dimension");
+    if (in_.integer("the dimension of " + name, 1, 10) != 3)
+      in_.fail(name + ": control points must have three coordinates", ErrorCode::unsupported);
+    const std::string_view kind = in_.word("'controlpoints'");
+    const bool cartesian = kind == "controlpoints_cartesian";
+    if (!cartesian && kind != "controlpoints" && kind != "controlpoints_homogeneous")
+      in_.fail(fmt::format("{} found where 'controlpoints' of {} are expected", quoted(kind), name));
+    const auto count = located(in_.source(), line, name,
+                               [&] { return checked_control_points(knots[0], knots[1], knots[2]); });
+    in_.require_room(static_cast<std::size_t>(4 * count),
+                     fmt::format("{} control points of {}", count, name));
+    Eigen::Matrix4Xd points(4, count);
+    for (Eigen::Index i = 0; i < points.size(); ++i)
+      points.data()[i] = in_.number("a control point of " + name);
+    return located(in_.source(), line, name, [&] {
+      return cartesian ? NurbsVolume(std::move(knots), points.topRows<3>(), points.row(3).transpose())
+                       : NurbsVolume::from_homogeneous(std::move(knots), points);
+    });
+  }
+
+  std::vector<NurbsVolume> read_numbered() {
+    in_.expect("knotvectors");
+    const int count = in_.integer("the number of knot vectors", 1, 12 * max_patches);
+    std::vector<KnotVector> knots;
+    for (int k = 0; k < count; ++k) knots.push_back(read_knots(fmt::format("knot vector {}", k)));
+    const int line = in_.line();
+    const std::vector<NurbsVolume::KnotVectors> spaces =
+        located(in_.source(), line, "edges", [&] { return mfem_spaces(topology_, knots); });
+    std::vector<std::array<int, 3>> sizes;
+    for (const auto& space : spaces) {
+      located(in_.source(), line, "patches",
+              [&] { return checked_control_points(space[0], space[1], space[2]); });
+      sizes.push_back({space[0].size(), space[1].size(), space[2].size()});
+    }
+    std::vector<int> edge_sizes;
+    for (const MfemEdge& edge : topology_.edges)
+      edge_sizes.push_back(knots[static_cast<std::size_t>(edge.knot_vector)].size());
+    const MfemNumbering numbering(topology_, std::move(sizes), edge_sizes);
+    const Coefficients coefficients = read_coefficients(numbering);
+    in_.expect_end("the last control point");
+    return build(spaces, numbering, coefficients, line);
+  }
+
+  struct Coefficients {
+    Eigen::VectorXd weights;
+    Eigen::Matrix3Xd points;
+  };
+
+  Coefficients read_coefficients(const MfemNumbering& numbering) {
+    const std::int64_t size = numbering.size();
+    Coefficients result;
+    const std::string_view kind = in_.word("'weights'");
+    if (kind != "weights" && kind != "unitweights")
+      in_.fail(
+          fmt::format(
+              "{} found where 'weights' is expected; periodic and partly active meshes are not supported",
+              quoted(kind)),
+          ErrorCode::unsupported);
+    const bool given = kind == "weights";
+    in_.require_room(static_cast<std::size_t>((given ? 4 : 3) * size), fmt::format("{} coefficients", size));
+    result.weights = Eigen::VectorXd::Ones(size);
+    if (given)
+      for (double& w : result.weights) w = in_.number("a weight");
+    const int ordering = read_space();
+    result.points =
+        in_.peek() == "NURBS_patches" ? points_by_patch(numbering) : points_by_number(size, ordering);
+    return result;
+  }
+
+  // Ordering 0: all x, all y, all z; 1: point by point.
+  Eigen::Matrix3Xd points_by_number(std::int64_t size, int ordering) {
+    Eigen::Matrix3Xd points(3, size);
+    for (std::int64_t n = 0; n < 3 * size; ++n) {
+      const Eigen::Index row = ordering == 0 ? n / size : n % 3;
+      const Eigen::Index column = ordering == 0 ? n % size : n / 3;
+      points(row, column) = in_.number("a coordinate");
+    }
+    return points;
+  }
+
+  int read_space() {
+    in_.expect("FiniteElementSpace");
+    in_.expect("FiniteElementCollection:");
+    if (const std::string_view name = in_.word("the collection"); !name.starts_with("NURBS"))
+      in_.fail(fmt::format("collection {}; NURBS is supported", quoted(name)), ErrorCode::unsupported);
+    in_.expect("VDim:");
+    if (in_.integer("VDim", 1, 100) != 3) in_.fail("VDim must be 3: points in space", ErrorCode::unsupported);
+    in_.expect("Ordering:");
+    return in_.integer("Ordering", 0, 1);
+  }
+
+  Eigen::Matrix3Xd points_by_patch(const MfemNumbering& numbering) {
+    in_.expect("NURBS_patches");
+    Eigen::Matrix3Xd points(3, numbering.size());
+    for (std::size_t p = 0; p < topology_.patches.size(); ++p)
+      for (const std::int64_t number : numbering.patch(p))
+        for (int d = 0; d < 3; ++d) points(d, number) = in_.number("a coordinate of a patch");
+    return points;
+  }
+
+  std::vector<NurbsVolume> build(const std::vector<NurbsVolume::KnotVectors>& spaces,
+                                 const MfemNumbering& numbering, const Coefficients& all, int line) {
+    std::vector<NurbsVolume> result;
+    for (std::size_t p = 0; p < spaces.size(); ++p) {
+      const std::vector<std::int64_t> numbers = numbering.patch(p);
+      result.push_back(located(in_.source(), line, fmt::format("patch {}", p), [&] {
+        return NurbsVolume(spaces[p], all.points(Eigen::all, numbers), all.weights(numbers));
+      }));
+    }
+    return result;
+  }
+
+  TextScanner in_;
+  MfemTopology topology_;
+  int boundary_line_ = 1;
+};
+
+}  // namespace
+
+PatchSet read_mfem_mesh(std::string_view text, const std::string& source) {
+  return MfemReader(text, source).read();
+}
+
+}  // namespace isopatch::geometry
