@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <string>
+#include <utility>
 
 #include "geometry/base/error.hpp"
 #include "solvers/petsc_objects.hpp"
@@ -19,6 +21,12 @@ PetscErrorCode remember_message(MPI_Comm, int, const char* function, const char*
   return code;
 }
 
+// Without mpiexec, Open MPI starts a helper process that only spawning more processes would need; leaving it
+// out saves 0.15 s. Whoever sets the variable himself has his way.
+void start_without_daemon() {
+  if (!std::getenv("OMPI_COMM_WORLD_SIZE")) ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+}
+
 // Lives from the first use of PETSc to the end of the process.
 class Session {
  public:
@@ -27,6 +35,7 @@ class Session {
     PetscInitialized(&running);
     if (running) return;
     PetscOptionsSetValue(nullptr, "-no_signal_handler", "true");
+    start_without_daemon();
     petsc::check(PetscInitializeNoArguments(), "start PETSc");
     PetscPushErrorHandler(remember_message, nullptr);
     started_ = true;

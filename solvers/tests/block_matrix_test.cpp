@@ -26,7 +26,7 @@ TEST(SymmetricBlockMatrix, MultipliesLikeTheDenseMatrix) {
 }
 
 TEST(SymmetricBlockMatrix, MultipliesManyRangesLikeTheDenseMatrix) {
-  const SymmetricBlockMatrix matrix = spring_grid(9, 2, 1.0);
+  const SymmetricBlockMatrix matrix = spring_grid({9, 9, 9}, 2, 1.0);
   ASSERT_GT(matrix.blocks(), 1 << 14);  // so that rows are split into ranges
   std::mt19937 random(3);
   const Eigen::VectorXd x = random_matrix(matrix.rows(), 1, random);
@@ -35,7 +35,7 @@ TEST(SymmetricBlockMatrix, MultipliesManyRangesLikeTheDenseMatrix) {
 }
 
 TEST(SymmetricBlockMatrix, MultipliesTheSameWithAnyNumberOfThreads) {
-  const SymmetricBlockMatrix matrix = spring_grid(9, 2, 1.0);
+  const SymmetricBlockMatrix matrix = spring_grid({9, 9, 9}, 2, 1.0);
   std::mt19937 random(4);
   const Eigen::VectorXd x = random_matrix(matrix.rows(), 1, random);
   const int threads = omp_get_max_threads();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <array>
 #include <random>
 
 #include "solvers/linear_system.hpp"
@@ -53,26 +54,27 @@ inline ConstraintMatrix sparse(const Eigen::MatrixXd& dense) {
   return dense.sparseView();
 }
 
-/// Springs along a grid of m^3 points that couple neighbours up to `reach` apart in every direction, with a
+/// Springs along a grid of points that couple neighbours up to `reach` apart in every direction, with a
 /// random positive definite block each, plus `ground` times the identity at each point. With ground = 0 the
 /// three translations are free.
-inline SymmetricBlockMatrix spring_grid(int m, int reach, double ground, unsigned seed = 7) {
+inline SymmetricBlockMatrix spring_grid(const std::array<int, 3>& points, int reach, double ground,
+                                        unsigned seed = 7) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(-1, 1);
-  const auto point = [m](int i, int j, int k) { return i + m * (j + m * k); };
+  const auto [l, m, n] = points;
   SymmetricBlockMatrix matrix;
-  std::vector<Eigen::Matrix3d> diagonal(static_cast<std::size_t>(m) * m * m,
+  std::vector<Eigen::Matrix3d> diagonal(static_cast<std::size_t>(l) * m * n,
                                         ground * Eigen::Matrix3d::Identity());
   std::vector<std::int64_t> diagonal_position;
-  for (int index = 0; index < m * m * m; ++index) {
-    const int i = index % m, j = index / m % m, k = index / (m * m);
+  for (int index = 0; index < l * m * n; ++index) {
+    const int i = index % l, j = index / l % m, k = index / (l * m);
     diagonal_position.push_back(matrix.blocks());
     matrix.columns.push_back(index);
     matrix.values.insert(matrix.values.end(), 9, 0.0);
-    for (int c = k; c <= std::min(k + reach, m - 1); ++c)
+    for (int c = k; c <= std::min(k + reach, n - 1); ++c)
       for (int b = std::max(j - reach, 0); b <= std::min(j + reach, m - 1); ++b)
-        for (int a = std::max(i - reach, 0); a <= std::min(i + reach, m - 1); ++a) {
-          const int other = point(a, b, c);
+        for (int a = std::max(i - reach, 0); a <= std::min(i + reach, l - 1); ++a) {
+          const int other = a + l * (b + m * c);
           if (other <= index) continue;
           const Eigen::Vector3d d(a - i, b - j, c - k);
           const Eigen::Vector3d e =

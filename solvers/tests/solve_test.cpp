@@ -136,7 +136,7 @@ TEST(Solve, AgreesWithDenseEigenOnRandomSaddleSystems) {
 
 TEST(Solve, AllMethodsAgreeOnAGrid) {
   std::mt19937 random(11);
-  LinearSystem system{spring_grid(8, 2, 0.01), {}, {}};
+  LinearSystem system{spring_grid({8, 8, 8}, 2, 0.01), {}, {}};
   system.load = random_matrix(system.stiffness.rows(), 1, random);
   const LinearSolution reference = solve(system, {.method = Method::cholmod});
   for (const Method method : spd_methods) {
@@ -148,7 +148,7 @@ TEST(Solve, AllMethodsAgreeOnAGrid) {
 
 TEST(Solve, SaddleMethodsAgreeOnAFloatingGrid) {
   std::mt19937 random(12);
-  LinearSystem system{spring_grid(7, 1, 0), {}, {}};
+  LinearSystem system{spring_grid({7, 7, 7}, 1, 0), {}, {}};
   Eigen::MatrixXd held = Eigen::MatrixXd::Zero(3, system.stiffness.rows());
   held.leftCols<3>().setIdentity();
   system.constraints = sparse(held);
@@ -263,7 +263,7 @@ TEST(Solve, AnExceptionOfTheListenerComesOut) {
 
 TEST(Solve, FreeGridIsSingularForEveryMethod) {
   std::mt19937 random(61);
-  LinearSystem system{spring_grid(6, 1, 0), {}, {}};
+  LinearSystem system{spring_grid({6, 6, 6}, 1, 0), {}, {}};
   system.load = random_matrix(system.stiffness.rows(), 1, random);
   for (const Method method : {Method::automatic, Method::cholmod, Method::mumps, Method::umfpack}) {
     const auto [code, message] = failure(system, {.method = method});
@@ -275,7 +275,7 @@ TEST(Solve, FreeGridIsSingularForEveryMethod) {
 
 // A load in balance has solutions all the same; a direct method must not pick one.
 TEST(Solve, FreeGridIsSingularAlsoUnderALoadInBalance) {
-  LinearSystem system{spring_grid(6, 1, 0), {}, {}};
+  LinearSystem system{spring_grid({6, 6, 6}, 1, 0), {}, {}};
   system.load =
       Eigen::VectorXd::Unit(system.stiffness.rows(), 0) - Eigen::VectorXd::Unit(system.stiffness.rows(), 300);
   for (const Method method : {Method::cholmod, Method::mumps, Method::umfpack})
@@ -305,7 +305,7 @@ TEST(Solve, RepeatedConstraintsAreSingular) {
 
 TEST(Solve, ConstraintsThatLeaveAMotionAreSingular) {
   std::mt19937 random(64);
-  LinearSystem system{spring_grid(5, 1, 0), {}, {}};
+  LinearSystem system{spring_grid({5, 5, 5}, 1, 0), {}, {}};
   Eigen::MatrixXd held = Eigen::MatrixXd::Zero(2, system.stiffness.rows());
   held.leftCols<2>().setIdentity();  // the third direction stays free
   system.constraints = sparse(held);
@@ -340,7 +340,7 @@ TEST(Solve, AStiffAndASoftPartAreNotTakenForSingular) {
 
 TEST(Solve, NotConvergedIsAnErrorWithAdvice) {
   std::mt19937 random(71);
-  LinearSystem system{spring_grid(8, 1, 1e-4), {}, {}};
+  LinearSystem system{spring_grid({8, 8, 8}, 1, 1e-4), {}, {}};
   system.load = random_matrix(system.stiffness.rows(), 1, random);
   const auto [code, message] = failure(system, {.method = Method::cg, .max_iterations = 5});
   EXPECT_EQ(code, ErrorCode::not_converged);
