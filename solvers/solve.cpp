@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <new>
 
 #include "geometry/base/error.hpp"
 #include "solvers/cg_solver.hpp"
@@ -146,6 +147,13 @@ LinearSolution solve_by_choice(const LinearSystem& system, const SolverOptions& 
   }
 }
 
+LinearSolution solve_by_name(const LinearSystem& system, const SolverOptions& options,
+                             const Progress& progress) {
+  LinearSolution solution = solve_with(options.method, system, options, progress);
+  solution.report.reason = "asked for by name";
+  return verified(std::move(solution), system, options);
+}
+
 }  // namespace
 
 LinearSolution solve(const LinearSystem& system, const SolverOptions& options, const Progress& progress) {
@@ -159,10 +167,17 @@ LinearSolution solve(const LinearSystem& system, const SolverOptions& options, c
     return zero_solution(system, options.method == Method::automatic ? fallback : options.method,
                          "nothing to solve: the load is zero");
   }
-  if (options.method == Method::automatic) return solve_by_choice(system, options, progress);
-  LinearSolution solution = solve_with(options.method, system, options, progress);
-  solution.report.reason = "asked for by name";
-  return verified(std::move(solution), system, options);
+  try {
+    if (options.method == Method::automatic) return solve_by_choice(system, options, progress);
+    return solve_by_name(system, options, progress);
+  } catch (const std::bad_alloc&) {
+    throw Error(
+        ErrorCode::out_of_memory,
+        fmt::format(
+            "no memory left for a copy of the matrix, whose {} blocks take {} bytes; use method 'cg', "
+            "a coarser space, or a machine with more memory",
+            system.stiffness.blocks(), system.stiffness.bytes()));
+  }
 }
 
 }  // namespace isopatch::solvers
