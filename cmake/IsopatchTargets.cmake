@@ -1,4 +1,4 @@
-# One call per folder: every .cpp beside the CMakeLists.txt belongs to its library, every .cpp in
+# One call per folder: every .cpp beside the CMakeLists.txt, or in internal/, belongs to its library, every .cpp in
 # tests/ to its test program.
 
 include(GNUInstallDirs)
@@ -20,7 +20,7 @@ set(ISOPATCH_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wno-
 # isopatch::NAME.
 function(isopatch_library name)
   cmake_parse_arguments(arg "" "" "PUBLIC;PRIVATE" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
+  file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/internal/*.cpp")
   add_library(isopatch_${name} STATIC ${sources})
   add_library(isopatch::${name} ALIAS isopatch_${name})
   set_target_properties(isopatch_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)

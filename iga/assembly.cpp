@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "iga/element_loop.hpp"
+#include "iga/internal/element_loop.hpp"
 
 namespace isopatch::iga {
 namespace {

@@ -1,6 +1,6 @@
 #include "iga/internal_forces.hpp"
 
-#include "iga/element_loop.hpp"
+#include "iga/internal/element_loop.hpp"
 
 namespace isopatch::iga {
 namespace {

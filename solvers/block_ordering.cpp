@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "geometry/base/error.hpp"
-#include "solvers/cholmod_api.hpp"
+#include "solvers/internal/cholmod_api.hpp"
 
 namespace isopatch::solvers {
 namespace {

@@ -4,9 +4,9 @@
 
 #include "geometry/base/error.hpp"
 #include "solvers/block_jacobi.hpp"
-#include "solvers/conjugate_gradients.hpp"
-#include "solvers/petsc_session.hpp"
-#include "solvers/petsc_shell.hpp"
+#include "solvers/internal/conjugate_gradients.hpp"
+#include "solvers/internal/petsc_session.hpp"
+#include "solvers/internal/petsc_shell.hpp"
 #include "solvers/scaled_system.hpp"
 #include "solvers/stopwatch.hpp"
 

@@ -5,7 +5,7 @@
 #include "geometry/base/error.hpp"
 #include "solvers/blas_threads.hpp"
 #include "solvers/block_ordering.hpp"
-#include "solvers/cholmod_api.hpp"
+#include "solvers/internal/cholmod_api.hpp"
 #include "solvers/pivot_check.hpp"
 #include "solvers/refinement.hpp"
 #include "solvers/stopwatch.hpp"

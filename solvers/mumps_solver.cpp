@@ -4,8 +4,8 @@
 
 #include "geometry/base/error.hpp"
 #include "solvers/blas_threads.hpp"
-#include "solvers/petsc_objects.hpp"
-#include "solvers/petsc_session.hpp"
+#include "solvers/internal/petsc_objects.hpp"
+#include "solvers/internal/petsc_session.hpp"
 #include "solvers/pivot_check.hpp"
 #include "solvers/refinement.hpp"
 #include "solvers/stopwatch.hpp"

@@ -4,7 +4,7 @@
 
 #include "geometry/base/error.hpp"
 #include "geometry/io/hdf5_file.hpp"
-#include "geometry/io/hdf5_handle.hpp"
+#include "geometry/io/internal/hdf5_handle.hpp"
 
 namespace isopatch::geometry {
 namespace {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/io/internal/xml_text.hpp"
 #include "geometry/io/reader_limits.hpp"
-#include "geometry/io/xml_text.hpp"
 
 namespace isopatch::geometry {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "solvers/petsc_objects.hpp"
+#include "solvers/internal/petsc_objects.hpp"
 
 namespace isopatch::solvers {
 

@@ -1,4 +1,4 @@
-#include "solvers/petsc_session.hpp"
+#include "solvers/internal/petsc_session.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "geometry/base/error.hpp"
-#include "solvers/petsc_objects.hpp"
+#include "solvers/internal/petsc_objects.hpp"
 
 namespace isopatch::solvers {
 namespace {

@@ -1,4 +1,4 @@
-#include "geometry/io/xml_text.hpp"
+#include "geometry/io/internal/xml_text.hpp"
 
 #include <fmt/format.h>
 

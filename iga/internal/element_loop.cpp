@@ -1,4 +1,4 @@
-#include "iga/element_loop.hpp"
+#include "iga/internal/element_loop.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "solvers/conjugate_gradients.hpp"
+#include "solvers/internal/conjugate_gradients.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "solvers/petsc_shell.hpp"
+#include "solvers/internal/petsc_shell.hpp"
 
 #include <exception>
 

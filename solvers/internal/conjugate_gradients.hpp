@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/base/progress.hpp"
-#include "solvers/petsc_objects.hpp"
+#include "solvers/internal/petsc_objects.hpp"
 
 namespace isopatch::solvers {
 
