@@ -32,12 +32,14 @@ def problems(folder):
     expect(stored.is_file() and stored.read_bytes()[:8] == HDF5_SIGNATURE, "results.h5 is no HDF5 file")
     patches = sorted(folder.rglob("*.vtu"))
     expect(len(patches) == summary["model"]["patches"], f"{len(patches)} .vtu files of {summary['model']['patches']}")
-    collections = sorted(folder.rglob("*.pvd")) + sorted(folder.rglob("*.vtm"))
-    expect(collections, "no collection of the .vtu files")
-    for collection in collections:
-        xml.etree.ElementTree.parse(collection)
-    leftovers = [path.name for path in folder.rglob("*") if ".tmp" in path.name or ".partial" in path.name]
-    expect(not leftovers, f"unfinished files: {leftovers}")
+    collection = folder / "results.vtm"
+    expect(collection.is_file(), "results.vtm is missing")
+    if collection.is_file():
+        named = [entry.attrib["file"] for entry in xml.etree.ElementTree.parse(collection).iter("DataSet")]
+        expect({folder / name for name in named} == set(patches), f"results.vtm names {named}")
+    known = {folder / "summary.json", stored, collection, *patches}
+    others = [path.name for path in folder.rglob("*") if path.is_file() and path not in known]
+    expect(not others, f"unknown files, unfinished perhaps: {others}")
     return found
 
 
