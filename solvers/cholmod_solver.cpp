@@ -13,8 +13,8 @@
 namespace isopatch::solvers {
 namespace {
 
-// Reads the permuted matrix as its lower triangle by columns, block row k of the order as columns 3k .. 3k
-// + 2.
+// The permuted matrix as its lower triangle by columns; the k-th block row of the order makes columns 3k to
+// 3k + 2.
 template <class Index>
 CompressedRows<Index> permuted_lower_triangle(const SymmetricBlockMatrix& matrix,
                                               const BlockOrdering& ordering) {
