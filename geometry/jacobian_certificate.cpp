@@ -70,12 +70,12 @@ class Certifier {
     for (const NurbsVolume& element : bezier_pieces(unit.volume))
       examine(jacobian_piece(element, unit.radius));
     int pieces = 0;
-    while (!negative_ && !undecided_.empty() && undecided_.top().piece.depth < options_.max_depth &&
+    while (!negative_ && !undecided_.empty() && undecided_.top().piece.depth < 3 * options_.max_depth &&
            pieces < max_pieces) {
       const JacobianPiece worst = undecided_.top().piece;
       undecided_.pop();
       for (JacobianPiece& part : worst.halved()) examine(std::move(part));
-      pieces += 8;
+      pieces += 2;
     }
     certificate_.sign = negative_             ? JacobianSign::negative
                         : !undecided_.empty() ? JacobianSign::undecided

@@ -23,7 +23,9 @@ struct JacobianCertificate {
 };
 
 struct CertificateOptions {
-  int max_depth = 12;  ///< halvings of an element before giving up. Range 0 .. 30
+  /// Halvings of an element before giving up, counted per direction: a piece is halved at most three times as
+  /// often, each time along the direction that sharpens its bounds most. Range 0 .. 30.
+  int max_depth = 12;
 };
 
 /// Certifies the sign of the Jacobian determinant of a volume map.

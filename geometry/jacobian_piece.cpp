@@ -45,11 +45,12 @@ Parameter<3> JacobianPiece::corner_parameter(int corner) const {
   return result;
 }
 
-std::array<JacobianPiece, 8> JacobianPiece::halved() const {
-  std::array<BernsteinPolynomial, 8> numerators = halves(numerator);
-  std::array<JacobianPiece, 8> parts;
-  const Parameter<3> middle = 0.5 * (low + high);
-  for (std::size_t i = 0; i < 8; ++i) {
+std::array<JacobianPiece, 2> JacobianPiece::halved() const {
+  const int direction = most_curved_direction(numerator);
+  std::array<BernsteinPolynomial, 2> numerators = halves(numerator, direction);
+  const double middle = 0.5 * (low[direction] + high[direction]);
+  std::array<JacobianPiece, 2> parts;
+  for (std::size_t i = 0; i < 2; ++i) {
     parts[i] = {std::move(numerators[i]),
                 error + halving_error,
                 halving_error,
@@ -59,7 +60,7 @@ std::array<JacobianPiece, 8> JacobianPiece::halved() const {
                 low,
                 high,
                 depth + 1};
-    for (int d = 0; d < 3; ++d) (((i >> d) & 1) != 0 ? parts[i].low : parts[i].high)[d] = middle[d];
+    (i == 0 ? parts[i].high : parts[i].low)[direction] = middle;
   }
   return parts;
 }
@@ -81,7 +82,7 @@ JacobianPiece jacobian_piece(const NurbsVolume& element, double radius) {
   piece.high = element.high();
   piece.error = expansion.error;
   const auto& degree = expansion.numerator.degree;
-  piece.halving_error = 3 * (*std::max_element(degree.begin(), degree.end()) + 2) * unit_roundoff *
+  piece.halving_error = (*std::max_element(degree.begin(), degree.end()) + 2) * unit_roundoff *
                         expansion.numerator.coefficients.cwiseAbs().maxCoeff();
   piece.scale = radius * radius * radius / (piece.high - piece.low).prod();
   piece.lowest_weight = expansion.lowest_weight;

@@ -28,7 +28,8 @@ struct JacobianPiece {
   double corner_numerator(int corner) const;
   Parameter<3> corner_parameter(int corner) const;
 
-  std::array<JacobianPiece, 8> halved() const;
+  /// The two halves along the direction that sharpens the bounds most.
+  std::array<JacobianPiece, 2> halved() const;
 };
 
 /// The volume moved to the origin and scaled into the cube of half width 1, its largest weight 1.

@@ -1,5 +1,6 @@
 #include "geometry/splines/bernstein.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -82,20 +83,35 @@ BernsteinPolynomial derivative(const BernsteinPolynomial& polynomial, int direct
   return result;
 }
 
-std::array<BernsteinPolynomial, 8> halves(const BernsteinPolynomial& polynomial) {
-  std::array<BernsteinPolynomial, 8> parts;
-  parts[0] = polynomial;
+std::array<BernsteinPolynomial, 2> halves(const BernsteinPolynomial& polynomial, int direction) {
+  const Eigen::MatrixXd lower = lower_half(polynomial.degree[static_cast<std::size_t>(direction)]);
+  const Eigen::MatrixXd upper = lower.reverse();
+  const auto apply = [&](const Eigen::MatrixXd& half) -> BernsteinPolynomial {
+    return {polynomial.degree, apply_along<3>(polynomial.coefficients, polynomial.sizes(), direction, half)};
+  };
+  return {apply(lower), apply(upper)};
+}
+
+int most_curved_direction(const BernsteinPolynomial& polynomial) {
+  const Eigen::RowVectorXd& c = polynomial.coefficients;
+  int most = 0;
+  double largest = -1;
+  Eigen::Index stride = 1;
   for (int d = 0; d < 3; ++d) {
-    const Eigen::MatrixXd lower = lower_half(polynomial.degree[static_cast<std::size_t>(d)]);
-    const Eigen::MatrixXd upper = lower.reverse();
-    const std::size_t count = std::size_t{1} << d;
-    for (std::size_t i = 0; i < count; ++i) {
-      const Eigen::RowVectorXd whole = parts[i].coefficients;
-      parts[i + count] = {polynomial.degree, apply_along<3>(whole, polynomial.sizes(), d, upper)};
-      parts[i].coefficients = apply_along<3>(whole, polynomial.sizes(), d, lower);
+    const int n = polynomial.degree[static_cast<std::size_t>(d)];
+    double difference = 0;
+    for (Eigen::Index i = stride; i + stride < c.size(); ++i) {
+      const Eigen::Index along = i / stride % (n + 1);
+      if (along > 0 && along < n)
+        difference = std::max(difference, std::abs(c[i - stride] - 2 * c[i] + c[i + stride]));
     }
+    if (n * difference > largest) {
+      largest = n * difference;
+      most = d;
+    }
+    stride *= n + 1;
   }
-  return parts;
+  return most;
 }
 
 double value(const BernsteinPolynomial& polynomial, const Eigen::Vector3d& parameter) {

@@ -28,9 +28,13 @@ BernsteinPolynomial operator*(const BernsteinPolynomial& a, const BernsteinPolyn
 /// Partial derivative; the degree along the direction drops by one.
 BernsteinPolynomial derivative(const BernsteinPolynomial& polynomial, int direction);
 
-/// The polynomial on the eight half-sized cubes, each scaled to the unit cube; bit d of an entry's index is
-/// set for the upper half of direction d. Round-off at most 3 (degree + 2) u max|coefficient|.
-std::array<BernsteinPolynomial, 8> halves(const BernsteinPolynomial& polynomial);
+/// The polynomial on the lower and on the upper half of the cube along one direction, each scaled to the unit
+/// cube. Round-off at most (degree + 2) u max|coefficient|.
+std::array<BernsteinPolynomial, 2> halves(const BernsteinPolynomial& polynomial, int direction);
+
+/// The direction whose halving brings the coefficients closest to the polynomial: the one with the largest
+/// degree times second difference of the coefficients.
+int most_curved_direction(const BernsteinPolynomial& polynomial);
 
 /// By de Casteljau's algorithm.
 double value(const BernsteinPolynomial& polynomial, const Eigen::Vector3d& parameter);

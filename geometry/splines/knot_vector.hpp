@@ -6,8 +6,9 @@ namespace isopatch::geometry {
 
 /// A clamped knot vector with its degree: the space of piecewise polynomials it spans.
 ///
-/// Invariant: degree >= 1; knots finite and nondecreasing; first and last knot with multiplicity
-/// degree + 1; inner knots with multiplicity at most degree (the splines are continuous).
+/// Invariant: degree >= 1; knots finite and nondecreasing, different ones at least 1e-15 of the range apart;
+/// first and last knot with multiplicity degree + 1; inner knots with multiplicity at most degree (the
+/// splines are continuous).
 class KnotVector {
  public:
   /// Highest degree accepted; far above any use, it bounds what a broken file can ask for.

@@ -1,0 +1,90 @@
+#include "geometry/measures.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "geometry/splines/refine.hpp"
+#include "geometry/tests/test_patches.hpp"
+
+namespace isopatch::geometry {
+namespace {
+
+using test::box_between;
+using test::ring_sector;
+
+constexpr double pi = std::numbers::pi;
+
+TEST(Measures, OfABoxAreItsEdges) {
+  const NurbsVolume box = box_between({1, 2, 3}, {3, 5, 3.5});
+  EXPECT_NEAR(volume(box), 3, 1e-14);
+  EXPECT_NEAR(area(face_surface(box, Side::west)), 1.5, 1e-14);
+  EXPECT_NEAR(area(face_surface(box, Side::north)), 1, 1e-14);
+  EXPECT_NEAR(area(face_surface(box, Side::back)), 6, 1e-14);
+  EXPECT_EQ(geometry::box(box).min(), Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(geometry::box(box).max(), Eigen::Vector3d(3, 5, 3.5));
+  const Quality q = quality(box);
+  EXPECT_NEAR(q.min_scaled_jacobian, 1, 1e-15);
+  EXPECT_NEAR(q.mean_scaled_jacobian, 1, 1e-15);
+  EXPECT_NEAR(q.min_jacobian, 3, 1e-14);
+  EXPECT_EQ(connect({{box, box_between({3, 2, 3}, {4, 5, 3.5})}, {}, {}}).size(), std::sqrt(9 + 9 + 0.25));
+}
+
+TEST(Measures, OfACylinderAreItsClosedForms) {
+  const NurbsVolume quarter = ring_sector(1, 2, 0, pi / 2, 0.5);
+  EXPECT_NEAR(volume(quarter), pi / 4 * 3 * 0.5, 1e-14);
+  EXPECT_NEAR(area(face_surface(quarter, Side::west)), pi / 2 * 0.5, 1e-14);
+  EXPECT_NEAR(area(face_surface(quarter, Side::east)), pi * 0.5, 1e-14);
+  EXPECT_NEAR(area(face_surface(quarter, Side::front)), pi / 4 * 3, 1e-14);
+  EXPECT_NEAR(area(face_surface(quarter, Side::south)), 0.5, 1e-14);
+  EXPECT_NEAR(volume(reversed(quarter, 1)), -volume(quarter), 1e-14);
+}
+
+TEST(Measures, VolumesOfPolynomialPatchesAreExactAtAnyDegree) {
+  // The image of the unit cube under a map whose determinant, by Gauss's theorem, integrates to the box's
+  // volume: inner control points may lie anywhere.
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> share(-0.2, 0.2);
+  for (const int p : {2, 3, 4, 5, 6}) {
+    const KnotVector knots = KnotVector::bezier(p);
+    const NurbsVolume patch = test::mapped({knots, knots, knots}, [&](const Eigen::Vector3d& t) {
+      const bool inside = (t.array() > 0.01).all() && (t.array() < 0.99).all();
+      return Eigen::Vector3d(inside ? t + Eigen::Vector3d(share(random), share(random), share(random)) : t);
+    });
+    EXPECT_NEAR(volume(patch), 1, 1e-13) << p;
+  }
+}
+
+TEST(Measures, NormalsPointOutOfRightHandedPatches) {
+  const NurbsVolume ring = ring_sector(1, 2, 0, pi / 2, 0.5);
+  const Parameter<2> at(0.3, 0.6);
+  for (const Side side : all_sides) {
+    const Eigen::Vector3d point = ring.point(on_side(ring, side, at));
+    const Eigen::Vector3d radial = Eigen::Vector3d(point[0], point[1], 0).normalized();
+    const Eigen::Vector3d around(-radial[1], radial[0], 0);
+    const std::array<Eigen::Vector3d, 6> expected = {
+        -radial, radial, -around, around, -Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitZ()};
+    EXPECT_LT((outward_normal(ring, side, at) - expected[static_cast<std::size_t>(side)]).norm(), 1e-14)
+        << name(side);
+  }
+}
+
+TEST(Measures, QualityFindsTheWorstPoint) {
+  // A box with one corner pushed in: the worst Gauss point is the one nearest to that corner.
+  Eigen::Matrix3Xd points = box_between({0, 0, 0}, {1, 1, 1}).control_points();
+  points.col(7) = Eigen::Vector3d(0.45, 0.45, 0.45);
+  const NurbsVolume patch({}, points);
+  const Quality q = quality(patch, 3);
+  const double last = 0.5 + std::sqrt(0.15);
+  EXPECT_LT((q.worst_parameter - Parameter<3>(last, last, last)).norm(), 1e-14);
+  EXPECT_NEAR(q.min_jacobian, patch.jacobian(q.worst_parameter).determinant(), 1e-15);
+  EXPECT_LT(q.min_scaled_jacobian, 0.8);
+  EXPECT_GT(q.mean_scaled_jacobian, q.min_scaled_jacobian);
+  EXPECT_LT(quality(reversed(patch, 0)).min_scaled_jacobian, 0);
+}
+
+}  // namespace
+}  // namespace isopatch::geometry

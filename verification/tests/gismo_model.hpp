@@ -1,0 +1,31 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "geometry/base/atomic_file.hpp"
+#include "geometry/io/read_gismo_xml.hpp"
+
+namespace isopatch::verification {
+
+/// Path of a file of test data by others, which may be absent: see ISOPATCH_DATA in CONTRIBUTING.md.
+inline std::filesystem::path data_path(const std::string& name) {
+  const char* folder = std::getenv("ISOPATCH_DATA");
+  return (folder ? std::filesystem::path(folder)
+                 : std::filesystem::path(ISOPATCH_SOURCE_DIR) / "../shared/data") /
+         name;
+}
+
+inline geometry::PatchSet gismo_patches(const std::string& name) {
+  return geometry::read_gismo_xml(read_file(data_path(name)), name);
+}
+
+}  // namespace isopatch::verification
+
+/// Skips a test whose data file is not there.
+#define ISOPATCH_NEEDS_DATA(name)                                        \
+  if (!std::filesystem::exists(isopatch::verification::data_path(name))) \
+  GTEST_SKIP() << "test data is absent: " << isopatch::verification::data_path(name)
