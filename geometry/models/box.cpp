@@ -11,6 +11,10 @@ namespace {
 
 constexpr const char* model = "box";
 constexpr std::array<std::string_view, 6> names = {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"};
+// Below 1 / sqrt(3): each column of the Jacobian matrix, in units of a patch's size, then differs so little
+// from a column of the identity that the matrix, and every Bernstein coefficient of its determinant, stays
+// positive.
+constexpr double largest_change = 0.55;
 using Index = std::array<int, 3>;
 
 // Points on a regular lattice of the box that patches share, in units of a patch's size.
@@ -114,9 +118,9 @@ void validate(const BoxOptions& options) {
     check_range(model, "origin" + axis, options.origin[static_cast<Eigen::Index>(d)], -1e100, 1e100);
     check_count(model, "patches" + axis, options.patches[d]);
   }
-  check_range(model, "distortion", options.distortion, 0, 0.4);
-  check_range(model, "curvature", options.curvature, 0, 0.4);
-  check_range(model, "distortion + curvature", options.distortion + options.curvature, 0, 0.55);
+  check_range(model, "distortion", options.distortion, 0, largest_change);
+  check_range(model, "curvature", options.curvature, 0, largest_change);
+  check_range(model, "distortion + curvature", options.distortion + options.curvature, 0, largest_change);
 }
 
 PatchSet box_model(const BoxOptions& options) {

@@ -14,12 +14,12 @@ struct BoxOptions {
   Eigen::Vector3d size = {1, 1, 1};        ///< positive
   Eigen::Vector3d origin = {0, 0, 0};      ///< the corner with the lowest coordinates
   std::array<int, 3> patches = {1, 1, 1};  ///< along x, y and z, 1 .. 1000 each
-  /// The patches' corners are moved at random by up to half this share of a patch's size. 0 .. 0.4; 0:
-  /// regular.
+  /// The patches' corners are moved at random by up to half this share of a patch's size.
+  /// Range 0 .. 0.55; 0 is regular.
   double distortion = 0;
-  /// Patches become quadratic and their faces and edges curved: their inner control points are moved at
-  /// random by up to a quarter of this share of a patch's size. 0 .. 0.4, and distortion + curvature at most
-  /// 0.55; 0: trilinear.
+  /// Patches become quadratic, their faces and edges curved: their control points other than the corners are
+  /// moved at random by up to a quarter of this share of a patch's size.
+  /// Range 0 .. 0.55, distortion + curvature at most 0.55; 0 is trilinear.
   double curvature = 0;
   /// Whether points in the box's own faces and edges move too, within them; the box stays the same box.
   bool distort_faces = true;

@@ -16,8 +16,9 @@ struct PlateOptions {
 /// @throws Error invalid_argument, naming field, value and range
 void validate(const PlateOptions& options);
 
-/// Two exact rational patches of degrees (1, 2, 1) that meet on the line to the plate's corner.
-/// Boundaries: hole, x_min and y_min (the symmetry planes), x_max, y_max, bottom, top.
+/// Two exact rational patches of degrees (1, 2, 1) that meet on the line to the plate's corner; they are well
+/// shaped while width and height differ by less than a factor of about three. Boundaries: hole, x_min and
+/// y_min (the symmetry planes), x_max, y_max, bottom, top.
 PatchSet plate_model(const PlateOptions& options = {});
 
 }  // namespace isopatch::geometry
