@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/model_report.hpp"
+#include "app/study.hpp"
+#include "iga/problem.hpp"
+
+namespace isopatch::app {
+
+/// Reads or generates the patches, scales them to metres and finds how they meet.
+/// @throws Error as the readers and `connect` do, and invalid_argument for a generated model's dimensions
+geometry::MultiPatch load_model(const ModelInput& input);
+
+/// A probe, found in the model.
+struct LocatedProbe {
+  std::string name;
+  int patch = 0;
+  geometry::Parameter<3> parameter;  ///< as isopatch numbers it
+};
+
+/// A study made ready to be solved.
+struct BuiltProblem {
+  iga::ElasticityProblem problem;
+  ModelReport report;
+  std::vector<LocatedProbe> probes;
+  std::vector<std::string> warnings;
+};
+
+/// Builds the problem that a study describes. Nothing is assembled yet, and no file but the model's is
+/// touched.
+///
+/// A patch that fails the certificate of the Jacobian's sign, but is positive at all Gauss points of the
+/// solution space, gives a warning.
+///
+/// @throws Error fold_over         a Gauss point with a Jacobian determinant that is not positive
+/// @throws Error invalid_argument  a patch without material or with two, selections that match nothing, faces
+/// that do
+///                                 not exist, probes outside the part; all with file, line and column
+BuiltProblem build_problem(const Study& study, const Progress& progress = {});
+
+}  // namespace isopatch::app

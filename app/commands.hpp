@@ -1,0 +1,63 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/console.hpp"
+#include "app/program.hpp"
+
+namespace isopatch::app {
+
+/// Options that `run` and `compare` share.
+struct StudyCommand {
+  std::filesystem::path study;
+  std::vector<std::string> overrides;           ///< --set key=value
+  std::optional<std::filesystem::path> output;  ///< --output; relative to the current folder
+};
+
+/// Solves a study, writes its files, prints the summary.
+ExitCode run_command(const StudyCommand& command, const Console& console);
+
+/// Solves with both couplings, writes compare.json, prints the table; `failed` if they disagree.
+ExitCode compare_command(const StudyCommand& command, const Console& console);
+
+struct InfoCommand {
+  std::filesystem::path input;         ///< patches, a study (.toml) or results (.h5)
+  std::vector<std::string> overrides;  ///< for a study
+  std::string length_unit = "m";       ///< for patches
+  bool json = false;
+  bool all = false;
+};
+/// Describes a model: patches, interfaces, faces, quality.
+ExitCode info_command(const InfoCommand& command, const Console& console);
+
+struct ProbeCommand {
+  std::filesystem::path results;
+  std::string point;  ///< "0.1,0,20 mm"
+  std::optional<int> patch;
+  std::string parameter;  ///< ".5,.5,1"
+  bool json = false;
+};
+/// Values at a point or a parameter of stored results.
+ExitCode probe_command(const ProbeCommand& command, const Console& console);
+
+struct FieldsCommand {
+  std::filesystem::path results;
+  std::filesystem::path output;
+};
+/// Writes the fields of stored results for ParaView.
+ExitCode fields_command(const FieldsCommand& command, const Console& console);
+
+struct ConvertCommand {
+  std::filesystem::path input;
+  std::filesystem::path output;
+};
+/// Writes patches as G+Smo XML.
+ExitCode convert_command(const ConvertCommand& command, const Console& console);
+
+/// Prints the documentation of the study file.
+ExitCode keys_command(const std::string& topic, const Console& console);
+
+}  // namespace isopatch::app

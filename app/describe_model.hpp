@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "app/model_report.hpp"
+
+namespace isopatch::app {
+
+/// What `isopatch info` prints of a model, in engineering units.
+/// @param all  every patch and face; otherwise long lists are cut after 24 lines
+std::string model_text(const geometry::MultiPatch& model, const ModelReport& report, bool all = false);
+
+/// The same as JSON, SI units, complete.
+std::string model_json_text(const geometry::MultiPatch& model, const ModelReport& report);
+
+}  // namespace isopatch::app

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace isopatch::app {
+
+/// A value with the prefix that keeps it readable, four digits: "6.838 mm", "674.1 MPa", "68.60 J".
+/// @param unit  m, Pa, J, N or g and the like; powers of m ("m^2", "m^3") get prefixes of the length
+std::string with_unit(double value, std::string_view unit);
+
+/// "(198.02, -179.69, -27.44) mm": metres, with the unit that suits a model of this size.
+std::string place_with_unit(const Eigen::Vector3d& place, double model_size);
+
+/// "(1.20, 0, -3.4) kN": the largest component chooses the prefix.
+std::string vector_with_unit(const Eigen::Vector3d& vector, std::string_view unit);
+
+/// 73746 as "73,746".
+std::string with_separators(std::int64_t count);
+
+/// "1.4 GB".
+std::string bytes_text(std::int64_t bytes);
+
+/// "0.43 s", "3 min 12 s".
+std::string seconds_text(double seconds);
+
+}  // namespace isopatch::app

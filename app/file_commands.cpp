@@ -1,0 +1,130 @@
+#include <fmt/format.h>
+
+#include "app/commands.hpp"
+#include "app/describe_model.hpp"
+#include "app/engineering_units.hpp"
+#include "app/json_values.hpp"
+#include "app/run_study.hpp"
+#include "app/stored_results.hpp"
+#include "app/units.hpp"
+#include "geometry/base/atomic_file.hpp"
+#include "geometry/io/read_patches.hpp"
+#include "geometry/io/write_gismo_xml.hpp"
+
+namespace isopatch::app {
+namespace {
+
+double length_unit(const std::string& text) {
+  const Quantity unit = parse_scale(text);
+  const bool plain = unit.dimension == dimensions::none;
+  if ((unit.dimension != dimensions::length && !plain) || !(unit.value > 0))
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("--length-unit: expected a length such as mm or '225 mm', got '{}'", text));
+  return unit.value;
+}
+
+geometry::MultiPatch load(const InfoCommand& command) {
+  const auto extension = command.input.extension();
+  if (extension == ".toml") return load_model(read_study(command.input, command.overrides).model);
+  if (extension == ".h5") {
+    geometry::PatchSet set;
+    set.patches = iga::read_result(command.input).field.patches;
+    return geometry::connect(std::move(set));
+  }
+  ModelInput input;
+  input.file = command.input;
+  input.length_unit = length_unit(command.length_unit);
+  return load_model(input);
+}
+
+std::string heading(const InfoCommand& command) {
+  if (command.input.extension() != ".h5") return command.input.string() + "\n";
+  const Json summary = Json::parse(iga::read_result(command.input).summary, nullptr, false);
+  if (summary.is_discarded()) return command.input.string() + "\n";
+  std::string text = command.input.string() + ": results of " + summary.value("study", "a study") + "\n";
+  const auto number = [&](const char* path) { return summary.value(Json::json_pointer(path), 0.0); };
+  text += fmt::format("max displacement {}, max von Mises {}, internal energy {}, {} unknowns\n",
+                      with_unit(number("/results/max_displacement"), "m"),
+                      with_unit(number("/results/max_von_mises"), "Pa"),
+                      with_unit(number("/results/internal_energy"), "J"),
+                      with_separators(static_cast<std::int64_t>(number("/discretization/dofs"))));
+  return text;
+}
+
+std::string values_text(const StoredValues& found) {
+  const auto& v = found.values;
+  return fmt::format(
+      "point         ({:.9g}, {:.9g}, {:.9g}) m, patch {}, parameter ({:.6g}, {:.6g}, {:.6g})\n"
+      "displacement  ({:.9g}, {:.9g}, {:.9g}) m\n"
+      "stress        xx {:.6g}, yy {:.6g}, zz {:.6g}, xy {:.6g}, yz {:.6g}, zx {:.6g} Pa\n"
+      "von Mises     {:.6g} Pa\n",
+      v.place[0], v.place[1], v.place[2], found.patch, found.parameter[0], found.parameter[1],
+      found.parameter[2], v.displacement[0], v.displacement[1], v.displacement[2], v.stress(0, 0),
+      v.stress(1, 1), v.stress(2, 2), v.stress(0, 1), v.stress(1, 2), v.stress(2, 0), v.von_mises);
+}
+
+std::string values_json(const StoredValues& found) {
+  return file_text({{"patch", found.patch},
+                    {"parameter", to_json(Eigen::Vector3d(found.parameter))},
+                    {"point", to_json(found.values.place)},
+                    {"displacement", to_json(found.values.displacement)},
+                    {"strain", symmetric_to_json(found.values.strain)},
+                    {"stress", symmetric_to_json(found.values.stress)},
+                    {"von_mises", found.values.von_mises},
+                    {"jacobian", found.values.jacobian}});
+}
+
+}  // namespace
+
+ExitCode info_command(const InfoCommand& command, const Console& console) {
+  ProgressDisplay display(console);
+  const geometry::MultiPatch model = load(command);
+  const ModelReport seen = report(model, display.progress());
+  display.clear();
+  if (command.json) {
+    console.out << model_json_text(model, seen);
+    return ExitCode::ok;
+  }
+  console.out << heading(command) << model_text(model, seen, command.all);
+  for (const auto& face : model.degenerate_faces())
+    console.out << "collapsed face " << model.label(face) << "\n";
+  for (const std::string& warning : certificate_warnings(model, seen)) console.warn(warning);
+  return ExitCode::ok;
+}
+
+ExitCode probe_command(const ProbeCommand& command, const Console& console) {
+  if (command.point.empty() == !command.patch.has_value() ||
+      command.patch.has_value() == command.parameter.empty())
+    throw Error(ErrorCode::invalid_argument,
+                "give either --point X,Y,Z, or --patch N with --parameter A,B,C");
+  StoredProbe where;
+  if (!command.point.empty()) where.point = parse_point(command.point);
+  where.patch = command.patch;
+  if (!command.parameter.empty()) where.parameter = parse_parameter(command.parameter);
+  const StoredValues found = probe(iga::read_result(command.results), where);
+  console.out << (command.json ? values_json(found) : values_text(found));
+  return ExitCode::ok;
+}
+
+ExitCode fields_command(const FieldsCommand& command, const Console& console) {
+  check_writable(command.output);
+  ProgressDisplay display(console);
+  const auto files = field_files(iga::read_result(command.results).field, display.progress());
+  write_files(command.output, files);
+  display.clear();
+  if (!console.quiet)
+    console.out << fmt::format("{} files in {}; open results.vtm in ParaView\n", files.size(),
+                               command.output.string());
+  return ExitCode::ok;
+}
+
+ExitCode convert_command(const ConvertCommand& command, const Console& console) {
+  const geometry::MultiPatch model = geometry::connect(geometry::read_patches(command.input));
+  write_file(command.output, geometry::to_gismo_xml(model));
+  if (!console.quiet)
+    console.out << fmt::format("{} patches, {} interfaces written to {}\n", model.patch_count(),
+                               model.interfaces().size(), command.output.string());
+  return ExitCode::ok;
+}
+
+}  // namespace isopatch::app

@@ -1,0 +1,86 @@
+#include "app/model_report.hpp"
+
+#include <fmt/format.h>
+
+#include "app/engineering_units.hpp"
+
+namespace isopatch::app {
+namespace {
+
+using geometry::JacobianSign;
+using geometry::MultiPatch;
+
+PatchReport report_patch(const MultiPatch& model, int index) {
+  const PatchId id(index);
+  const auto& patch = model.patch(id);
+  PatchReport result;
+  for (int d = 0; d < 3; ++d) {
+    const auto i = static_cast<std::size_t>(d);
+    result.degree[i] = patch.degree(d);
+    result.control_points[i] = patch.size(d);
+    result.elements[i] = patch.knots(d).element_count();
+  }
+  result.rational = patch.is_rational();
+  result.was_left_handed = model.was_reversed(id);
+  result.volume = geometry::volume(patch);
+  result.quality = geometry::quality(patch);
+  result.certificate = geometry::certify_jacobian(patch);
+  return result;
+}
+
+BoundaryFaceReport report_face(const MultiPatch& model, const geometry::PatchFace& face) {
+  const auto& patch = model.patch(face.patch);
+  const auto surface = geometry::face_surface(patch, face.side);
+  const geometry::Parameter<2> middle = 0.5 * (surface.low() + surface.high());
+  return {face, model.label(face), geometry::area(surface), surface.point(middle),
+          geometry::outward_normal(patch, face.side, middle)};
+}
+
+}  // namespace
+
+ModelReport report(const MultiPatch& model, const Progress& progress) {
+  ModelReport result;
+  for (int i = 0; i < model.patch_count(); ++i) {
+    progress("checking the patches", static_cast<double>(i) / model.patch_count());
+    result.patches.push_back(report_patch(model, i));
+    const PatchReport& patch = result.patches.back();
+    result.volume += patch.volume;
+    result.control_points += model.patch(PatchId(i)).size();
+    result.elements += static_cast<std::int64_t>(patch.elements[0]) * patch.elements[1] * patch.elements[2];
+  }
+  for (const auto& face : model.boundary_faces()) {
+    result.boundary_faces.push_back(report_face(model, face));
+    result.boundary_area += result.boundary_faces.back().area;
+  }
+  for (const auto& interface : model.interfaces())
+    result.largest_gap = std::max(result.largest_gap, interface.gap);
+  result.bodies = model.bodies();
+  result.box = geometry::box(model);
+  progress("checking the patches", 1);
+  return result;
+}
+
+std::vector<std::string> certificate_warnings(const MultiPatch& model, const ModelReport& report) {
+  std::vector<std::string> warnings;
+  for (std::size_t i = 0; i < report.patches.size(); ++i) {
+    const auto& certificate = report.patches[i].certificate;
+    if (certificate.accepted()) continue;
+    const PatchId id(static_cast<int>(i));
+    const auto parameter = model.renamed(id, certificate.parameter);
+    const std::string place =
+        fmt::format("at parameter ({:.4g}, {:.4g}, {:.4g}), {}", parameter[0], parameter[1], parameter[2],
+                    place_with_unit(certificate.place, model.size()));
+    if (certificate.sign == JacobianSign::negative)
+      warnings.push_back(
+          fmt::format("patch {} is folded {}: its Jacobian determinant is {:.3g} m^3 there. All Gauss points "
+                      "are positive, so the study runs; do not trust stresses near that place",
+                      i, place, certificate.smallest));
+    else
+      warnings.push_back(
+          fmt::format("patch {} could not be certified: its Jacobian determinant comes down to {:.3g} m^3 {}",
+                      i, certificate.smallest, place));
+  }
+  return warnings;
+}
+
+}  // namespace isopatch::app

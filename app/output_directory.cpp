@@ -1,0 +1,62 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "app/run_study.hpp"
+#include "geometry/base/atomic_file.hpp"
+
+namespace isopatch::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const fs::path& directory, const std::string& reason) {
+  throw Error(ErrorCode::io,
+              fmt::format("cannot write to the output directory {}: {}; choose another one with --output DIR",
+                          directory.string(), reason));
+}
+
+/// Makes a directory with its parents and says which had to be made, the outermost first.
+std::vector<fs::path> make_directories(const fs::path& directory) {
+  std::vector<fs::path> missing;
+  std::error_code problem;
+  for (fs::path path = fs::absolute(directory).lexically_normal(); !fs::exists(path, problem);
+       path = path.parent_path()) {
+    if (problem) refuse(directory, problem.message());
+    missing.insert(missing.begin(), path);
+  }
+  for (const fs::path& path : missing) {
+    fs::create_directory(path, problem);
+    if (problem) refuse(directory, problem.message());
+  }
+  return missing;
+}
+
+}  // namespace
+
+void check_writable(const fs::path& directory) {
+  std::error_code problem;
+  if (fs::exists(directory, problem) && !fs::is_directory(directory, problem))
+    refuse(directory, "there is a file of that name");
+  const std::vector<fs::path> made = make_directories(directory);
+  std::string probe = (directory / ".isopatch-XXXXXX").string();
+  const int descriptor = ::mkstemp(probe.data());
+  const int reason = errno;
+  if (descriptor >= 0) {
+    ::close(descriptor);
+    ::unlink(probe.c_str());
+  }
+  for (auto path = made.rbegin(); path != made.rend(); ++path) fs::remove(*path, problem);
+  if (descriptor < 0) refuse(directory, std::strerror(reason));
+}
+
+void write_files(const fs::path& directory, const std::vector<OutputFile>& files) {
+  for (const OutputFile& file : files) {
+    make_directories((directory / file.path).parent_path());
+    write_file(directory / file.path, file.bytes);
+  }
+}
+
+}  // namespace isopatch::app

@@ -1,0 +1,221 @@
+#include "app/program.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <memory>
+#include <new>
+
+#include "app/commands.hpp"
+#include "app/summary.hpp"
+#include "geometry/base/error.hpp"
+
+namespace isopatch::app {
+namespace {
+
+constexpr const char* introduction = R"(isopatch: isogeometric analysis of solids made of NURBS patches.
+
+A study is one file (TOML): where the patches come from, materials, supports, loads.
+  isopatch run examples/link/study.toml              solve it; results beside the study
+  isopatch info examples/link/study.toml             look at the model first: patches, faces, quality
+  isopatch compare examples/link/study.toml          solve it with both couplings and compare
+  isopatch probe results/results.h5 --point 0.1,0,0  values at a place, without solving again
+  isopatch keys                                      all keys of the study file)";
+
+constexpr const char* exit_codes =
+    R"(Exit codes: 0 done; 1 the run failed (supports, solver, memory, couplings that disagree);
+2 wrong input or usage; 3 a file cannot be read or written; 130 interrupted.
+Results go to standard output, progress and messages to standard error.)";
+
+constexpr const char* run_examples = R"(Examples:
+  isopatch run study.toml
+  isopatch run study.toml --output /tmp/fine --set discretization.refine=2
+  isopatch run study.toml --set load.0.traction='["20 MPa", 0, 0]' --set coupling.method=lagrange
+  isopatch run study.toml --quiet && jq .results.internal_energy results/summary.json
+Writes summary.json, results.vtm with fields/ (ParaView) and results.h5 (isopatch probe, fields, info).
+Files appear whole or not at all, and only after everything has been computed.)";
+
+constexpr const char* compare_examples = R"(Examples:
+  isopatch compare study.toml
+  isopatch compare study.toml --set discretization.degree=3
+Prints a table and writes compare.json. Exit code 1 if the couplings differ by more than 1e-8.)";
+
+constexpr const char* info_examples = R"(Examples:
+  isopatch info model.xml                            G+Smo XML, GoTools .g2 or an MFEM NURBS mesh
+  isopatch info model.xml --length-unit '225 mm'
+  isopatch info study.toml --json | jq .volume
+  isopatch info results/results.h5                   what a result file holds
+Faces are named as in the file, so they can be copied into a study: faces = ["0:back"].)";
+
+constexpr const char* probe_examples = R"(Examples:
+  isopatch probe results/results.h5 --point 0.1,0,0.02
+  isopatch probe results/results.h5 --point '100 mm,0,20 mm' --json
+  isopatch probe results/results.h5 --patch 3 --parameter .5,.5,1)";
+
+constexpr const char* fields_examples = R"(Examples:
+  isopatch fields results/results.h5 --output paraview)";
+
+constexpr const char* convert_examples = R"(Examples:
+  isopatch convert model.g2 --output model.xml
+  isopatch convert part.mesh --output part.xml)";
+
+constexpr const char* keys_examples = R"(Examples:
+  isopatch keys                 everything, as Markdown
+  isopatch keys support         one section, or the sections with a key of that name)";
+
+ExitCode exit_code(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::io:
+      return ExitCode::file_problem;
+    case ErrorCode::invalid_argument:
+    case ErrorCode::bad_format:
+    case ErrorCode::unsupported:
+    case ErrorCode::not_conforming:
+    case ErrorCode::fold_over:
+      return ExitCode::wrong_input;
+    default:
+      return ExitCode::failed;
+  }
+}
+
+/// The command line before it is known which command it names.
+struct CommandLine {
+  StudyCommand study;
+  InfoCommand info;
+  ProbeCommand probe;
+  FieldsCommand fields;
+  ConvertCommand convert;
+  std::string topic;
+  std::string output;
+  bool quiet = false;
+  int threads = 0;
+  std::function<ExitCode(const Console&)> action;
+};
+
+CLI::App* add_command(CLI::App& app, CommandLine& line, const std::string& name, const std::string& meaning,
+                      const char* examples, std::function<ExitCode(const Console&)> action) {
+  CLI::App* command = app.add_subcommand(name, meaning);
+  command->footer(examples);
+  command->add_flag("-q,--quiet", line.quiet, "No progress, no summary; only warnings and errors");
+  command->add_option("--threads", line.threads, "Number of threads; 0: all cores")
+      ->check(CLI::Range(0, 4096));
+  command->callback([&line, action = std::move(action)] { line.action = action; });
+  return command;
+}
+
+void add_study_commands(CLI::App& app, CommandLine& line) {
+  const auto common = [&line](CLI::App* command) {
+    command->add_option("study", line.study.study, "The study file (TOML)")->required();
+    command->add_option("--set", line.study.overrides, "Replaces a key: --set discretization.refine=2")
+        ->take_all()
+        ->expected(1)
+        ->type_name("KEY=VALUE");
+    command->add_option("-o,--output", line.output, "Directory of the results")->type_name("DIR");
+  };
+  const auto with_output = [&line] {
+    if (!line.output.empty()) line.study.output = line.output;
+    return line.study;
+  };
+  common(add_command(app, line, "run", "Solves a study and writes its results", run_examples,
+                     [with_output](const Console& console) { return run_command(with_output(), console); }));
+  common(add_command(
+      app, line, "compare", "Solves a study with both couplings and compares them", compare_examples,
+      [with_output](const Console& console) { return compare_command(with_output(), console); }));
+}
+
+void add_file_commands(CLI::App& app, CommandLine& line) {
+  CLI::App* info =
+      add_command(app, line, "info", "Describes a model, a study's model or a result file", info_examples,
+                  [&line](const Console& console) { return info_command(line.info, console); });
+  info->add_option("input", line.info.input, "Patches (.xml, .g2, .mesh), a study (.toml) or results (.h5)")
+      ->required();
+  info->add_option("--set", line.info.overrides, "Replaces a key of the study")
+      ->take_all()
+      ->expected(1)
+      ->type_name("KEY=VALUE");
+  info->add_option("--length-unit", line.info.length_unit, "What one unit of the patches measures")
+      ->capture_default_str();
+  info->add_flag("--json", line.info.json, "JSON instead of text, complete, in SI units");
+  info->add_flag("--all", line.info.all, "Long lists in full");
+
+  CLI::App* probe =
+      add_command(app, line, "probe", "Values at a place of stored results", probe_examples,
+                  [&line](const Console& console) { return probe_command(line.probe, console); });
+  probe->add_option("results", line.probe.results, "A results.h5")->required();
+  probe->add_option("--point", line.probe.point, "A place X,Y,Z in m, or with units")->type_name("X,Y,Z");
+  probe->add_option("--patch", line.probe.patch, "A patch, from 0")->type_name("N");
+  probe->add_option("--parameter", line.probe.parameter, "A parameter of that patch")->type_name("A,B,C");
+  probe->add_flag("--json", line.probe.json, "JSON instead of text");
+
+  CLI::App* fields =
+      add_command(app, line, "fields", "Writes the fields of stored results for ParaView", fields_examples,
+                  [&line](const Console& console) { return fields_command(line.fields, console); });
+  fields->add_option("results", line.fields.results, "A results.h5")->required();
+  fields->add_option("-o,--output", line.fields.output, "Directory for results.vtm and fields/")
+      ->required()
+      ->type_name("DIR");
+
+  CLI::App* convert =
+      add_command(app, line, "convert", "Writes patches as G+Smo XML", convert_examples,
+                  [&line](const Console& console) { return convert_command(line.convert, console); });
+  convert->add_option("input", line.convert.input, "Patches (.xml, .g2, .mesh)")->required();
+  convert->add_option("-o,--output", line.convert.output, "The new file (.xml)")
+      ->required()
+      ->type_name("FILE");
+
+  CLI::App* keys = add_command(app, line, "keys", "Documents the keys of the study file", keys_examples,
+                               [&line](const Console& console) { return keys_command(line.topic, console); });
+  keys->add_option("topic", line.topic, "A section or a key, for example support");
+}
+
+std::unique_ptr<CLI::App> make_parser(CommandLine& line) {
+  auto app = std::make_unique<CLI::App>(introduction, "isopatch");
+  app->footer(exit_codes);
+  app->set_version_flag("--version", std::string("isopatch ") + std::string(version()));
+  app->require_subcommand(1);
+  add_study_commands(*app, line);
+  add_file_commands(*app, line);
+  return app;
+}
+
+ExitCode act(const CommandLine& line, const Console& console) {
+  try {
+    return line.action(console);
+  } catch (const Error& error) {
+    console.fail(error.what());
+    return exit_code(error.code());
+  } catch (const std::bad_alloc&) {
+    console.fail("out of memory; refine less, lower the degree, or use a machine with more memory");
+  } catch (const std::exception& error) {
+    console.fail(fmt::format("this is a bug in isopatch, please report it with the input that caused it: {}",
+                             error.what()));
+  }
+  return ExitCode::failed;
+}
+
+}  // namespace
+
+int run_program(const std::vector<std::string>& arguments, const Console& console) {
+  CommandLine line;
+  const auto app = make_parser(line);
+  try {
+    // CLI11 takes its arguments from the back.
+    app->parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+  } catch (const CLI::Success& request) {
+    app->exit(request, console.out, console.err);
+    return static_cast<int>(ExitCode::ok);
+  } catch (const CLI::ParseError& error) {
+    const auto chosen = app->get_subcommands();
+    console.fail(fmt::format("{}; see isopatch {}--help", error.what(),
+                             chosen.empty() ? "" : chosen.front()->get_name() + " "));
+    return static_cast<int>(ExitCode::wrong_input);
+  }
+  if (line.threads > 0) omp_set_num_threads(line.threads);
+  Console chosen = console;
+  chosen.quiet = chosen.quiet || line.quiet;
+  return static_cast<int>(act(line, chosen));
+}
+
+}  // namespace isopatch::app

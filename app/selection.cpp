@@ -1,0 +1,185 @@
+#include "app/selection.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+#include "app/engineering_units.hpp"
+#include "geometry/base/nearest_name.hpp"
+#include "geometry/measures.hpp"
+
+namespace isopatch::app {
+namespace {
+
+using geometry::MultiPatch;
+using geometry::PatchFace;
+
+bool contains(const std::vector<PatchFace>& faces, const PatchFace& face) {
+  return std::find(faces.begin(), faces.end(), face) != faces.end();
+}
+
+std::vector<std::string> boundary_names(const MultiPatch& model) {
+  std::vector<std::string> result;
+  for (const auto& boundary : model.boundaries()) result.push_back(boundary.name);
+  return result;
+}
+
+std::string listed_boundaries(const MultiPatch& model) {
+  const auto names = boundary_names(model);
+  return names.empty() ? "the model names no boundaries"
+                       : fmt::format("boundaries: {}", fmt::join(names, ", "));
+}
+
+/// Refuses what is no boundary face, saying what it is.
+void check_boundary(const MultiPatch& model, const PatchFace& face, const std::string& text,
+                    const Place& place) {
+  if (contains(model.boundary_faces(), face)) return;
+  for (const auto& interface : model.interfaces()) {
+    if (interface.first != face && interface.second != face) continue;
+    const PatchFace other = interface.first == face ? interface.second : interface.first;
+    throw error_at(place,
+                   fmt::format("face {} is no boundary: it is joined to {}", text, model.label(other)));
+  }
+  throw error_at(place, fmt::format("face {} is collapsed to a curve or a point and has no area", text));
+}
+
+std::vector<PatchFace> named_faces(const MultiPatch& model, const std::string& text, const Place& place) {
+  for (const auto& boundary : model.boundaries()) {
+    if (boundary.name != text) continue;
+    for (const PatchFace& face : boundary.faces) check_boundary(model, face, model.label(face), place);
+    return boundary.faces;
+  }
+  const auto colon = text.find(':');
+  int patch = 0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + std::min(colon, text.size()), patch);
+  if (colon == std::string::npos || problem != std::errc{} || end != text.data() + colon)
+    throw error_at(place, fmt::format("no boundary is named \"{}\"{}; {}; or name a face as \"0:back\"", text,
+                                      did_you_mean(text, boundary_names(model)), listed_boundaries(model)));
+  if (patch < 0 || patch >= model.patch_count())
+    throw error_at(place, fmt::format("face \"{}\" does not exist: the model has patches 0 to {}", text,
+                                      model.patch_count() - 1));
+  std::vector<std::string> sides;
+  for (const auto side : geometry::all_sides) {
+    sides.emplace_back(name(side));
+    if (text.substr(colon + 1) != sides.back()) continue;
+    const PatchFace face = model.renamed({PatchId(patch), side});
+    check_boundary(model, face, text, place);
+    return {face};
+  }
+  throw error_at(
+      place, fmt::format("face \"{}\" does not exist: a side is west, east, south, north, front or back{}",
+                         text, did_you_mean(text.substr(colon + 1), sides)));
+}
+
+double distance(const FaceConditions& where, const Eigen::Vector3d& x) {
+  double result = 0;
+  if (where.plane) result = std::max(result, std::abs((x - where.plane->point).dot(where.plane->normal)));
+  if (where.cylinder) {
+    const Eigen::Vector3d radial = (x - where.cylinder->point).cross(where.cylinder->axis);
+    result = std::max(result, std::abs(radial.norm() - where.cylinder->radius));
+  }
+  if (where.sphere)
+    result = std::max(result, std::abs((x - where.sphere->centre).norm() - where.sphere->radius));
+  if (where.box) {
+    const Eigen::Vector3d outside = (where.box->min - x).cwiseMax(x - where.box->max).cwiseMax(0);
+    result = std::max(result, outside.norm());
+  }
+  return result;
+}
+
+/// How far a face is from fulfilling the conditions.
+struct Deviation {
+  PatchFace face;
+  double distance = 0;  ///< m
+  double angle = 0;     ///< rad
+};
+
+Deviation deviation(const MultiPatch& model, const PatchFace& face, const FaceConditions& where) {
+  constexpr int samples = 9;
+  const auto& patch = model.patch(face.patch);
+  const auto surface = geometry::face_surface(patch, face.side);
+  const auto low = surface.low();
+  const auto range = (surface.high() - low).eval();
+  Deviation result{face, 0, 0};
+  for (int j = 0; j < samples; ++j)
+    for (int i = 0; i < samples; ++i) {
+      const geometry::Parameter<2> ends(i / (samples - 1.0), j / (samples - 1.0));
+      result.distance =
+          std::max(result.distance, distance(where, surface.point(low + range.cwiseProduct(ends))));
+      if (!where.normal) continue;
+      // Normals may not exist at collapsed edges, so they are taken inside.
+      const geometry::Parameter<2> inside((i + 0.5) / samples, (j + 0.5) / samples);
+      const auto normal = geometry::outward_normal(patch, face.side, low + range.cwiseProduct(inside));
+      result.angle =
+          std::max(result.angle, std::atan2(normal.cross(*where.normal).norm(), normal.dot(*where.normal)));
+    }
+  return result;
+}
+
+Error nothing_found(const MultiPatch& model, const FaceSelection& selection,
+                    std::vector<Deviation> candidates, double tolerance) {
+  const auto score = [&](const Deviation& d) {
+    return d.distance / tolerance + (selection.where->normal ? d.angle / selection.where->angle : 0);
+  };
+  std::sort(candidates.begin(), candidates.end(),
+            [&](const auto& a, const auto& b) { return score(a) < score(b); });
+  std::string nearest;
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, candidates.size()); ++i) {
+    nearest += fmt::format("{}{} (up to {} away", i ? ", " : "", model.label(candidates[i].face),
+                           with_unit(candidates[i].distance, "m"));
+    if (selection.where->normal)
+      nearest += fmt::format(", normal {:.1f} deg off", candidates[i].angle * 180 / std::numbers::pi);
+    nearest += ")";
+  }
+  return error_at(
+      selection.place,
+      fmt::format(
+          "the selection matches no face. Nearest: {}; the tolerance is {}. {}. `isopatch info` lists "
+          "all faces with their centres and normals",
+          nearest, with_unit(tolerance, "m"), listed_boundaries(model)));
+}
+
+}  // namespace
+
+std::vector<PatchFace> select_faces(const MultiPatch& model, const FaceSelection& selection) {
+  std::vector<PatchFace> faces = model.boundary_faces();
+  if (!selection.faces.empty()) {
+    faces.clear();
+    for (const std::string& text : selection.faces) {
+      const auto more = named_faces(model, text, selection.place);
+      faces.insert(faces.end(), more.begin(), more.end());
+    }
+  }
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  if (!selection.where) return faces;
+  const double tolerance = selection.where->tolerance.value_or(1e-4 * model.size());
+  std::vector<PatchFace> result;
+  std::vector<Deviation> candidates;
+  for (const PatchFace& face : faces) {
+    candidates.push_back(deviation(model, face, *selection.where));
+    const bool turned = selection.where->normal && candidates.back().angle > selection.where->angle;
+    if (candidates.back().distance <= tolerance && !turned) result.push_back(face);
+  }
+  if (result.empty()) throw nothing_found(model, selection, std::move(candidates), tolerance);
+  return result;
+}
+
+std::vector<PatchId> select_patches(int patch_count, const PatchSelection& selection) {
+  std::vector<bool> chosen(static_cast<std::size_t>(patch_count), selection.ranges.empty());
+  for (const auto& [first, last] : selection.ranges) {
+    if (last >= patch_count)
+      throw error_at(selection.place, fmt::format("patch {} does not exist: the model has patches 0 to {}",
+                                                  last, patch_count - 1));
+    std::fill(chosen.begin() + first, chosen.begin() + last + 1, true);
+  }
+  std::vector<PatchId> result;
+  for (int i = 0; i < patch_count; ++i)
+    if (chosen[static_cast<std::size_t>(i)]) result.emplace_back(i);
+  return result;
+}
+
+}  // namespace isopatch::app

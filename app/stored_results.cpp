@@ -1,0 +1,89 @@
+#include "app/stored_results.hpp"
+
+#include <fmt/format.h>
+
+#include "app/engineering_units.hpp"
+#include "app/json_values.hpp"
+#include "app/units.hpp"
+#include "geometry/base/error.hpp"
+#include "geometry/measures.hpp"
+
+namespace isopatch::app {
+namespace {
+
+/// Whether the patch was turned around when the model was read; the summary stored with the results says so.
+bool was_left_handed(const iga::StoredResult& result, int patch) {
+  const Json summary = Json::parse(result.summary, nullptr, false);
+  const auto pointer = Json::json_pointer("/model/left_handed_patches");
+  if (summary.is_discarded() || !summary.contains(pointer)) return false;
+  for (const Json& index : summary[pointer])
+    if (index == patch) return true;
+  return false;
+}
+
+geometry::Parameter<3> renamed(const iga::StoredResult& result, int patch, geometry::Parameter<3> parameter) {
+  const auto& knots = result.field.patches[static_cast<std::size_t>(patch)].knots(0);
+  if (was_left_handed(result, patch)) parameter[0] = knots.first() + knots.last() - parameter[0];
+  return parameter;
+}
+
+double size(const iga::ElasticField& field) {
+  Eigen::AlignedBox3d all;
+  for (const auto& patch : field.patches) all.extend(geometry::box(patch));
+  return all.diagonal().norm();
+}
+
+Eigen::Vector3d parse_triple(const std::string& text, const Dimension& dimension, const char* example) {
+  Eigen::Vector3d result;
+  std::size_t begin = 0;
+  for (int i = 0; i < 3; ++i) {
+    const std::size_t comma = text.find(',', begin);
+    if ((comma == std::string::npos) != (i == 2))
+      throw Error(ErrorCode::invalid_argument,
+                  fmt::format("expected three values such as {}, got '{}'", example, text));
+    const Quantity quantity = parse_quantity(text.substr(begin, comma - begin));
+    if (quantity.dimension != dimension && quantity.dimension != dimensions::none)
+      throw Error(ErrorCode::invalid_argument, fmt::format("expected {}, got {} in '{}'", describe(dimension),
+                                                           describe(quantity.dimension), text));
+    result[i] = quantity.value;
+    begin = comma + 1;
+  }
+  return result;
+}
+
+}  // namespace
+
+Eigen::Vector3d parse_point(const std::string& text) {
+  return parse_triple(text, dimensions::length, "0.1,0,20mm");
+}
+
+Eigen::Vector3d parse_parameter(const std::string& text) {
+  return parse_triple(text, dimensions::none, "0.5,0.5,1");
+}
+
+StoredValues probe(const iga::StoredResult& result, const StoredProbe& where) {
+  const int count = static_cast<int>(result.field.patches.size());
+  if (where.point) {
+    const iga::Location location = iga::locate(result.field, *where.point);
+    const double model_size = size(result.field);
+    if (location.distance > 1e-4 * model_size)
+      throw Error(ErrorCode::invalid_argument,
+                  fmt::format("the point {} lies {} outside the part; the nearest patch is {}",
+                              place_with_unit(*where.point, model_size), with_unit(location.distance, "m"),
+                              location.patch));
+    return {location.patch, renamed(result, location.patch, location.parameter),
+            iga::evaluate(result.field, location.patch, location.parameter)};
+  }
+  const int index = where.patch.value_or(-1);
+  if (index < 0 || index >= count)
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("patch {} does not exist: there are patches 0 to {}", index, count - 1));
+  const auto& patch = result.field.patches[static_cast<std::size_t>(index)];
+  const auto parameter = renamed(result, index, where.parameter);
+  if (((parameter - patch.low()).array() < 0).any() || ((patch.high() - parameter).array() < 0).any())
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("the parameter lies outside the knots of patch {}", index));
+  return {index, where.parameter, iga::evaluate(result.field, index, parameter)};
+}
+
+}  // namespace isopatch::app

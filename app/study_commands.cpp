@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+
+#include "app/commands.hpp"
+#include "app/compare_couplings.hpp"
+#include "app/run_study.hpp"
+#include "app/study_keys.hpp"
+#include "app/summary.hpp"
+
+namespace isopatch::app {
+namespace {
+
+Study read(const StudyCommand& command) {
+  Study study = read_study(command.study, command.overrides);
+  if (command.output) study.output.directory = *command.output;
+  return study;
+}
+
+std::string listed(const std::vector<OutputFile>& files) {
+  std::string text;
+  for (const OutputFile& file : files)
+    if (!file.path.has_parent_path()) text += (text.empty() ? "" : ", ") + file.path.string();
+  return text;
+}
+
+}  // namespace
+
+ExitCode run_command(const StudyCommand& command, const Console& console) {
+  const Study study = read(command);
+  check_writable(study.output.directory);
+  ProgressDisplay display(console);
+  StudyRun run = run_study(study, display.progress());
+  const std::vector<OutputFile> files = output_files(study, run, display.progress());
+  write_files(study.output.directory, files);
+  display.clear();
+  for (const std::string& warning : run.built.warnings) console.warn(warning);
+  if (!console.quiet)
+    console.out << summary_text(study, run)
+                << fmt::format("  results in        {}: {}\n", study.output.directory.string(),
+                               listed(files));
+  return ExitCode::ok;
+}
+
+ExitCode compare_command(const StudyCommand& command, const Console& console) {
+  const Study study = read(command);
+  check_writable(study.output.directory);
+  ProgressDisplay display(console);
+  const CouplingComparison comparison = compare_couplings(study, display.progress());
+  write_files(study.output.directory, {{"compare.json", comparison_json(study, comparison)}});
+  display.clear();
+  for (const std::string& warning : comparison.warnings) console.warn(warning);
+  if (!console.quiet)
+    console.out << comparison_text(study, comparison)
+                << fmt::format("  written to {}\n", (study.output.directory / "compare.json").string());
+  if (comparison.agree()) return ExitCode::ok;
+  console.fail(fmt::format(
+      "the two couplings disagree: relative difference {:.2g} in displacement, {:.2g} in energy, {:.2g} in "
+      "multipliers, above {:.0e}; look at the solver's residuals and at the model's gaps",
+      comparison.displacement_difference, comparison.energy_difference, comparison.multiplier_difference,
+      CouplingComparison::allowed_difference));
+  return ExitCode::failed;
+}
+
+ExitCode keys_command(const std::string& topic, const Console& console) {
+  console.out << study_documentation(topic);
+  return ExitCode::ok;
+}
+
+}  // namespace isopatch::app

@@ -1,0 +1,219 @@
+#include "app/summary.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <numeric>
+
+#include "app/engineering_units.hpp"
+#include "app/json_values.hpp"
+#include "iga/material.hpp"
+
+#ifndef ISOPATCH_VERSION
+#error "the build defines ISOPATCH_VERSION"
+#endif
+
+namespace isopatch::app {
+namespace {
+
+Json model_json(const StudyRun& run) {
+  const auto& model = run.built.problem.discretization.model;
+  const ModelReport& report = run.built.report;
+  double worst = 1;
+  for (const PatchReport& patch : report.patches) worst = std::min(worst, patch.quality.min_scaled_jacobian);
+  Json reversed = Json::array();
+  Json refused = Json::array();
+  for (std::size_t i = 0; i < report.patches.size(); ++i) {
+    if (report.patches[i].was_left_handed) reversed.push_back(i);
+    if (!report.patches[i].certificate.accepted()) refused.push_back(i);
+  }
+  return {{"patches", model.patch_count()},
+          {"interfaces", model.interfaces().size()},
+          {"boundary_faces", model.boundary_faces().size()},
+          {"bodies", report.bodies.size()},
+          {"control_points", report.control_points},
+          {"elements", report.elements},
+          {"volume", report.volume},
+          {"boundary_area", report.boundary_area},
+          {"box",
+           {{"min", to_json(Eigen::Vector3d(report.box.min()))},
+            {"max", to_json(Eigen::Vector3d(report.box.max()))}}},
+          {"largest_gap", report.largest_gap},
+          {"min_scaled_jacobian", worst},
+          {"left_handed_patches", reversed},
+          {"patches_not_certified", refused}};
+}
+
+Json discretization_json(const StudyRun& run) {
+  const iga::ProblemSize& size = run.solution.size;
+  std::array<int, 3> degree{};
+  for (const auto& patch : run.built.problem.discretization.patches)
+    for (int d = 0; d < 3; ++d) {
+      auto& highest = degree[static_cast<std::size_t>(d)];
+      highest = std::max(highest, patch.degree(d));
+    }
+  return {{"degree", degree},
+          {"elements", size.elements},
+          {"control_points", size.control_points},
+          {"dofs_uncoupled", size.dofs_uncoupled},
+          {"dofs_eliminated", size.dofs_eliminated},
+          {"multipliers", size.multipliers},
+          {"multipliers_free", size.multipliers_free},
+          {"dofs", size.dofs},
+          {"dofs_free", size.dofs_free}};
+}
+
+Json materials_json(const StudyRun& run) {
+  Json result = Json::array();
+  for (const iga::Material& material : run.built.problem.materials)
+    result.push_back({{"name", material.name},
+                      {"lambda", material.lambda},
+                      {"mu", material.mu},
+                      {"young", iga::young(material)},
+                      {"poisson", iga::poisson(material)},
+                      {"density", material.density}});
+  return result;
+}
+
+Json solver_json(const solvers::SolveReport& report) {
+  return {{"method", solvers::name(report.method)},
+          {"reason", report.reason},
+          {"iterations", report.iterations},
+          {"relative_residual", report.relative_residual},
+          {"residual_history", report.residual_history},
+          {"matrix_nonzeros", report.matrix_nonzeros},
+          {"factor_nonzeros", report.factor_nonzeros},
+          {"factor_flops", report.factor_flops},
+          {"memory_bytes", report.memory_bytes},
+          {"analysis_seconds", report.analysis_seconds},
+          {"factorization_seconds", report.factorization_seconds},
+          {"solve_seconds", report.solve_seconds}};
+}
+
+Json reactions_json(const iga::ElasticityResults& results) {
+  Json reactions = Json::array();
+  for (const iga::Reaction& reaction : results.reactions)
+    reactions.push_back({{"support", reaction.support},
+                         {"force", to_json(reaction.force)},
+                         {"moment", to_json(reaction.moment)}});
+  return reactions;
+}
+
+Json results_json(const StudyRun& run) {
+  const iga::ElasticityResults& results = run.solution.results;
+  const auto& model = run.built.problem.discretization.model;
+  const auto at = [&](const iga::Extremum& e) {
+    return Json{{"patch", e.patch},
+                {"parameter", to_json(Eigen::Vector3d(model.renamed(PatchId(e.patch), e.parameter)))}};
+  };
+  return {{"max_displacement", results.max_displacement.value},
+          {"max_displacement_point", to_json(results.max_displacement.place)},
+          {"max_displacement_at", at(results.max_displacement)},
+          {"internal_energy", results.internal_energy},
+          {"external_work", results.external_work},
+          {"max_von_mises", results.max_von_mises.value},
+          {"max_von_mises_point", to_json(results.max_von_mises.place)},
+          {"max_von_mises_at", at(results.max_von_mises)},
+          {"max_von_mises_sampled", "at the Gauss points"},
+          {"total_load", to_json(results.total_load)},
+          {"reactions", reactions_json(results)}};
+}
+
+Json probes_json(const StudyRun& run) {
+  Json result = Json::array();
+  for (const ProbeValues& probe : run.probes)
+    result.push_back({{"name", probe.name},
+                      {"patch", probe.patch},
+                      {"parameter", to_json(Eigen::Vector3d(probe.parameter))},
+                      {"point", to_json(probe.values.place)},
+                      {"displacement", to_json(probe.values.displacement)},
+                      {"stress", symmetric_to_json(probe.values.stress)},
+                      {"von_mises", probe.values.von_mises}});
+  return result;
+}
+
+Json timings_json(const StudyRun& run) {
+  Json result = Json::object();
+  double total = 0;
+  for (const iga::PhaseTime& time : run.timings) {
+    result[time.phase] = time.seconds;
+    total += time.seconds;
+  }
+  result["total"] = total;
+  return result;
+}
+
+std::string reactions_text(const StudyRun& run) {
+  std::string text;
+  for (const iga::Reaction& reaction : run.solution.results.reactions)
+    text += fmt::format("  reaction          {} at {}\n", vector_with_unit(reaction.force, "N"),
+                        reaction.support);
+  return text;
+}
+
+std::string probes_text(const StudyRun& run) {
+  std::string text;
+  for (const ProbeValues& probe : run.probes)
+    text += fmt::format("  {:<17} displacement {}, von Mises {}\n", probe.name,
+                        vector_with_unit(probe.values.displacement, "m"),
+                        with_unit(probe.values.von_mises, "Pa"));
+  return text;
+}
+
+}  // namespace
+
+std::string summary_json(const Study& study, const StudyRun& run) {
+  const Json json = {{"schema_version", 1},
+                     {"program", {{"name", "isopatch"}, {"version", version()}}},
+                     {"title", study.title},
+                     {"study", study.source},
+                     {"model", model_json(run)},
+                     {"materials", materials_json(run)},
+                     {"discretization", discretization_json(run)},
+                     {"coupling", iga::name(study.options.coupling)},
+                     {"solver", solver_json(run.solution.solver)},
+                     {"results", results_json(run)},
+                     {"probes", probes_json(run)},
+                     {"warnings", run.built.warnings},
+                     {"timings", timings_json(run)},
+                     {"memory", {{"peak_bytes", peak_memory_bytes()}}}};
+  return file_text(json);
+}
+
+std::string summary_text(const Study& study, const StudyRun& run) {
+  const auto& model = run.built.problem.discretization.model;
+  const iga::ProblemSize& size = run.solution.size;
+  const iga::ElasticityResults& results = run.solution.results;
+  double total = 0;
+  for (const iga::PhaseTime& time : run.timings) total += time.seconds;
+  std::string text = study.title.empty() ? "" : study.title + "\n";
+  text += fmt::format("  model             {} patches, {} interfaces, {} boundary faces, volume {}\n",
+                      model.patch_count(), model.interfaces().size(), model.boundary_faces().size(),
+                      with_unit(run.built.report.volume, "m^3"));
+  text += fmt::format("  unknowns          {} ({} free), {} elements, coupled by {}\n",
+                      with_separators(size.dofs), with_separators(size.dofs_free),
+                      with_separators(size.elements), iga::name(study.options.coupling));
+  text += fmt::format("  solver            {}, relative residual {:.2g}\n",
+                      solvers::name(run.solution.solver.method), run.solution.solver.relative_residual);
+  text += fmt::format("  max displacement  {} at {}\n", with_unit(results.max_displacement.value, "m"),
+                      place_with_unit(results.max_displacement.place, model.size()));
+  text += fmt::format("  max von Mises     {} at {} (largest of the Gauss points)\n",
+                      with_unit(results.max_von_mises.value, "Pa"),
+                      place_with_unit(results.max_von_mises.place, model.size()));
+  text += fmt::format("  internal energy   {}\n", with_unit(results.internal_energy, "J"));
+  text += reactions_text(run) + probes_text(run);
+  text += fmt::format("  time, memory      {}, {}\n", seconds_text(total), bytes_text(peak_memory_bytes()));
+  return text;
+}
+
+std::int64_t peak_memory_bytes() {
+  rusage usage = {};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::int64_t>(usage.ru_maxrss) * 1024;
+}
+
+std::string_view version() {
+  return ISOPATCH_VERSION;
+}
+
+}  // namespace isopatch::app

@@ -1,0 +1,270 @@
+#include "app/program.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "geometry/base/atomic_file.hpp"
+
+namespace isopatch::app {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::StartsWith;
+namespace fs = std::filesystem;
+
+const std::string bar = R"(title = "bar"
+[model]
+generate = "box"
+size = [2, 1, 1]
+patches = [2, 1, 1]
+[[material]]
+young = 1000
+poisson = 0.25
+[[support]]
+name = "guides"
+faces = ["x_min", "y_min", "z_min"]
+roller = true
+[[load]]
+faces = ["x_max"]
+traction = [10, 0, 0]
+[[probe]]
+name = "end"
+point = [2, 1, 1]
+)";
+
+/// Runs the program in a folder of its own with a study in it.
+class Program : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "isopatch-test-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+    write_file(study(), bar);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string study() const { return (folder_ / "study.toml").string(); }
+  fs::path results() const { return folder_ / "results"; }
+
+  int run(const std::vector<std::string>& arguments, bool terminal = false) {
+    std::ostringstream out;
+    std::ostringstream err;
+    const int code = run_program(arguments, {out, err, terminal, false, false});
+    out_ = out.str();
+    err_ = err.str();
+    return code;
+  }
+  /// Runs another study text.
+  int run_text(const std::string& text, const std::vector<std::string>& more = {}) {
+    write_file(study(), text);
+    std::vector<std::string> arguments = {"run", study()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+  }
+  std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const auto at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+  }
+
+  fs::path folder_;
+  std::string out_;
+  std::string err_;
+};
+
+void collect_keys(const json& value, const std::string& path, std::vector<std::string>& keys) {
+  if (!value.is_object()) return keys.push_back(path);
+  for (const auto& [name, inner] : value.items())
+    collect_keys(inner, path.empty() ? name : path + "." + name, keys);
+}
+
+TEST_F(Program, RunWritesASummaryWithTheDocumentedKeys) {
+  ASSERT_EQ(run({"run", study()}), 0) << err_;
+  const json summary = json::parse(read_file(results() / "summary.json"));
+  EXPECT_EQ(summary["schema_version"], 1);
+  EXPECT_EQ(summary["title"], "bar");
+  EXPECT_EQ(summary["model"]["patches"], 2);
+  EXPECT_EQ(summary["model"]["interfaces"], 1);
+  EXPECT_EQ(summary["model"]["boundary_faces"], 10);
+  EXPECT_NEAR(summary["model"]["volume"], 2, 1e-13);
+  EXPECT_EQ(summary["discretization"]["dofs_uncoupled"], 48);
+  EXPECT_EQ(summary["discretization"]["dofs_eliminated"], 36);
+  EXPECT_EQ(summary["discretization"]["multipliers"], 12);
+  EXPECT_EQ(summary["coupling"], "elimination");
+  // A bar in uniaxial tension: u = 10 / 1000 * 2, energy = 0.5 * force * u.
+  EXPECT_NEAR(summary["results"]["internal_energy"], 0.1, 1e-12);
+  EXPECT_NEAR(summary["results"]["external_work"], 0.1, 1e-12);
+  EXPECT_NEAR(summary["results"]["max_von_mises"], 10, 1e-10);
+  EXPECT_EQ(summary["results"]["reactions"][0]["support"], "support 1 (guides)");
+  EXPECT_NEAR(summary["results"]["reactions"][0]["force"][0], -10, 1e-10);
+  EXPECT_NEAR(summary["probes"][0]["displacement"][0], 0.02, 1e-13);
+  EXPECT_GT(summary["memory"]["peak_bytes"], 1000000);
+  std::vector<std::string> keys;
+  collect_keys(summary, "", keys);
+  const std::string documentation = read_file(fs::path(ISOPATCH_SOURCE_DIR) / "app/SUMMARY.md");
+  for (const std::string& key : keys)
+    EXPECT_THAT(documentation, HasSubstr("`" + (key.starts_with("timings.") ? "timings" : key) + "`"));
+  for (const char* phase : {"model", "output", "total"})
+    EXPECT_TRUE(summary["timings"].contains(phase)) << phase;
+}
+
+TEST_F(Program, RunPrintsAShortSummaryAndPlainProgress) {
+  ASSERT_EQ(run({"run", study()}), 0);
+  EXPECT_THAT(out_, HasSubstr("max displacement"));
+  EXPECT_THAT(out_, HasSubstr("internal energy   100 mJ"));
+  EXPECT_THAT(out_, HasSubstr("summary.json"));
+  EXPECT_THAT(err_, StartsWith("isopatch: reading the model\n"));
+  EXPECT_THAT(err_, testing::Not(HasSubstr("\033")));
+  EXPECT_THAT(err_, testing::Not(HasSubstr("\r")));
+  ASSERT_EQ(run({"run", study()}, true), 0);
+  EXPECT_THAT(err_, HasSubstr("\r\033[Kreading the model   0 %"));
+}
+
+TEST_F(Program, QuietSaysNothing) {
+  ASSERT_EQ(run({"run", study(), "--quiet"}), 0);
+  EXPECT_EQ(out_, "");
+  EXPECT_EQ(err_, "");
+  EXPECT_TRUE(fs::exists(results() / "summary.json"));
+}
+
+TEST_F(Program, RunWritesAllFilesOrOnlyThoseAskedFor) {
+  ASSERT_EQ(run({"run", study()}), 0);
+  for (const char* file :
+       {"summary.json", "results.h5", "results.vtm", "fields/patch_000.vtu", "fields/patch_001.vtu"})
+    EXPECT_TRUE(fs::exists(results() / file)) << file;
+  const fs::path other = folder_ / "a/b";
+  ASSERT_EQ(run({"run", study(), "-o", other.string(), "--set", "output.fields=false", "--set",
+                 "output.hdf5=false"}),
+            0);
+  EXPECT_EQ(std::distance(fs::directory_iterator(other), {}), 1);
+}
+
+TEST_F(Program, AFailedRunWritesNothing) {
+  EXPECT_EQ(
+      run_text(replaced(bar, "faces = [\"x_min\", \"y_min\", \"z_min\"]", "faces = [\"y_min\", \"z_min\"]")),
+      1);
+  EXPECT_THAT(err_, HasSubstr("isopatch: error: "));
+  EXPECT_FALSE(fs::exists(results()));
+}
+
+TEST_F(Program, AnOutputDirectoryThatCannotBeWrittenIsRefusedFirst) {
+  write_file(folder_ / "file", "");
+  EXPECT_EQ(run({"run", study(), "-o", (folder_ / "file").string()}), 3);
+  EXPECT_THAT(err_, HasSubstr("cannot write to the output directory"));
+  EXPECT_THAT(err_, HasSubstr("choose another one with --output DIR"));
+  EXPECT_EQ(run({"run", study(), "-o", (folder_ / "file/below").string()}), 3);
+  EXPECT_EQ(run({"run", study(), "-o", "/proc/isopatch"}), 3);
+  EXPECT_THAT(err_, testing::Not(HasSubstr("reading the model")));
+}
+
+TEST_F(Program, ErrorsOfInputGiveTheirExitCodes) {
+  EXPECT_EQ(run({"run", (folder_ / "none.toml").string()}), 3);
+  EXPECT_THAT(err_, HasSubstr("none.toml: No such file"));
+  EXPECT_EQ(run({"run", folder_.string()}), 3);
+  EXPECT_EQ(run({"rum", study()}), 2);
+  EXPECT_EQ(run({}), 2);
+  EXPECT_EQ(run({"run"}), 2);
+  EXPECT_THAT(err_, HasSubstr("see isopatch run --help"));
+  EXPECT_EQ(run({"run", study(), "--set", "load.0.tracton=1"}), 2);
+  EXPECT_EQ(run_text(replaced(bar, "generate = \"box\"\nsize = [2, 1, 1]\npatches = [2, 1, 1]",
+                              "file = \"none.xml\"")),
+            3);
+  EXPECT_THAT(err_, HasSubstr((folder_ / "none.xml").string()));
+}
+
+TEST_F(Program, MaterialsMustCoverEveryPatchOnce) {
+  EXPECT_EQ(run_text(replaced(bar, "young = 1000", "patches = 0\nyoung = 1000")), 2);
+  EXPECT_THAT(err_, HasSubstr("patch 1 has no material"));
+  EXPECT_EQ(run_text(bar + "[[material]]\npatches = [1]\nname = \"steel\"\n"), 2);
+  EXPECT_THAT(err_, HasSubstr("study.toml:19:1: patch 1 already has the material at "));
+  EXPECT_THAT(err_, HasSubstr("study.toml:6:1"));
+  EXPECT_EQ(run_text(replaced(bar, "young = 1000", "patches = [0, 5]\nyoung = 1000")), 2);
+  EXPECT_THAT(err_, HasSubstr("patch 5 does not exist: the model has patches 0 to 1"));
+}
+
+TEST_F(Program, ConflictsOutsideProbesAndMissingDensitiesAreRefused) {
+  EXPECT_EQ(run_text(bar + "[[support]]\nfaces = [\"x_min\"]\ndisplacement = [1, \"free\", \"free\"]\n"), 1);
+  EXPECT_THAT(err_, HasSubstr("support 1 (guides)"));
+  EXPECT_EQ(run_text(replaced(bar, "point = [2, 1, 1]", "point = [3, 1, 1]")), 2);
+  EXPECT_THAT(err_, HasSubstr("outside the part"));
+  EXPECT_EQ(run_text(bar + "[[load]]\ngravity = [0, 0, -9.81]\n"), 2);
+  EXPECT_THAT(err_, HasSubstr("density"));
+  EXPECT_EQ(run_text(replaced(bar, "faces = [\"x_max\"]", "faces = [\"x_mx\"]")), 2);
+  EXPECT_THAT(err_, HasSubstr("did you mean"));
+}
+
+TEST_F(Program, CompareSolvesBothWays) {
+  ASSERT_EQ(run({"compare", study()}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("the two couplings agree"));
+  const json comparison = json::parse(read_file(results() / "compare.json"));
+  EXPECT_EQ(comparison["agree"], true);
+  EXPECT_EQ(comparison["lagrange"]["multipliers"], 12);
+  EXPECT_LT(comparison["difference"]["displacement"], 1e-9);
+  EXPECT_LT(comparison["difference"]["multipliers"], 1e-8);
+}
+
+TEST_F(Program, InfoDescribesStudiesAndResults) {
+  ASSERT_EQ(run({"info", study()}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("2 patches, 1 interfaces, 10 boundary faces, one body"));
+  EXPECT_THAT(out_, HasSubstr("x_min"));
+  ASSERT_EQ(run({"info", study(), "--json", "-q"}), 0);
+  EXPECT_NEAR(json::parse(out_)["volume"], 2, 1e-13);
+  ASSERT_EQ(run({"run", study(), "-q"}), 0);
+  ASSERT_EQ(run({"info", (results() / "results.h5").string()}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("internal energy 100 mJ"));
+}
+
+TEST_F(Program, ProbeAndFieldsWorkFromStoredResults) {
+  ASSERT_EQ(run_text(bar, {"-q", "--set", "model.orientation_seed=3"}), 0) << err_;
+  const std::string file = (results() / "results.h5").string();
+  ASSERT_EQ(run({"probe", file, "--point", "2,1 m,500mm", "--json"}), 0) << err_;
+  const json at_point = json::parse(out_);
+  EXPECT_NEAR(at_point["displacement"][0], 0.02, 1e-13);
+  const json& parameter = at_point["parameter"];
+  const std::string text = parameter[0].dump() + "," + parameter[1].dump() + "," + parameter[2].dump();
+  ASSERT_EQ(run({"probe", file, "--patch", at_point["patch"].dump(), "--parameter", text, "--json"}), 0)
+      << err_;
+  EXPECT_NEAR(json::parse(out_)["point"][0], 2, 1e-12);
+  EXPECT_EQ(run({"probe", file, "--point", "9,9,9"}), 2);
+  EXPECT_EQ(run({"probe", file}), 2);
+  EXPECT_EQ(run({"probe", file, "--patch", "7", "--parameter", "0,0,0"}), 2);
+  ASSERT_EQ(run({"fields", file, "-o", (folder_ / "again").string()}), 0) << err_;
+  for (const char* name : {"results.vtm", "fields/patch_000.vtu", "fields/patch_001.vtu"})
+    EXPECT_EQ(read_file(folder_ / "again" / name), read_file(results() / name)) << name;
+}
+
+TEST_F(Program, ConvertKeepsTheModel) {
+  ASSERT_EQ(run({"run", study(), "-q"}), 0);
+  const std::string source = (folder_ / "a.g2").string();
+  write_file(source,
+             "700 1 0 0\n3 0\n2 2\n0 0 1 1\n2 2\n0 0 1 1\n2 2\n0 0 1 1\n"
+             "0 0 0\n2 0 0\n0 1 0\n2 1 0\n0 0 1\n2 0 1\n0 1 1\n2 1 1\n");
+  const std::string target = (folder_ / "a.xml").string();
+  ASSERT_EQ(run({"convert", source, "-o", target}), 0) << err_;
+  ASSERT_EQ(run({"info", target, "--json", "--length-unit", "mm"}), 0) << err_;
+  EXPECT_NEAR(json::parse(out_)["volume"], 2e-9, 1e-22);
+  EXPECT_EQ(run({"info", target, "--length-unit", "MPa"}), 2);
+}
+
+TEST_F(Program, HelpTeachesByExample) {
+  ASSERT_EQ(run({"--help"}), 0);
+  EXPECT_THAT(out_, HasSubstr("isopatch run examples/link/study.toml"));
+  EXPECT_THAT(out_, HasSubstr("Exit codes"));
+  for (const char* command : {"run", "compare", "info", "probe", "fields", "convert", "keys"}) {
+    ASSERT_EQ(run({command, "--help"}), 0);
+    EXPECT_THAT(out_, HasSubstr("isopatch " + std::string(command))) << command;
+  }
+  ASSERT_EQ(run({"--version"}), 0);
+  EXPECT_THAT(out_, StartsWith("isopatch "));
+  ASSERT_EQ(run({"keys", "where"}), 0);
+  EXPECT_THAT(out_, HasSubstr("cylinder"));
+}
+
+}  // namespace
+}  // namespace isopatch::app

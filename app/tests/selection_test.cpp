@@ -1,0 +1,102 @@
+#include "app/selection.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "geometry/models/box.hpp"
+#include "geometry/models/cylinder.hpp"
+#include "geometry/models/sphere.hpp"
+
+namespace isopatch::app {
+namespace {
+
+using geometry::MultiPatch;
+using testing::HasSubstr;
+
+MultiPatch two_boxes() {
+  return geometry::connect(geometry::box_model({.size = {2, 1, 1}, .patches = {2, 1, 1}}));
+}
+
+std::vector<std::string> labels(const MultiPatch& model, const FaceSelection& selection) {
+  std::vector<std::string> result;
+  for (const auto& face : select_faces(model, selection)) result.push_back(model.label(face));
+  return result;
+}
+
+std::string refusal(const MultiPatch& model, FaceSelection selection) {
+  selection.place = {"study.toml", 7, 1};
+  try {
+    select_faces(model, selection);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Selection, FindsFacesByNameOfFaceOrBoundary) {
+  const MultiPatch model = two_boxes();
+  EXPECT_THAT(labels(model, {.faces = {"0:west"}}), testing::ElementsAre("0:west"));
+  EXPECT_THAT(labels(model, {.faces = {"z_max", "1:back"}}),
+              testing::UnorderedElementsAre("0:back", "1:back"));
+}
+
+TEST(Selection, FindsFacesByGeometry) {
+  const MultiPatch box = two_boxes();
+  EXPECT_THAT(labels(box, {.where = FaceConditions{.plane = PlaneCondition{{2, 0, 0}, {1, 0, 0}}}}),
+              testing::ElementsAre("1:east"));
+  EXPECT_THAT(labels(box, {.where = FaceConditions{.normal = Eigen::Vector3d(0, 0, -1)}}),
+              testing::SizeIs(2));
+  EXPECT_THAT(labels(box, {.where = FaceConditions{.box = BoxCondition{{0, 0, 0}, {1, 1, 1}}}}),
+              testing::SizeIs(5));
+  // Names and geometry together: only what fulfils both.
+  EXPECT_THAT(
+      labels(box, {.faces = {"z_max"}, .where = FaceConditions{.box = BoxCondition{{0, 0, 0}, {1, 1, 1}}}}),
+      testing::ElementsAre("0:back"));
+  const MultiPatch ring = geometry::connect(geometry::cylinder_model({.angle = Angle::degrees(360)}));
+  EXPECT_EQ(select_faces(ring, {.where = FaceConditions{.cylinder = CylinderCondition{.radius = 1}}}),
+            select_faces(ring, {.faces = {"inner"}}));
+  const MultiPatch octant = geometry::connect(geometry::sphere_model({}));
+  EXPECT_EQ(select_faces(octant, {.where = FaceConditions{.sphere = SphereCondition{.radius = 2}}}),
+            select_faces(octant, {.faces = {"outer"}}));
+}
+
+TEST(Selection, FindsLeftHandedPatchesByTheInputsNames) {
+  for (unsigned seed = 1; seed < 6; ++seed) {
+    const MultiPatch model =
+        geometry::connect(geometry::box_model({.patches = {2, 2, 1}, .orientation_seed = seed}));
+    for (const auto& face : model.boundary_faces())
+      EXPECT_THAT(select_faces(model, {.faces = {model.label(face)}}), testing::ElementsAre(face));
+  }
+}
+
+TEST(Selection, RefusesFacesThatDoNotExist) {
+  const MultiPatch model = two_boxes();
+  EXPECT_THAT(refusal(model, {.faces = {"5:west"}}),
+              HasSubstr("study.toml:7:1: face \"5:west\" does not exist: the model has patches 0 to 1"));
+  EXPECT_THAT(refusal(model, {.faces = {"0:wets"}}), HasSubstr("(did you mean 'west'?)"));
+  EXPECT_THAT(refusal(model, {.faces = {"0:east"}}),
+              HasSubstr("face 0:east is no boundary: it is joined to 1:west"));
+  EXPECT_THAT(refusal(model, {.faces = {"x_mim"}}),
+              HasSubstr("no boundary is named \"x_mim\" (did you mean 'x_min'?); boundaries: x_min, x_max"));
+}
+
+TEST(Selection, MatchingNothingNamesWhatCameNearest) {
+  const std::string message =
+      refusal(two_boxes(), {.where = FaceConditions{.plane = PlaneCondition{{2.01, 0, 0}, {1, 0, 0}}}});
+  EXPECT_THAT(message,
+              HasSubstr("study.toml:7:1: the selection matches no face. Nearest: 1:east (up to 10 mm away"));
+  EXPECT_THAT(message, HasSubstr("boundaries: x_min"));
+  EXPECT_THAT(
+      refusal(two_boxes(), {.where = FaceConditions{.normal = Eigen::Vector3d(1, 1, 0).normalized()}}),
+      HasSubstr("normal 45.0 deg off"));
+}
+
+TEST(Selection, PatchesAreRangesOrAll) {
+  EXPECT_EQ(select_patches(4, {}).size(), 4u);
+  EXPECT_THAT(select_patches(6, {.ranges = {{4, 5}, {0, 0}, {4, 4}}}),
+              testing::ElementsAre(PatchId(0), PatchId(4), PatchId(5)));
+  EXPECT_THROW(select_patches(4, {.ranges = {{3, 4}}}), Error);
+}
+
+}  // namespace
+}  // namespace isopatch::app

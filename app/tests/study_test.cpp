@@ -1,0 +1,273 @@
+#include "app/study.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "app/study_keys.hpp"
+#include "geometry/base/atomic_file.hpp"
+
+namespace isopatch::app {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::string model = "[model]\ngenerate = \"box\"\n";
+const std::string material = "[[material]]\nname = \"steel\"\n";
+const std::string support = "[[support]]\nfaces = [\"x_min\"]\ndisplacement = [0, 0, 0]\n";
+
+/// The message for a study that must be refused.
+std::string refusal(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  try {
+    parse_study(text, "a/study.toml", overrides);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Study, ReadsEveryKey) {
+  const Study study = parse_study(R"(
+title = "all"
+[model]
+file = "patches.xml"
+length_unit = "225 mm"
+same_point = 1e-5
+near_miss = 1e-2
+same_knot = 1e-8
+[discretization]
+degree = [2, 3, 4]
+refine = 1
+elements_per_direction = 5
+max_size = "3 mm"
+continuity = 1
+points = 6
+[[material]]
+patches = [0, "2-4"]
+lame = { lambda = "54.0 GPa", mu = 27.8e9 }
+name = "alu"
+density = "2.7 g/cm^3"
+[[material]]
+patches = 1
+young = "210 GPa"
+poisson = 0.3
+[[support]]
+name = "clamp"
+faces = ["0:back", "inner"]
+where = { plane = { point = [0, 0, "1 mm"], normal = "-z" }, cylinder = { point = [1, 2, 3], axis = [0, 0, 2], radius = "5 mm" }, sphere = { centre = [0, 0, 1], radius = 2 }, box = { min = [0, 0, 0], max = [1, 1, 1] }, normal = "x", angle = "10 deg", tolerance = "0.1 mm" }
+displacement = ["1 mm", "free", 0]
+displacement_gradient = [[1, 2, 3], [4, 5, 6], [7, 8, 9]]
+[[support]]
+faces = "1:west"
+roller = true
+normal_displacement = "-2 um"
+[[support]]
+faces = ["2:west"]
+symmetry = true
+[[load]]
+faces = ["a"]
+traction = ["20 MPa", "-14 MPa", 0]
+[[load]]
+faces = ["a"]
+pressure = "1 bar"
+[[load]]
+faces = ["a"]
+force = [0, 0, "1 kN"]
+[[load]]
+patches = "0-1"
+body_force = [0, 0, "1 N/mm^3"]
+[[load]]
+name = "weight"
+gravity = [0, 0, "-9.81 m/s^2"]
+[coupling]
+method = "lagrange"
+[solver]
+method = "mumps"
+tolerance = 1e-9
+max_iterations = 77
+[[probe]]
+name = "p"
+point = ["1 mm", 0, 0]
+[[probe]]
+patch = 2
+parameter = [0.5, 0, 1]
+[output]
+directory = "out"
+fields = false
+hdf5 = false
+)",
+                                  "folder/study.toml");
+  EXPECT_EQ(study.title, "all");
+  EXPECT_EQ(study.model.file, "folder/patches.xml");
+  EXPECT_EQ(study.model.length_unit, 0.225);
+  EXPECT_EQ(study.model.tolerance.same_point, 1e-5);
+  EXPECT_EQ(study.model.tolerance.near_miss, 1e-2);
+  EXPECT_EQ(study.model.tolerance.same_knot, 1e-8);
+  EXPECT_EQ(study.discretization.degree, (std::array{2, 3, 4}));
+  EXPECT_EQ(study.discretization.refine, 1);
+  EXPECT_EQ(study.discretization.elements_per_direction, (std::array{5, 5, 5}));
+  EXPECT_EQ(study.discretization.max_size, 0.003);
+  EXPECT_EQ(study.discretization.continuity, 1);
+  EXPECT_EQ(study.options.quadrature_points, 6);
+  ASSERT_EQ(study.materials.size(), 2u);
+  EXPECT_EQ(study.materials[0].material.lambda, 54e9);
+  EXPECT_EQ(study.materials[0].material.mu, 27.8e9);
+  EXPECT_EQ(study.materials[0].material.density, 2700);
+  EXPECT_EQ(study.materials[0].material.name, "alu");
+  EXPECT_THAT(study.materials[0].patches.ranges, testing::ElementsAre(std::pair(0, 0), std::pair(2, 4)));
+  EXPECT_NEAR(study.materials[1].material.mu, 210e9 / 2.6, 1);
+  ASSERT_EQ(study.supports.size(), 3u);
+  EXPECT_EQ(study.supports[0].name, "support 1 (clamp)");
+  EXPECT_THAT(study.supports[0].selection.faces, testing::ElementsAre("0:back", "inner"));
+  const FaceConditions& where = *study.supports[0].selection.where;
+  EXPECT_EQ(where.plane->point, Eigen::Vector3d(0, 0, 0.001));
+  EXPECT_EQ(where.plane->normal, Eigen::Vector3d(0, 0, -1));
+  EXPECT_EQ(where.cylinder->axis, Eigen::Vector3d(0, 0, 1));
+  EXPECT_EQ(where.cylinder->radius, 0.005);
+  EXPECT_EQ(where.sphere->radius, 2);
+  EXPECT_EQ(where.box->max, Eigen::Vector3d(1, 1, 1));
+  EXPECT_EQ(*where.normal, Eigen::Vector3d(1, 0, 0));
+  EXPECT_NEAR(where.angle, 0.17453292519943295, 1e-15);
+  EXPECT_EQ(where.tolerance, 1e-4);
+  const auto& prescribed = std::get<iga::PrescribedDisplacement>(study.supports[0].condition);
+  EXPECT_EQ(prescribed.value[0], 0.001);
+  EXPECT_FALSE(prescribed.value[1].has_value());
+  EXPECT_EQ(prescribed.gradient(1, 2), 6);
+  EXPECT_EQ(std::get<iga::PlaneSupport>(study.supports[1].condition).normal_displacement, -2e-6);
+  EXPECT_EQ(std::get<iga::PlaneSupport>(study.supports[2].condition).normal_displacement, 0);
+  ASSERT_EQ(study.loads.size(), 5u);
+  EXPECT_EQ(study.loads[0].vector, Eigen::Vector3d(20e6, -14e6, 0));
+  EXPECT_EQ(study.loads[1].pressure, 1e5);
+  EXPECT_EQ(study.loads[2].kind, LoadKind::force);
+  EXPECT_EQ(study.loads[3].vector[2], 1e9);
+  EXPECT_EQ(study.loads[4].name, "load 5 (weight)");
+  EXPECT_EQ(study.loads[4].kind, LoadKind::gravity);
+  EXPECT_EQ(study.options.coupling, iga::Coupling::lagrange);
+  EXPECT_EQ(study.options.solver.method, solvers::Method::mumps);
+  EXPECT_EQ(study.options.solver.tolerance, 1e-9);
+  EXPECT_EQ(study.options.solver.max_iterations, 77);
+  ASSERT_EQ(study.probes.size(), 2u);
+  EXPECT_EQ(*study.probes[0].point, Eigen::Vector3d(0.001, 0, 0));
+  EXPECT_EQ(study.probes[1].patch, 2);
+  EXPECT_EQ(study.probes[1].name, "probe 2");
+  EXPECT_EQ(study.output.directory, "folder/out");
+  EXPECT_FALSE(study.output.fields);
+  EXPECT_FALSE(study.output.hdf5);
+}
+
+TEST(Study, UnknownKeysNameTheNearestKnownOneWithFileAndLine) {
+  EXPECT_EQ(refusal(model + material + support + "[discretization]\ndegre = 3\n"),
+            "a/study.toml:9:1: unknown key 'degre' in [discretization] (did you mean 'degree'?)");
+  EXPECT_THAT(refusal(model + "distorsion = 0.1\n" + material + support),
+              HasSubstr("a/study.toml:3:1: unknown key 'distorsion' in [model] with generate = \"box\" (did "
+                        "you mean 'distortion'?)"));
+  EXPECT_THAT(refusal(model + material + support + "[solvers]\n"), HasSubstr("did you mean 'solver'?"));
+  EXPECT_THAT(refusal(model + material + "[[support]]\nfaces = [\"a\"]\nwhere = { plan = {} }\n"),
+              HasSubstr("unknown key 'plan' in where (did you mean 'plane'?)"));
+  EXPECT_THAT(refusal(model + material + "[[support]]\nfaces = [\"a\"]\nzzzzzz = 1\n"),
+              HasSubstr("known: name, faces, where"));
+}
+
+TEST(Study, BrokenTomlSaysWhere) {
+  EXPECT_THAT(refusal("[model]\nfile = \"x\nmore"), StartsWith("a/study.toml:2:"));
+  EXPECT_THAT(refusal("[model]\nfile = \"x\"\nfile = \"y\"\n"), StartsWith("a/study.toml:3:"));
+  EXPECT_THAT(refusal("[model\n"), HasSubstr("not valid TOML"));
+  EXPECT_THAT(refusal("title = 1979-05-27\n"), HasSubstr("dates and times"));
+}
+
+TEST(Study, WrongUnitsSayWhatWasExpectedAndWhatCame) {
+  const std::string load = "[[load]]\nfaces = [\"x_max\"]\n";
+  EXPECT_EQ(refusal(model + material + support + load + "traction = [\"20 mm\", 0, 0]\n"),
+            "a/study.toml:10:13: traction: expected a pressure such as \"20 MPa\", or a number in Pa, got "
+            "\"20 mm\", which is a length");
+  EXPECT_THAT(refusal(model + material + support + load + "pressure = \"20\"\n"),
+              HasSubstr("got \"20\" without a unit"));
+  EXPECT_THAT(refusal(model + material + support + load + "pressure = \"20 Mpa\"\n"),
+              HasSubstr("did you mean 'MPa'?"));
+  EXPECT_THAT(refusal(model + material + support + load + "pressure = true\n"),
+              HasSubstr("expected a pressure such as"));
+  EXPECT_THAT(refusal(model + material + support + load + "pressure = nan\n"), HasSubstr("must be finite"));
+  EXPECT_THAT(refusal(model + material + support + load + "pressure = \"inf Pa\"\n"),
+              HasSubstr("not a finite number"));
+  EXPECT_THAT(refusal("[model]\nfile = \"x\"\nlength_unit = \"2 MPa\"\n"),
+              HasSubstr("expected a length such as \"mm\""));
+  EXPECT_THAT(refusal(model + "size = [1, \"2 Pa\", 3]\n" + material + support),
+              HasSubstr("size: expected a length"));
+}
+
+TEST(Study, RangesAndMissingKeysSayWhatIsAllowed) {
+  const std::string rest = model + support;
+  EXPECT_THAT(refusal(rest + "[[material]]\nyoung = 1\npoisson = 0.5\n"),
+              HasSubstr("poisson is 0.5; it must be above -1 and below 0.5. An incompressible material"));
+  EXPECT_THAT(refusal(rest + "[[material]]\nyoung = -1\npoisson = 0.3\n"),
+              HasSubstr("young is -1 Pa; it must be above 0"));
+  EXPECT_THAT(refusal(rest + "[[material]]\nyoung = 1\n"), HasSubstr("has young but lacks poisson"));
+  EXPECT_THAT(refusal(rest + "[[material]]\nname = \"steal\"\n"), HasSubstr("did you mean 'steel'?"));
+  EXPECT_THAT(refusal(rest + "[[material]]\nlame = { lambda = 1 }\n"), HasSubstr("lame lacks the key 'mu'"));
+  EXPECT_THAT(refusal(rest + "[[material]]\npatches = [-1]\nname = \"steel\"\n"),
+              HasSubstr("patches: expected a whole number"));
+  EXPECT_THAT(refusal(rest + "[[material]]\npatches = [\"4-2\"]\nname = \"steel\"\n"),
+              HasSubstr("got \"4-2\""));
+  EXPECT_THAT(refusal(rest + material + "[discretization]\ndegree = 0\n"),
+              HasSubstr("degree: expected a whole number from 1 to 10, got the number 0"));
+  EXPECT_THAT(refusal(rest + material + "[solver]\ntolerance = 1\n"),
+              HasSubstr("tolerance is 1; it must be from 1e-14 to 0.01"));
+  EXPECT_THAT(refusal(rest + material + "[solver]\nmethod = \"cholmud\"\n"),
+              HasSubstr("did you mean 'cholmod'?"));
+  EXPECT_THAT(refusal(material + support), HasSubstr("a/study.toml: the study lacks the key 'model'"));
+  EXPECT_THAT(refusal(model + material),
+              HasSubstr("the study lacks the key 'support': What holds the part."));
+  EXPECT_THAT(refusal("[model]\n" + material + support), HasSubstr("needs either file"));
+  EXPECT_THAT(refusal("[model]\ngenerate = \"links\"\n" + material + support),
+              HasSubstr("did you mean 'link'?"));
+  EXPECT_THAT(refusal(model + material + "[support]\nfaces = [\"a\"]\n"),
+              HasSubstr("write [[support]] with two brackets"));
+  EXPECT_THAT(refusal(model + material + "[[support]]\nfaces = [\"a\"]\n"), HasSubstr("needs displacement"));
+  EXPECT_THAT(refusal(model + material + "[[support]]\nsymmetry = true\n"),
+              HasSubstr("which faces are held?"));
+  EXPECT_THAT(refusal(model + material + support + "[[load]]\nfaces = [\"a\"]\n"),
+              HasSubstr("exactly one of traction"));
+  EXPECT_THAT(refusal(model + material + support + "[[load]]\nfaces = [\"a\"]\ngravity = [0, 0, 1]\n"),
+              HasSubstr("act in patches"));
+  EXPECT_THAT(refusal(model + material + support + "[[probe]]\npatch = 1\n"),
+              HasSubstr("either a point, or a patch"));
+}
+
+TEST(Study, VariablesAndRelativePathsAreResolved) {
+  ::setenv("ISOPATCH_TEST_FOLDER", "/data", 1);
+  ::unsetenv("ISOPATCH_TEST_NONE");
+  EXPECT_EQ(expand_variables("${ISOPATCH_TEST_FOLDER}/a"), "/data/a");
+  EXPECT_EQ(expand_variables("${ISOPATCH_TEST_NONE:-b}/a"), "b/a");
+  EXPECT_EQ(expand_variables("plain$"), "plain$");
+  EXPECT_THAT(refusal("[model]\nfile = \"${ISOPATCH_TEST_NONE}/a\"\n" + material + support),
+              HasSubstr("a/study.toml:2:8: the environment variable ISOPATCH_TEST_NONE is not set"));
+  EXPECT_THAT(refusal("[model]\nfile = \"${open\"\n" + material + support), HasSubstr("without '}'"));
+}
+
+TEST(Study, OverridesReplaceOneValue) {
+  const std::string text = model + material + support;
+  const Study study = parse_study(text, "s.toml",
+                                  {"discretization.refine=2", "material.0.name=titanium", "title=a = b",
+                                   "support.0.displacement=['1 mm', 'free', 0]"});
+  EXPECT_EQ(study.discretization.refine, 2);
+  EXPECT_EQ(study.materials[0].material.name, "titanium");
+  EXPECT_EQ(study.title, "a = b");
+  EXPECT_EQ(std::get<iga::PrescribedDisplacement>(study.supports[0].condition).value[0], 0.001);
+  EXPECT_EQ(refusal(text, {"discretization.refin=2"}),
+            "--set discretization.refin=2: unknown key 'refin' in [discretization] (did you mean 'refine'?)");
+  EXPECT_THAT(refusal(text, {"title"}), HasSubstr("expected key=value"));
+  EXPECT_THAT(refusal(text, {"material.3.name=steel"}), HasSubstr("'3' is no index of an array of 1"));
+  EXPECT_THAT(refusal(text, {"model.generate.x=1"}), HasSubstr("has no keys"));
+}
+
+TEST(Study, DocumentationFileIsWhatTheTableSays) {
+  EXPECT_EQ(read_file(std::filesystem::path(ISOPATCH_SOURCE_DIR) / "app/STUDY.md"), study_documentation())
+      << "run: isopatch keys > app/STUDY.md";
+  EXPECT_THAT(study_documentation("support"), HasSubstr("`displacement_gradient`"));
+  EXPECT_THROW(study_documentation("suport"), Error);
+}
+
+}  // namespace
+}  // namespace isopatch::app

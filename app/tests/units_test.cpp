@@ -1,0 +1,76 @@
+#include "app/units.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "geometry/base/error.hpp"
+
+namespace isopatch::app {
+namespace {
+
+using testing::HasSubstr;
+
+std::string refusal(const std::string& text) {
+  try {
+    parse_quantity(text);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::invalid_argument);
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Units, KnowTheEngineersUnits) {
+  // Factors are exact or correctly rounded, so values must agree to the last bit.
+  EXPECT_EQ(parse_quantity("20 MPa").value, 20e6);
+  EXPECT_EQ(parse_quantity("-14 MPa").value, -14e6);
+  EXPECT_EQ(parse_quantity("1.1 mm").value, 0.0011);
+  EXPECT_EQ(parse_quantity("225mm").value, 0.225);
+  EXPECT_EQ(parse_quantity("+1 kN").value, 1000);
+  EXPECT_EQ(parse_quantity("7850 kg/m^3").value, 7850);
+  EXPECT_EQ(parse_quantity("7.85 g/cm3").value, 7850);
+  EXPECT_EQ(parse_quantity("2 t").value, 2000);
+  EXPECT_EQ(parse_quantity("1 in").value, 0.0254);
+  EXPECT_EQ(parse_quantity("3 %").value, 0.03);
+  EXPECT_EQ(parse_quantity("5 N/mm^2").value, 5e6);
+  EXPECT_EQ(parse_quantity("5 N/mm\u00b2").value, 5e6);
+  EXPECT_DOUBLE_EQ(parse_quantity("1 lbf").value, 4.4482216152605);
+  EXPECT_NEAR(parse_quantity("1 psi").value, 6894.757293168, 1e-8);
+  EXPECT_DOUBLE_EQ(parse_quantity("36 deg").value, std::numbers::pi / 5);
+  EXPECT_DOUBLE_EQ(parse_quantity("3 \u00b5m").value, 3e-6);
+}
+
+TEST(Units, AnAlgebraOfDimensionsJoinsThem) {
+  EXPECT_EQ(parse_quantity("1 N/m^2").dimension, dimensions::pressure);
+  EXPECT_EQ(parse_quantity("1 kg m s^-2").dimension, dimensions::force);
+  EXPECT_EQ(parse_quantity("1 N*m").dimension, dimensions::energy);
+  EXPECT_EQ(parse_quantity("1 N\u00b7m").dimension, dimensions::energy);
+  EXPECT_EQ(parse_quantity("1 kg/(m s^2)").dimension, dimensions::pressure);
+  EXPECT_EQ(parse_quantity("9.81 m/s^2").dimension, dimensions::acceleration);
+  EXPECT_EQ(parse_quantity("1 (N/mm)^2").value, 1e6);
+  EXPECT_EQ(parse_quantity("4").dimension, dimensions::none);
+  EXPECT_EQ(parse_scale("mm").value, 1e-3);
+  EXPECT_EQ(si_unit(parse_quantity("1 kg^2 m").dimension), "kg^2 m");
+}
+
+TEST(Units, RefuseWhatIsNoQuantity) {
+  EXPECT_THAT(refusal("nan"), HasSubstr("not a finite number"));
+  EXPECT_THAT(refusal("inf m"), HasSubstr("not a finite number"));
+  EXPECT_THAT(refusal("1e999 m"), HasSubstr("too large"));
+  EXPECT_THAT(refusal("1e308 GPa"), HasSubstr("overflows"));
+  EXPECT_THAT(refusal("20 Mpa"), HasSubstr("did you mean 'MPa'?"));
+  EXPECT_THAT(refusal("20 furlong"), HasSubstr("unknown unit 'furlong'"));
+  EXPECT_THAT(refusal("MPa"), HasSubstr("expected a number with a unit"));
+  EXPECT_THAT(refusal(""), HasSubstr("expected a number"));
+  EXPECT_THAT(refusal("1 N/"), HasSubstr("a unit is missing"));
+  EXPECT_THAT(refusal("1 (N"), HasSubstr("bracket is not closed"));
+  EXPECT_THAT(refusal("1 N)"), HasSubstr("unexpected ')'"));
+  EXPECT_THAT(refusal("1 m^99"), HasSubstr("exponent"));
+  EXPECT_THAT(refusal("1 m^"), HasSubstr("exponent"));
+  EXPECT_THAT(refusal("1 " + std::string(1000, '(')), HasSubstr("too many brackets"));
+}
+
+}  // namespace
+}  // namespace isopatch::app
