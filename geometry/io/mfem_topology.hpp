@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <map>
 #include <utility>
 #include <vector>
@@ -41,6 +40,10 @@ struct MfemTopology {
 /// Vertex of a patch at the low (0) or high (1) end of each direction.
 int mfem_corner(const std::array<int, 8>& patch, const std::array<int, 3>& ends);
 
+/// Vertices of a patch's edge along a direction, at the low and the high end.
+/// @param corner  0 .. 3: the ends of the two other directions, the lower one counting 1 and the higher 2
+std::pair<int, int> mfem_edge_ends(const std::array<int, 8>& patch, int direction, int corner);
+
 /// The faces of the patches, numbered as MFEM does: by patch, within it front, south, east, north, west,
 /// back.
 /// @throws Error bad_format   a face of three patches, or two patches that see its vertices in different
@@ -57,43 +60,5 @@ std::vector<Boundary> mfem_boundaries(const MfemTopology& topology);
 /// disagree
 std::vector<NurbsVolume::KnotVectors> mfem_spaces(const MfemTopology& topology,
                                                   const std::vector<KnotVector>& knots);
-
-/// Numbers of the coefficients of each patch, first direction fastest, in the numbering over the whole mesh.
-///
-/// MFEM numbers vertices, then the insides of edges (from the lower to the higher vertex), of faces (in the
-/// frame of the first patch) and of patches.
-class MfemNumbering {
- public:
-  /// @param sizes  number of coefficients of every patch along its directions
-  /// @param edges  number of coefficients of every edge
-  MfemNumbering(const MfemTopology& topology, std::vector<std::array<int, 3>> sizes,
-                const std::vector<int>& edges);
-
-  /// Coefficients of the whole mesh.
-  std::int64_t size() const { return size_; }
-  std::vector<std::int64_t> patch(std::size_t index) const;
-
- private:
-  struct Strided {  // number of the coefficient at (a, b), counted inside a face: first + a along + b across
-    std::int64_t first = 0;
-    std::int64_t along = 0;
-    std::int64_t across = 0;
-  };
-  Strided face(std::size_t patch, Side side) const;
-  Strided edge(std::size_t patch, int direction, int corner) const;
-  struct Frames {
-    std::array<Strided, 6> faces;   // by side
-    std::array<Strided, 12> edges;  // by direction and the ends of the two others
-  };
-  std::int64_t number(const Frames& frames, std::size_t patch, const std::array<int, 3>& at) const;
-
-  const MfemTopology& topology_;
-  std::vector<std::array<int, 3>> sizes_;
-  std::map<std::pair<int, int>, std::int64_t> first_of_edge_;
-  std::map<PatchFace, std::size_t> face_of_;
-  std::vector<std::int64_t> first_of_face_;
-  std::vector<std::int64_t> first_of_patch_;
-  std::int64_t size_ = 0;
-};
 
 }  // namespace isopatch::geometry

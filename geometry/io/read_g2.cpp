@@ -75,8 +75,11 @@ NurbsVolume read_volume(TextScanner& scanner, const std::string& name) {
   scanner.require_room(static_cast<std::size_t>(rows * count),
                        fmt::format("{} control points of {}", count, name));
   Eigen::Matrix4Xd points = Eigen::Matrix4Xd::Ones(4, count);
-  for (Eigen::Index i = 0; i < count; ++i)
+  for (Eigen::Index i = 0; i < count; ++i) {
     for (Eigen::Index r = 0; r < rows; ++r) points(r, i) = scanner.number("a coefficient of " + name);
+    if (!(points(3, i) > 0))
+      scanner.fail(fmt::format("weight {} of {} is {}; weights must be positive", i, name, points(3, i)));
+  }
   return located(scanner.source(), line, name, [&] {
     return rational ? NurbsVolume::from_homogeneous(std::move(knots), points)
                     : NurbsVolume(std::move(knots), points.topRows<3>());

@@ -117,6 +117,7 @@ class GismoReader {
                             name, quoted(type)),
                 ErrorCode::unsupported);
     const pugi::xml_node outer = child(geometry, "Basis", name);
+    const pugi::xml_node weights_node = rational ? child(outer, "weights", name) : pugi::xml_node();
     const pugi::xml_node basis = rational ? child(outer, "Basis", name) : outer;
     NurbsVolume::KnotVectors knots = knot_vectors(basis, name);
     const auto count = located(xml_.source(), xml_.line(basis), name,
@@ -128,8 +129,8 @@ class GismoReader {
                 ErrorCode::unsupported);
     const Eigen::MatrixXd points = numbers(coefficients, 3, count, name + ", control point");
     Eigen::VectorXd weights = Eigen::VectorXd::Ones(count);
-    if (rational) weights = numbers(child(outer, "weights", name), 1, count, name + ", weight").transpose();
-    return located(xml_.source(), xml_.line(rational ? child(outer, "weights", name) : coefficients), name,
+    if (rational) weights = numbers(weights_node, 1, count, name + ", weight").transpose();
+    return located(xml_.source(), xml_.line(rational ? weights_node : coefficients), name,
                    [&] { return NurbsVolume(std::move(knots), points, std::move(weights)); });
   }
 

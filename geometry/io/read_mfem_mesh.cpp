@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "geometry/io/mfem_numbering.hpp"
 #include "geometry/io/mfem_topology.hpp"
 #include "geometry/io/reader_limits.hpp"
 #include "geometry/io/text_scanner.hpp"
@@ -144,8 +145,11 @@ class MfemReader {
     in_.require_room(static_cast<std::size_t>(4 * count),
                      fmt::format("{} control points of {}", count, name));
     Eigen::Matrix4Xd points(4, count);
-    for (Eigen::Index i = 0; i < points.size(); ++i)
-      points.data()[i] = in_.number("a control point of " + name);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      for (double& x : points.col(i)) x = in_.number("a control point of " + name);
+      if (!(points(3, i) > 0))
+        in_.fail(fmt::format("weight {} of {} is {}; weights must be positive", i, name, points(3, i)));
+    }
     return located(in_.source(), line, name, [&] {
       return cartesian ? NurbsVolume(std::move(knots), points.topRows<3>(), points.row(3).transpose())
                        : NurbsVolume::from_homogeneous(std::move(knots), points);
