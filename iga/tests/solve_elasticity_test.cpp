@@ -1,0 +1,138 @@
+#include "iga/solve_elasticity.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "geometry/base/error.hpp"
+#include "geometry/models/cylinder.hpp"
+#include "iga/tests/small_models.hpp"
+
+namespace isopatch::iga {
+namespace {
+
+using testing::boundary;
+using testing::problem;
+using ::testing::HasSubstr;
+
+const Material steel = isotropic(210e9, 0.3, 7850, "steel");
+constexpr Coupling couplings[] = {Coupling::elimination, Coupling::lagrange};
+
+// Largest difference of the coefficients from those of u = gradient * x, relative to the largest one.
+double affine_error(const ElasticField& field, const Eigen::Matrix3d& gradient) {
+  double error = 0;
+  double size = 0;
+  for (std::size_t p = 0; p < field.patches.size(); ++p) {
+    const Eigen::Matrix3Xd exact = gradient * field.patches[p].control_points();
+    error = std::max(error, (field.displacement[p] - exact).cwiseAbs().maxCoeff());
+    size = std::max(size, exact.cwiseAbs().maxCoeff());
+  }
+  return error / size;
+}
+
+// 2x2x2 distorted and curved patches in random orientations.
+geometry::MultiPatch distorted_box() {
+  return geometry::connect(geometry::box_model({.patches = {2, 2, 2}, .distortion = 0.3, .curvature = 0.2, .orientation_seed = 7}));
+}
+
+TEST(SolveElasticity, PassesThePatchTestOnADistortedBoxInBothCouplings) {
+  Eigen::Matrix3d gradient;
+  gradient << 1e-3, 2e-4, -3e-4, 5e-4, -7e-4, 1e-4, 2e-4, 6e-4, 4e-4;
+  for (const Coupling coupling : couplings) {
+    ElasticityProblem p = problem(distorted_box(), {.refine = 1}, steel);
+    p.supports = {{"boundary", p.discretization.model.boundary_faces(), PrescribedDisplacement{.gradient = gradient}}};
+    const ElasticitySolution solution = solve_elasticity(p, {.coupling = coupling});
+    EXPECT_LT(affine_error(solution.field, gradient), 1e-10) << name(coupling);
+    const Eigen::Matrix3d strain = 0.5 * (gradient + gradient.transpose());
+    EXPECT_NEAR(solution.results.internal_energy / (0.5 * stress(strain, steel).cwiseProduct(strain).sum()), 1, 1e-11);
+    EXPECT_NEAR(solution.results.external_work / solution.results.internal_energy, 1, 1e-10);
+  }
+}
+
+TEST(SolveElasticity, StretchesABarByTractionAgainstSymmetryPlanes) {
+  for (const Coupling coupling : couplings) {
+    ElasticityProblem p = problem(distorted_box(), {}, steel);
+    const auto& model = p.discretization.model;
+    for (const char* plane : {"x_min", "y_min", "z_min"}) p.supports.push_back({plane, boundary(model, plane), PlaneSupport{}});
+    p.surface_loads = {constant_traction("pull", boundary(model, "x_max"), {1e8, 0, 0})};
+    const ElasticitySolution solution = solve_elasticity(p, {.coupling = coupling});
+    const double strain = 1e8 / 210e9;
+    EXPECT_LT(affine_error(solution.field, Eigen::Vector3d(strain, -0.3 * strain, -0.3 * strain).asDiagonal()), 1e-10);
+    EXPECT_NEAR(solution.results.max_von_mises.value, 1e8, 1e-1);
+    EXPECT_NEAR(solution.results.reactions[0].force[0], -1e8, 1e-1);
+    EXPECT_NEAR(solution.results.reactions[1].force.norm(), 0, 1e-1);
+  }
+}
+
+// Lame's thick-walled cylinder: a = 1, b = 2, E = 1000, pressure 10 inside, plane strain.
+double cylinder_error(double nu, int degree, int refine, Coupling coupling) {
+  const geometry::MultiPatch model = geometry::connect(geometry::cylinder_model({.radial_patches = 2, .patches_around = 2}));
+  ElasticityProblem p = problem(model, {.degree = {degree, degree, 1}, .refine = refine}, isotropic(1000, nu));
+  for (const char* plane : {"start", "end", "bottom", "top"}) p.supports.push_back({plane, boundary(model, plane), PlaneSupport{}});
+  p.surface_loads = {pressure_load("pressure", boundary(model, "inner"), 10)};
+  const ElasticitySolution solution = solve_elasticity(p, {.coupling = coupling});
+  const double k = 10.0 / 3;
+  const double at_bore = (1 + nu) / 1000 * k * ((1 - 2 * nu) + 4);
+  const FieldValues values = evaluate(solution.field, 0, solution.field.patches[0].low());
+  EXPECT_NEAR(values.place.norm(), 1, 1e-12);
+  return std::abs(values.displacement.norm() / at_bore - 1);
+}
+
+TEST(SolveElasticity, SolvesTheThickCylinder) {
+  for (const Coupling coupling : couplings) EXPECT_LT(cylinder_error(0.3, 3, 3, coupling), 1e-6) << name(coupling);
+}
+
+TEST(SolveElasticity, CouplingsAgreeInDisplacementEnergyAndMultipliers) {
+  ElasticityProblem p = problem(distorted_box(), {.degree = {3, 2, 2}}, steel);
+  const auto& model = p.discretization.model;
+  p.supports = {{"clamp", boundary(model, "x_min"), PrescribedDisplacement{}}};
+  p.surface_loads = {constant_traction("shear", boundary(model, "x_max"), {0, 3e6, -5e6})};
+  const ElasticitySolution a = solve_elasticity(p, {.coupling = Coupling::elimination});
+  const ElasticitySolution b = solve_elasticity(p, {.coupling = Coupling::lagrange});
+  double difference = 0;
+  for (std::size_t i = 0; i < a.field.displacement.size(); ++i)
+    difference = std::max(difference, (a.field.displacement[i] - b.field.displacement[i]).cwiseAbs().maxCoeff());
+  EXPECT_LT(difference / a.results.max_displacement.value, 1e-9);
+  EXPECT_NEAR(a.results.internal_energy / b.results.internal_energy, 1, 1e-9);
+  ASSERT_EQ(a.multipliers.size(), b.multipliers.size());
+  ASSERT_FALSE(a.multipliers.empty());
+  double largest = 0;
+  double apart = 0;
+  for (std::size_t i = 0; i < a.multipliers.size(); ++i) {
+    ASSERT_EQ(a.multipliers[i].second_node, b.multipliers[i].second_node);
+    largest = std::max(largest, a.multipliers[i].force.norm());
+    apart = std::max(apart, (a.multipliers[i].force - b.multipliers[i].force).norm());
+  }
+  EXPECT_LT(apart / largest, 1e-9);
+  EXPECT_EQ(a.size.multipliers, a.size.dofs_uncoupled - a.size.dofs_eliminated);
+  EXPECT_LT(b.size.multipliers_free, b.size.multipliers);
+}
+
+TEST(SolveElasticity, NamesTheRigidMotionsLeft) {
+  ElasticityProblem p = problem(distorted_box(), {}, steel);
+  p.supports = {{"rest", boundary(p.discretization.model, "z_min"), PlaneSupport{}}};
+  try {
+    solve_elasticity(p);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::free_body);
+    EXPECT_THAT(error.what(), HasSubstr("translation along (0, 1, 0)"));
+    EXPECT_THAT(error.what(), HasSubstr("along (0, 0, 1)"));
+  }
+}
+
+TEST(SolveElasticity, RefusesSupportsThatContradictEachOther) {
+  ElasticityProblem p = problem(distorted_box(), {}, steel);
+  const auto& model = p.discretization.model;
+  p.supports = {{"clamp", boundary(model, "x_min"), PrescribedDisplacement{}},
+                {"lift", boundary(model, "z_max"), PrescribedDisplacement{{0.0, 0.0, 1e-3}}}};
+  try {
+    solve_elasticity(p);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::conflict);
+    EXPECT_THAT(error.what(), HasSubstr("'clamp' and 'lift'"));
+  }
+}
+
+}  // namespace
+}  // namespace isopatch::iga
