@@ -1,11 +1,14 @@
 #include "geometry/measures.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <vector>
 
 #include "geometry/quadrature.hpp"
+#include "geometry/splines/grid.hpp"
+#include "geometry/splines/tensor.hpp"
 
 namespace isopatch::geometry {
 namespace {
@@ -29,26 +32,67 @@ DirectionRule rule_on(const KnotVector& knots, int points) {
   return rule;
 }
 
-// Calls visit(parameter, weight) at all Gauss points; `points(direction)` says how many per element.
+/// A direction's rule with the basis functions and their derivatives at its nodes.
+struct DirectionTable {
+  DirectionRule rule;
+  std::array<Eigen::SparseMatrix<double, Eigen::RowMajor>, 2> basis;  ///< by order of derivative
+};
+
+// Homogeneous values on all nodes of all directions but the last, and on node `last` of that one;
+// differentiated once along `differentiated`, if that is a direction.
+template <int D>
+Eigen::Matrix4Xd slab(const Eigen::Matrix4Xd& homogeneous, std::array<int, D> sizes,
+                      const std::array<DirectionTable, D>& tables, int last, int differentiated) {
+  Eigen::Matrix4Xd values = homogeneous;
+  for (int d = D - 1; d >= 0; --d) {
+    const auto k = static_cast<std::size_t>(d);
+    const auto& all = tables[k].basis[d == differentiated ? 1 : 0];
+    const Eigen::SparseMatrix<double, Eigen::RowMajor> rows =
+        d == D - 1 ? all.middleRows(last, 1) : all.middleRows(0, all.rows());
+    values = apply_along<D>(values, sizes, d, rows);
+    sizes[k] = static_cast<int>(rows.rows());
+  }
+  return values;
+}
+
+// Calls visit(parameter, weight, jacobian) at all Gauss points; `points(direction)` says how many per
+// element.
 template <int D, class Points, class Visit>
 void at_gauss_points(const Nurbs<D>& spline, Points points, Visit visit) {
-  std::array<DirectionRule, D> rules;
-  std::size_t count = 1;
+  std::array<DirectionTable, D> tables;
   for (std::size_t d = 0; d < D; ++d) {
-    rules[d] = rule_on(spline.knots()[d], points(static_cast<int>(d)));
-    count *= rules[d].nodes.size();
+    tables[d].rule = rule_on(spline.knots()[d], points(static_cast<int>(d)));
+    for (const int order : {0, 1})
+      tables[d].basis[static_cast<std::size_t>(order)] =
+          collocation(spline.knots()[d], tables[d].rule.nodes, order);
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    Parameter<D> parameter;
-    double weight = 1;
-    std::size_t rest = i;
-    for (std::size_t d = 0; d < D; ++d) {
-      const std::size_t k = rest % rules[d].nodes.size();
-      rest /= rules[d].nodes.size();
-      parameter[static_cast<int>(d)] = rules[d].nodes[k];
-      weight *= rules[d].weights[k];
+  const Eigen::Matrix4Xd homogeneous = spline.homogeneous();
+  const DirectionRule& last = tables[D - 1].rule;
+  for (std::size_t k = 0; k < last.nodes.size(); ++k) {
+    const auto node = static_cast<int>(k);
+    const Eigen::Matrix4Xd values = slab<D>(homogeneous, spline.sizes(), tables, node, -1);
+    std::array<Eigen::Matrix4Xd, D> derivatives;
+    for (int d = 0; d < D; ++d)
+      derivatives[static_cast<std::size_t>(d)] = slab<D>(homogeneous, spline.sizes(), tables, node, d);
+    for (Eigen::Index i = 0; i < values.cols(); ++i) {
+      Parameter<D> parameter;
+      double weight = last.weights[k];
+      parameter[D - 1] = last.nodes[k];
+      auto rest = static_cast<std::size_t>(i);
+      for (std::size_t d = 0; d + 1 < D; ++d) {
+        const DirectionRule& rule = tables[d].rule;
+        parameter[static_cast<int>(d)] = rule.nodes[rest % rule.nodes.size()];
+        weight *= rule.weights[rest % rule.nodes.size()];
+        rest /= rule.nodes.size();
+      }
+      const Eigen::Vector3d point = values.col(i).template head<3>() / values(3, i);
+      Eigen::Matrix<double, 3, D> jacobian;
+      for (int d = 0; d < D; ++d) {
+        const auto h = derivatives[static_cast<std::size_t>(d)].col(i);
+        jacobian.col(d) = (h.template head<3>() - h[3] * point) / values(3, i);
+      }
+      visit(parameter, weight, jacobian);
     }
-    visit(parameter, weight);
   }
 }
 
@@ -75,7 +119,9 @@ double volume(const NurbsVolume& patch) {
   double sum = 0;
   at_gauss_points(
       patch, [&](int d) { return points_for(patch, d); },
-      [&](const Parameter<3>& at, double weight) { sum += weight * patch.jacobian(at).determinant(); });
+      [&](const Parameter<3>&, double weight, const Eigen::Matrix3d& columns) {
+        sum += weight * columns.determinant();
+      });
   return sum;
 }
 
@@ -83,8 +129,7 @@ double area(const NurbsSurface& surface) {
   double sum = 0;
   at_gauss_points(
       surface, [&](int d) { return points_for(surface, d); },
-      [&](const Parameter<2>& at, double weight) {
-        const Eigen::Matrix<double, 3, 2> columns = surface.jacobian(at);
+      [&](const Parameter<2>&, double weight, const Eigen::Matrix<double, 3, 2>& columns) {
         sum += weight * columns.col(0).cross(columns.col(1)).norm();
       });
   return sum;
@@ -102,8 +147,7 @@ Quality quality(const NurbsVolume& patch, int points_per_direction) {
   int count = 0;
   at_gauss_points(
       patch, [&](int d) { return points_per_direction > 0 ? points_per_direction : patch.degree(d) + 1; },
-      [&](const Parameter<3>& at, double) {
-        const Eigen::Matrix3d columns = patch.jacobian(at);
+      [&](const Parameter<3>& at, double, const Eigen::Matrix3d& columns) {
         const double determinant = columns.determinant();
         const double lengths = columns.colwise().norm().prod();
         const double scaled = lengths > 0 ? determinant / lengths : 0;

@@ -24,7 +24,8 @@ Eigen::Matrix3Xd unit_corners() {
 template <int D>
 class HomogeneousDerivatives {
  public:
-  HomogeneousDerivatives(const Nurbs<D>& spline, const Parameter<D>& parameter, const std::array<int, D>& order)
+  HomogeneousDerivatives(const Nurbs<D>& spline, const Parameter<D>& parameter,
+                         const std::array<int, D>& order)
       : spline_(spline), order_(order) {
     for (std::size_t d = 0; d < D; ++d)
       values_[d] = basis(spline.knots()[d], parameter[static_cast<int>(d)], order[d]);
@@ -37,7 +38,8 @@ class HomogeneousDerivatives {
   }
 
  private:
-  void add(int direction, int offset, double factor, const std::array<int, D>& order, Eigen::Vector4d& sum) const {
+  void add(int direction, int offset, double factor, const std::array<int, D>& order,
+           Eigen::Vector4d& sum) const {
     const auto d = static_cast<std::size_t>(direction);
     const BasisValues& b = values_[d];
     for (int j = 0; j < b.values.cols(); ++j) {
@@ -92,15 +94,20 @@ Nurbs<D>::Nurbs(KnotVectors knots, Eigen::Matrix3Xd control_points, Eigen::Vecto
   Eigen::Index expected = 1;
   for (const KnotVector& k : knots_) expected *= k.size();
   if (control_points_.cols() != expected)
-    throw Error(ErrorCode::invalid_argument, fmt::format("{} control points, but the knot vectors ask for {}", control_points_.cols(), expected));
+    throw Error(ErrorCode::invalid_argument, fmt::format("{} control points, but the knot vectors ask for {}",
+                                                         control_points_.cols(), expected));
   if (weights_.size() != expected)
-    throw Error(ErrorCode::invalid_argument, fmt::format("{} weights for {} control points", weights_.size(), expected));
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("{} weights for {} control points", weights_.size(), expected));
   for (Eigen::Index i = 0; i < expected; ++i) {
     if (!control_points_.col(i).allFinite())
       throw Error(ErrorCode::invalid_argument,
-                  fmt::format("control point {} is not finite: ({}, {}, {})", i, control_points_(0, i), control_points_(1, i), control_points_(2, i)));
-    if (!(weights_[i] > 0) || !(weights_[i] < 1e300))
-      throw Error(ErrorCode::invalid_argument, fmt::format("weight {} is {}; weights must be positive", i, weights_[i]));
+                  fmt::format("control point {} is not finite: ({}, {}, {})", i, control_points_(0, i),
+                              control_points_(1, i), control_points_(2, i)));
+    if (!(weights_[i] > 1e-100 && weights_[i] < 1e100))
+      throw Error(
+          ErrorCode::invalid_argument,
+          fmt::format("weight {} is {}; weights must be positive, from 1e-100 to 1e100", i, weights_[i]));
   }
   rational_ = (weights_.array() != weights_[0]).any();
 }

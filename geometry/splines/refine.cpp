@@ -20,7 +20,8 @@ Nurbs<D> refined(const Nurbs<D>& spline, const typename Nurbs<D>::KnotVectors& f
   // Without this a B-spline would come back with weights like 1 + 1e-16 and count as rational.
   if (!spline.is_rational()) {
     const double weight = spline.weights()[0];
-    return Nurbs<D>(fine, coefficients.template topRows<3>() / weight, Eigen::VectorXd::Constant(coefficients.cols(), weight));
+    return Nurbs<D>(fine, coefficients.template topRows<3>() / weight,
+                    Eigen::VectorXd::Constant(coefficients.cols(), weight));
   }
   return Nurbs<D>::from_homogeneous(fine, coefficients);
 }
@@ -81,7 +82,8 @@ std::vector<Nurbs<D>> bezier_pieces(const Nurbs<D>& spline) {
       const int e = rest % elements;
       rest /= elements;
       const int p = fine[d].degree();
-      knots[d] = KnotVector::bezier(p, breaks[d][static_cast<std::size_t>(e)], breaks[d][static_cast<std::size_t>(e) + 1]);
+      knots[d] = KnotVector::bezier(p, breaks[d][static_cast<std::size_t>(e)],
+                                    breaks[d][static_cast<std::size_t>(e) + 1]);
       start[d] = e * p;
       count *= p + 1;
     }
@@ -105,11 +107,11 @@ std::vector<Nurbs<D>> bezier_pieces(const Nurbs<D>& spline) {
   return result;
 }
 
-#define ISOPATCH_REFINE(D)                                                             \
-  template Nurbs<D> refined(const Nurbs<D>&, const Nurbs<D>::KnotVectors&);            \
-  template Nurbs<D> insert_knots(const Nurbs<D>&, int, const std::vector<double>&);    \
-  template Nurbs<D> elevate_degree(const Nurbs<D>&, int, int);                         \
-  template Nurbs<D> reversed(const Nurbs<D>&, int);                                    \
+#define ISOPATCH_REFINE(D)                                                          \
+  template Nurbs<D> refined(const Nurbs<D>&, const Nurbs<D>::KnotVectors&);         \
+  template Nurbs<D> insert_knots(const Nurbs<D>&, int, const std::vector<double>&); \
+  template Nurbs<D> elevate_degree(const Nurbs<D>&, int, int);                      \
+  template Nurbs<D> reversed(const Nurbs<D>&, int);                                 \
   template std::vector<Nurbs<D>> bezier_pieces(const Nurbs<D>&)
 ISOPATCH_REFINE(1);
 ISOPATCH_REFINE(2);

@@ -10,8 +10,8 @@
 namespace isopatch::geometry {
 namespace {
 
-// Assembles a transfer matrix row by row; `row(i, span)` gives the weights of fine coefficient i on the coarse
-// functions that live on coarse span `span`.
+// Assembles a transfer matrix row by row; `row(i, span)` gives the weights of fine coefficient i on the
+// coarse functions that live on coarse span `span`.
 template <class Row>
 TransferMatrix by_rows(const KnotVector& coarse, const KnotVector& fine, Row row) {
   TransferMatrix matrix(fine.size(), coarse.size());
@@ -39,8 +39,9 @@ Eigen::VectorXd knots_after(const KnotVector& knots, int i, int count) {
 }
 
 TransferMatrix insertion(const KnotVector& coarse, const KnotVector& fine) {
-  return by_rows(coarse, fine,
-                 [&](int i, int span) { return blossom_row(coarse, span, knots_after(fine, i, fine.degree())); });
+  return by_rows(coarse, fine, [&](int i, int span) {
+    return blossom_row(coarse, span, knots_after(fine, i, fine.degree()));
+  });
 }
 
 TransferMatrix raise_once(const KnotVector& coarse, const KnotVector& fine) {
@@ -58,9 +59,11 @@ TransferMatrix raise_once(const KnotVector& coarse, const KnotVector& fine) {
 }
 
 void check_nested(const KnotVector& raised, const KnotVector& fine) {
-  const bool contained = raised.first() == fine.first() && raised.last() == fine.last() &&
-                         std::includes(fine.knots().begin(), fine.knots().end(), raised.knots().begin(), raised.knots().end());
-  if (!contained) throw Error(ErrorCode::invalid_argument, "transfer: the fine knots do not contain the coarse ones");
+  const bool contained =
+      raised.first() == fine.first() && raised.last() == fine.last() &&
+      std::includes(fine.knots().begin(), fine.knots().end(), raised.knots().begin(), raised.knots().end());
+  if (!contained)
+    throw Error(ErrorCode::invalid_argument, "transfer: the fine knots do not contain the coarse ones");
 }
 
 }  // namespace
@@ -69,8 +72,8 @@ KnotVector with_knots(const KnotVector& knots, const std::vector<double>& insert
   std::vector<double> all = knots.knots();
   for (const double t : inserted) {
     if (!(t > knots.first() && t < knots.last()))
-      throw Error(ErrorCode::invalid_argument,
-                  fmt::format("cannot insert knot {}: it is not inside ({}, {})", t, knots.first(), knots.last()));
+      throw Error(ErrorCode::invalid_argument, fmt::format("cannot insert knot {}: it is not inside ({}, {})",
+                                                           t, knots.first(), knots.last()));
     all.push_back(t);
   }
   std::sort(all.begin(), all.end());
@@ -91,7 +94,8 @@ KnotVector with_degree_raised(const KnotVector& knots, int times) {
 TransferMatrix transfer(const KnotVector& coarse, const KnotVector& fine) {
   if (fine.degree() < coarse.degree())
     throw Error(ErrorCode::invalid_argument,
-                fmt::format("transfer: the fine degree {} is below the coarse degree {}", fine.degree(), coarse.degree()));
+                fmt::format("transfer: the fine degree {} is below the coarse degree {}", fine.degree(),
+                            coarse.degree()));
   KnotVector raised = coarse;
   TransferMatrix matrix(coarse.size(), coarse.size());
   matrix.setIdentity();

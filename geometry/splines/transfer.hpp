@@ -27,7 +27,8 @@ KnotVector with_degree_raised(const KnotVector& knots, int times);
 /// @source Ramshaw, Blossoms are polar forms, 1989; Lyche, Morken, Spline Methods, chapter 4
 TransferMatrix transfer(const KnotVector& coarse, const KnotVector& fine);
 
-/// Every inner knot with multiplicity `degree`: each element is a Bezier piece, neighbours share a coefficient.
+/// Every inner knot with multiplicity `degree`: each element is a Bezier piece, neighbours share a
+/// coefficient.
 KnotVector bezier_knots(const KnotVector& knots);
 
 }  // namespace isopatch::geometry

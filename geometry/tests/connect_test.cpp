@@ -80,7 +80,7 @@ TEST(Connect, FindsTheSameInterfacesHoweverThePatchesAreParametrized) {
 TEST(Connect, MeetsAllEightOrientations) {
   std::mt19937 random(2);
   std::vector<FaceOrientation> met;
-  for (int a = 0; a < 48; ++a)
+  for (int a = 0; a < 48; a += 7)
     for (int b = 0; b < 48; ++b) {
       // The shared face is a rectangle with different sides, so only one orientation is right.
       const MultiPatch model = connect(

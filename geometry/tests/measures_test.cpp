@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 
+#include "geometry/quadrature.hpp"
 #include "geometry/splines/refine.hpp"
 #include "geometry/tests/test_patches.hpp"
 
@@ -70,6 +71,25 @@ TEST(Measures, NormalsPointOutOfRightHandedPatches) {
     EXPECT_LT((outward_normal(ring, side, at) - expected[static_cast<std::size_t>(side)]).norm(), 1e-14)
         << name(side);
   }
+}
+
+TEST(Measures, EqualAPlainSumOverTheGaussPoints) {
+  const NurbsVolume patch = elevate_degree(insert_knots(ring_sector(1, 2, 0.1, 2, 3), 0, {0.2, 0.7}), 2, 1);
+  const QuadratureRule rule = gauss_legendre(12);
+  double sum = 0;
+  double smallest = 1e300;
+  for (const NurbsVolume& piece : bezier_pieces(patch))
+    for (Eigen::Index i = 0; i < 12 * 12 * 12; ++i) {
+      const Eigen::Vector3i k(static_cast<int>(i % 12), static_cast<int>(i / 12 % 12),
+                              static_cast<int>(i / 144));
+      const Parameter<3> share(rule.nodes[k[0]], rule.nodes[k[1]], rule.nodes[k[2]]);
+      const Parameter<3> length = piece.high() - piece.low();
+      const double determinant = patch.jacobian(piece.low() + share.cwiseProduct(length)).determinant();
+      sum += rule.weights[k[0]] * rule.weights[k[1]] * rule.weights[k[2]] * length.prod() * determinant;
+      smallest = std::min(smallest, determinant);
+    }
+  EXPECT_NEAR(volume(patch), sum, 1e-13 * sum);
+  EXPECT_NEAR(quality(patch, 12).min_jacobian, smallest, 1e-13);
 }
 
 TEST(Measures, QualityFindsTheWorstPoint) {

@@ -17,7 +17,10 @@ TEST(Basis, DerivativesMatchFiniteDifferences) {
     ASSERT_EQ(before.first, after.first);
     EXPECT_NEAR(exact.values.row(0).sum(), 1, 1e-15);
     for (int d : {0, 1})
-      EXPECT_LT(((after.values.row(d) - before.values.row(d)) / (2 * h) - exact.values.row(d + 1)).cwiseAbs().maxCoeff(), 1e-7);
+      EXPECT_LT(((after.values.row(d) - before.values.row(d)) / (2 * h) - exact.values.row(d + 1))
+                    .cwiseAbs()
+                    .maxCoeff(),
+                1e-7);
   }
 }
 
@@ -29,7 +32,8 @@ TEST(Transfer, RaisingAndInsertingKeepTheSpline) {
   for (double t = 0; t <= 1; t += 0.03125) {
     const auto a = basis(coarse, t);
     const auto b = basis(fine, t);
-    EXPECT_NEAR(a.values.row(0).dot(c.segment(a.first, 3)), b.values.row(0).dot(f.segment(b.first, 6)), 1e-14);
+    EXPECT_NEAR(a.values.row(0).dot(c.segment(a.first, 3)), b.values.row(0).dot(f.segment(b.first, 6)),
+                1e-14);
   }
 }
 
