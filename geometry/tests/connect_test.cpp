@@ -218,6 +218,13 @@ TEST(Connect, TakesThinWallsForWalls) {
   EXPECT_EQ(three.boundary_faces().size(), 14u);
 }
 
+TEST(Connect, SeesAGapBetweenThinPlates) {
+  // The gap is most of the plates' thickness, but it lies outside both.
+  EXPECT_THAT(
+      refusal({{box_between({0, 0, 0}, {1, 1, 1e-3}), box_between({0, 0, 1.8e-3}, {1, 1, 2.8e-3})}, {}, {}}),
+      HasSubstr("0:back and 1:front nearly meet"));
+}
+
 TEST(Connect, TakesSmallFacesForFaces) {
   // Two pins of width 1e-3 side by side on a model of size 17, their free sides 5e-4 apart: far for such
   // faces.
