@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "geometry/base/error.hpp"
@@ -97,7 +98,7 @@ std::vector<MfemFace> mfem_faces(const std::vector<std::array<int, 8>>& patches)
   return faces;
 }
 
-std::vector<Boundary> mfem_boundaries(const MfemTopology& topology) {
+std::vector<Boundary> mfem_boundaries(const MfemTopology& topology, const std::string& source) {
   std::map<std::array<int, 4>, const MfemFace*> faces;
   for (const MfemFace& face : topology.faces) faces.emplace(sorted(face.vertices), &face);
   std::map<int, Boundary> found;
@@ -105,11 +106,11 @@ std::vector<Boundary> mfem_boundaries(const MfemTopology& topology) {
     const auto face = faces.find(sorted(element.vertices));
     if (face == faces.end())
       throw Error(ErrorCode::bad_format,
-                  fmt::format("the boundary element of line {} is no face of a patch", element.line));
+                  fmt::format("{}:{}: this boundary element is no face of a patch", source, element.line));
     if (face->second->patches.size() == 2)
-      throw Error(
-          ErrorCode::unsupported,
-          fmt::format("the boundary element of line {} lies between two patches; remove it", element.line));
+      throw Error(ErrorCode::unsupported,
+                  fmt::format("{}:{}: this boundary element lies between two patches; remove it", source,
+                              element.line));
     Boundary& boundary = found[element.attribute];
     boundary.name = fmt::format("attribute {}", element.attribute);
     boundary.faces.push_back(face->second->patches.front());

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <array>
-#include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -52,8 +52,9 @@ std::pair<int, int> mfem_edge_ends(const std::array<int, 8>& patch, int directio
 std::vector<MfemFace> mfem_faces(const std::vector<std::array<int, 8>>& patches);
 
 /// Boundaries "attribute N" by increasing N.
+/// @param source  the file's name, for messages
 /// @throws Error bad_format or unsupported for an element that is no outer face of a patch, with its line
-std::vector<Boundary> mfem_boundaries(const MfemTopology& topology);
+std::vector<Boundary> mfem_boundaries(const MfemTopology& topology, const std::string& source);
 
 /// The knot vectors of every patch: those of its edges, turned around where the edge runs against the patch.
 /// @throws Error bad_format  an edge that is missing, listed twice or superfluous; parallel edges that

@@ -30,8 +30,7 @@ class MfemReader {
       result.patches = read_patches();
     else
       result.patches = read_numbered();
-    result.boundaries =
-        located(in_.source(), boundary_line_, "boundary", [&] { return mfem_boundaries(topology_); });
+    result.boundaries = mfem_boundaries(topology_, in_.source());
     for (const MfemFace& face : topology_.faces)
       if (face.patches.size() == 2) result.listed_interfaces.emplace_back(face.patches[0], face.patches[1]);
     return result;
@@ -74,13 +73,13 @@ class MfemReader {
       topology_.patches.push_back(vertices<8>());
     }
     in_.expect("boundary");
-    boundary_line_ = in_.line();
     const int boundary = in_.integer("the number of boundary elements", 0, 6 * max_patches);
     for (int b = 0; b < boundary; ++b) {
       const int attribute = shape(square, "square");
       topology_.boundary.push_back({attribute, vertices<4>(), in_.line()});
     }
     in_.expect("edges");
+    edges_line_ = in_.line();
     const int edges = in_.integer("the number of edges", 0, 12 * max_patches);
     for (int e = 0; e < edges; ++e) {
       const int knots = in_.integer("a knot vector's number", 0, 12 * max_patches);
@@ -163,7 +162,7 @@ class MfemReader {
     for (int k = 0; k < count; ++k) knots.push_back(read_knots(fmt::format("knot vector {}", k)));
     const int line = in_.line();
     const std::vector<NurbsVolume::KnotVectors> spaces =
-        located(in_.source(), line, "edges", [&] { return mfem_spaces(topology_, knots); });
+        located(in_.source(), edges_line_, "edges", [&] { return mfem_spaces(topology_, knots); });
     std::vector<std::array<int, 3>> sizes;
     for (const auto& space : spaces) {
       located(in_.source(), line, "patches",
@@ -250,7 +249,7 @@ class MfemReader {
 
   TextScanner in_;
   MfemTopology topology_;
-  int boundary_line_ = 1;
+  int edges_line_ = 1;
 };
 
 }  // namespace
