@@ -6,7 +6,7 @@
 #include "geometry/base/error.hpp"
 #include "geometry/measures.hpp"
 #include "geometry/multi_patch.hpp"
-#include "verification/tests/gismo_model.hpp"
+#include "verification/tests/reference_data.hpp"
 
 namespace isopatch::verification {
 namespace {
@@ -37,7 +37,7 @@ std::vector<std::pair<PatchFace, PatchFace>> sorted(std::vector<std::pair<PatchF
 
 TEST(Interfaces, OfTerrificAreItsList) {
   ISOPATCH_NEEDS_DATA("terrific/terrific.xml");
-  PatchSet set = gismo_patches("terrific/terrific.xml");
+  PatchSet set = reference_patches("terrific/terrific.xml");
   const auto listed = sorted(set.listed_interfaces);
   ASSERT_EQ(listed.size(), 24u);
   set.listed_interfaces.clear();
@@ -56,7 +56,7 @@ TEST(Interfaces, OfTerrificAreItsList) {
 
 TEST(Interfaces, OfTheChairStandAreFoundWithoutAList) {
   ISOPATCH_NEEDS_DATA("chair_stand/chair_stand.xml");
-  const MultiPatch model = connect(gismo_patches("chair_stand/chair_stand.xml"));
+  const MultiPatch model = connect(reference_patches("chair_stand/chair_stand.xml"));
   EXPECT_EQ(model.interfaces().size(), 10u);
   EXPECT_EQ(model.boundary_faces().size(), 9u * 6 - 20);
   EXPECT_EQ(model.bodies().size(), 1u);
@@ -67,7 +67,7 @@ TEST(Interfaces, OfTheChairStandAreFoundWithoutAList) {
 TEST(Interfaces, OfLooselyFittedPatchesNeedTheirTolerance) {
   for (const std::string name : {"terrific/terrificPart01_vol.xml", "terrific/terrificPart02_vol.xml"}) {
     ISOPATCH_NEEDS_DATA(name);
-    const PatchSet set = gismo_patches(name);
+    const PatchSet set = reference_patches(name);
     try {
       connect(set);
       ADD_FAILURE() << name << " fits only to 5e-6 of its size and must be refused";

@@ -6,7 +6,7 @@
 
 #include "geometry/measures.hpp"
 #include "geometry/multi_patch.hpp"
-#include "verification/tests/gismo_model.hpp"
+#include "verification/tests/reference_data.hpp"
 
 namespace isopatch::verification {
 namespace {
@@ -25,7 +25,7 @@ std::vector<int> rejected(const MultiPatch& model) {
 
 TEST(JacobianCertificateOnModels, RejectsTwoCornersOfTerrific) {
   ISOPATCH_NEEDS_DATA("terrific/terrific.xml");
-  const MultiPatch model = connect(gismo_patches("terrific/terrific.xml"));
+  const MultiPatch model = connect(reference_patches("terrific/terrific.xml"));
   EXPECT_EQ(rejected(model), (std::vector{5, 8}));
   // The parameters are those of the file: neither patch is turned around.
   const JacobianCertificate five = certify_jacobian(model.patch(PatchId(5)));
@@ -41,13 +41,13 @@ TEST(JacobianCertificateOnModels, AcceptsTheFirstSegmentationAndRejectsTwoPatche
   ISOPATCH_NEEDS_DATA("terrific/terrificPart01_vol.xml");
   ISOPATCH_NEEDS_DATA("terrific/terrificPart02_vol.xml");
   const Tolerance loose{.same_point = 1e-5};
-  EXPECT_TRUE(rejected(connect(gismo_patches("terrific/terrificPart01_vol.xml"), loose)).empty());
-  EXPECT_EQ(rejected(connect(gismo_patches("terrific/terrificPart02_vol.xml"), loose)), (std::vector{8, 9}));
+  EXPECT_TRUE(rejected(connect(reference_patches("terrific/terrificPart01_vol.xml"), loose)).empty());
+  EXPECT_EQ(rejected(connect(reference_patches("terrific/terrificPart02_vol.xml"), loose)), (std::vector{8, 9}));
 }
 
 TEST(JacobianCertificateOnModels, AcceptsTheChairStandReoriented) {
   ISOPATCH_NEEDS_DATA("chair_stand/chair_stand.xml");
-  const PatchSet set = gismo_patches("chair_stand/chair_stand.xml");
+  const PatchSet set = reference_patches("chair_stand/chair_stand.xml");
   EXPECT_TRUE(rejected(connect(set)).empty());
   for (const NurbsVolume& patch : set.patches)
     EXPECT_EQ(certify_jacobian(patch).sign, JacobianSign::negative);

@@ -1,18 +1,30 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cstdlib>
 #include <filesystem>
+#include <string>
+
+#include "geometry/io/read_patches.hpp"
 
 namespace isopatch::verification {
 
-/// A file of the reference data, found through ISOPATCH_DATA or beside the project.
-inline std::filesystem::path reference_data(const std::filesystem::path& name) {
+/// Path of a file of test data by others, which may be absent: see ISOPATCH_DATA in CONTRIBUTING.md.
+inline std::filesystem::path data_path(const std::string& name) {
   const char* folder = std::getenv("ISOPATCH_DATA");
-  return (folder ? std::filesystem::path(folder) : std::filesystem::path(ISOPATCH_SOURCE_DIR) / "../shared/data") / name;
+  return (folder ? std::filesystem::path(folder)
+                 : std::filesystem::path(ISOPATCH_SOURCE_DIR) / "../shared/data") /
+         name;
+}
+
+inline geometry::PatchSet reference_patches(const std::string& name) {
+  return geometry::read_patches(data_path(name));
 }
 
 }  // namespace isopatch::verification
 
-/// Skips the test by name where a file of other people's data is not at hand.
-#define ISOPATCH_NEED_DATA(path) \
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << "not run, no such file: " << path.string()
+/// Skips a test whose data file is not there.
+#define ISOPATCH_NEEDS_DATA(name)                                        \
+  if (!std::filesystem::exists(isopatch::verification::data_path(name))) \
+  GTEST_SKIP() << "not run, no such file: " << isopatch::verification::data_path(name)
