@@ -118,6 +118,7 @@ void validate(const BoxOptions& options) {
     check_range(model, "origin" + axis, options.origin[static_cast<Eigen::Index>(d)], -1e100, 1e100);
     check_count(model, "patches" + axis, options.patches[d]);
   }
+  check_total(model, 1.0 * options.patches[0] * options.patches[1] * options.patches[2]);
   check_range(model, "distortion", options.distortion, 0, largest_change);
   check_range(model, "curvature", options.curvature, 0, largest_change);
   check_range(model, "distortion + curvature", options.distortion + options.curvature, 0, largest_change);

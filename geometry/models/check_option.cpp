@@ -32,6 +32,12 @@ void check_count(std::string_view model, std::string_view field, int value) {
     refuse(model, field, fmt::format("{}", value), "a whole number from 1 to 1000");
 }
 
+void check_total(std::string_view model, double count) {
+  constexpr double most = 100'000;
+  if (!(count <= most))
+    refuse(model, "the number of all patches", fmt::format("{:.0f}", count), "at most 100000");
+}
+
 void check_range(std::string_view model, std::string_view field, double value, double low, double high) {
   if (!(value >= low && value <= high))
     refuse(model, field, fmt::format("{:g}", value), fmt::format("between {:g} and {:g}", low, high));

@@ -16,6 +16,10 @@ void check_length_or_zero(std::string_view model, std::string_view field, double
 /// Refuses a number of patches outside 1 .. 1000.
 void check_count(std::string_view model, std::string_view field, int value);
 
+/// Refuses a model of more than 100,000 patches, which only a slip of the pen asks for.
+/// @param count  a product of numbers that `check_count` has seen
+void check_total(std::string_view model, double count);
+
 /// Refuses a number outside [low, high].
 void check_range(std::string_view model, std::string_view field, double value, double low, double high);
 

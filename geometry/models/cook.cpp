@@ -28,6 +28,7 @@ void validate(const CookOptions& options) {
   check_length(model, "thickness", options.thickness);
   check_count(model, "patches along x", options.patches[0]);
   check_count(model, "patches along y", options.patches[1]);
+  check_total(model, 1.0 * options.patches[0] * options.patches[1]);
 }
 
 PatchSet cook_model(const CookOptions& options) {

@@ -21,6 +21,10 @@ double between(double low, double high, int index, int count) {
   return (1 - share) * low + share * high;
 }
 
+int patches_around(const CylinderOptions& options) {
+  return options.patches_around > 0 ? options.patches_around : arc_piece_count(options.angle);
+}
+
 }  // namespace
 
 void validate(const CylinderOptions& options) {
@@ -34,12 +38,13 @@ void validate(const CylinderOptions& options) {
   if (options.patches_around != 0)
     check_range(model, "patches_around", options.patches_around,
                 arc_piece_count(options.angle, Angle::degrees(120)), 1000);
+  check_total(model, 1.0 * patches_around(options) * options.radial_patches * options.axial_patches);
 }
 
 PatchSet cylinder_model(const CylinderOptions& options) {
   validate(options);
   const bool closed = options.angle == full_turn;
-  const int around = options.patches_around > 0 ? options.patches_around : arc_piece_count(options.angle);
+  const int around = patches_around(options);
   ModelBuilder builder;
   for (int k = 0; k < options.axial_patches; ++k)
     for (int j = 0; j < around; ++j)

@@ -94,6 +94,11 @@ TEST(BoxModel, RandomOrientationsAreTheSameBody) {
 TEST(BoxModel, RefusesOptionsOutsideTheirRange) {
   expect_refused([] { box_model({.size = {1, -2, 1}}); }, {"box", "size along y is -2", "positive length"});
   expect_refused([] { box_model({.patches = {1, 1, 0}}); }, {"patches along z is 0", "1 to 1000"});
+  expect_refused(
+      [] {
+        box_model({.patches = {1000, 1000, 2}});
+      },
+      {"number of all patches is 2000000", "100000"});
   expect_refused([] { box_model({.distortion = 0.6}); }, {"distortion is 0.6", "between 0 and 0.55"});
   expect_refused([] { box_model({.curvature = -0.1}); }, {"curvature is -0.1", "between 0 and 0.55"});
   expect_refused([] { box_model({.distortion = 0.4, .curvature = 0.3}); },
