@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <fstream>
 #include <functional>
 #include <string>
 #include <thread>
@@ -73,6 +74,13 @@ TEST_F(AtomicFile, RoundTripKeepsEveryByte) {
 
 TEST_F(AtomicFile, ReplacesTheWholeFileAndLeavesNothingElse) {
   write_file(path_, "a long first version");
+  write_file(path_, "short");
+  EXPECT_EQ(read_file(path_), "short");
+  EXPECT_THAT(files(), testing::ElementsAre("result.json"));
+}
+
+TEST_F(AtomicFile, WhatAKilledRunLeftBehindIsOverwritten) {
+  std::ofstream(directory_ / "result.json.unfinished") << "a long part of an earlier result";
   write_file(path_, "short");
   EXPECT_EQ(read_file(path_), "short");
   EXPECT_THAT(files(), testing::ElementsAre("result.json"));
