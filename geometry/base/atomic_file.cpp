@@ -36,7 +36,8 @@ void remove_and_exit(int signal) {
   const char* advice = reason == ENOSPC || reason == EFBIG || reason == EDQUOT
                            ? "; free some space or choose another output directory"
                            : "";
-  throw Error(ErrorCode::io, fmt::format("cannot {} {}: {}{}", verb, path.string(), std::strerror(reason), advice));
+  throw Error(ErrorCode::io,
+              fmt::format("cannot {} {}: {}{}", verb, path.string(), std::strerror(reason), advice));
 }
 
 class TemporaryFile {

@@ -18,7 +18,7 @@ enum class ErrorCode {
   singular_system,   ///< a factorization met a zero or negative pivot
   not_converged,     ///< an iteration stopped above its tolerance
   out_of_memory,
-  internal,          ///< a broken promise inside isopatch: a bug
+  internal,  ///< a broken promise inside isopatch: a bug
 };
 
 /// Stable name of a code, for example "bad_format".
