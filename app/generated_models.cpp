@@ -61,7 +61,7 @@ Key<O> angle_key(const std::string& name, Angle O::*member, std::string meaning)
 
 template <class O>
 Key<O> patches_key(const std::string& directions) {
-  constexpr std::size_t count = std::tuple_size_v<decltype(O::patches)>;
+  static constexpr std::size_t count = std::tuple_size_v<decltype(O::patches)>;
   return custom_key<O>("patches", fmt::format("{} integers, from 1 to 1000", count),
                        "Patches along " + directions + ".",
                        [](O& target, const ConfigValue& value) {

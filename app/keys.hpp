@@ -137,6 +137,13 @@ Key<S> text_key(const std::string& name, std::string S::*member, std::string mea
 }
 
 template <class S>
+Key<S> optional_text_key(const std::string& name, std::optional<std::string> S::*member,
+                         std::string meaning) {
+  return custom_key<S>(name, "string", std::move(meaning),
+                       [=](S& target, const ConfigValue& value) { target.*member = read_text(value, name); });
+}
+
+template <class S>
 Key<S> vector_key(const std::string& name, Eigen::Vector3d S::*member, const Dimension& dimension,
                   std::string meaning) {
   return {{name, "3 of " + type_name(dimension), "", "", std::move(meaning)},
