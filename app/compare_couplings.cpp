@@ -5,7 +5,7 @@
 #include <map>
 
 #include "app/engineering_units.hpp"
-#include "app/json_values.hpp"
+#include "app/internal/json_values.hpp"
 #include "app/summary.hpp"
 
 namespace isopatch::app {

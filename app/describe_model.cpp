@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/engineering_units.hpp"
-#include "app/json_values.hpp"
+#include "app/internal/json_values.hpp"
 
 namespace isopatch::app {
 namespace {

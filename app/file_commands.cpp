@@ -3,7 +3,7 @@
 #include "app/commands.hpp"
 #include "app/describe_model.hpp"
 #include "app/engineering_units.hpp"
-#include "app/json_values.hpp"
+#include "app/internal/json_values.hpp"
 #include "app/run_study.hpp"
 #include "app/stored_results.hpp"
 #include "app/units.hpp"

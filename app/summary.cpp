@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "app/engineering_units.hpp"
-#include "app/json_values.hpp"
+#include "app/internal/json_values.hpp"
 #include "iga/material.hpp"
 
 #ifndef ISOPATCH_VERSION
