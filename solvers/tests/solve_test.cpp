@@ -39,8 +39,10 @@ DenseSolution dense_solution(const LinearSystem& system) {
   const Eigen::Index n = system.load.size(), m = system.constraints.rows();
   Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(n + m, n + m);
   whole.topLeftCorner(n, n) = to_dense(system.stiffness);
-  whole.bottomLeftCorner(m, n) = Eigen::MatrixXd(system.constraints);
-  whole.topRightCorner(n, m) = Eigen::MatrixXd(system.constraints).transpose();
+  if (m > 0) {
+    whole.bottomLeftCorner(m, n) = Eigen::MatrixXd(system.constraints);
+    whole.topRightCorner(n, m) = Eigen::MatrixXd(system.constraints).transpose();
+  }
   Eigen::VectorXd right_side = Eigen::VectorXd::Zero(n + m);
   right_side.head(n) = system.load;
   const Eigen::VectorXd z = whole.fullPivLu().solve(right_side);
