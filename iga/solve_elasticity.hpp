@@ -21,7 +21,7 @@ std::string_view name(Coupling coupling);
 
 struct ElasticityOptions {
   Coupling coupling = Coupling::elimination;
-  solvers::SolverOptions solver;
+  solvers::SolverOptions solver = {};
   /// Gauss points per element and direction; 0: degree + 1. Range 0 .. 20.
   int quadrature_points = 0;
 };

@@ -16,8 +16,13 @@ inline std::vector<geometry::PatchFace> boundary(const geometry::MultiPatch& mod
 }
 
 /// Problem with one material everywhere, no supports and no loads.
-inline ElasticityProblem problem(const geometry::MultiPatch& model, const DiscretizationOptions& options, const Material& material) {
-  return {discretize(model, options), std::vector<Material>(static_cast<std::size_t>(model.patch_count()), material), {}, {}, {}};
+inline ElasticityProblem problem(const geometry::MultiPatch& model, const DiscretizationOptions& options,
+                                 const Material& material) {
+  return {discretize(model, options),
+          std::vector<Material>(static_cast<std::size_t>(model.patch_count()), material),
+          {},
+          {},
+          {}};
 }
 
 }  // namespace isopatch::iga::testing

@@ -11,8 +11,8 @@ namespace isopatch::iga {
 namespace {
 
 using testing::boundary;
-using testing::problem;
 using ::testing::HasSubstr;
+using testing::problem;
 
 const Material steel = isotropic(210e9, 0.3, 7850, "steel");
 constexpr Coupling couplings[] = {Coupling::elimination, Coupling::lagrange};
@@ -31,7 +31,8 @@ double affine_error(const ElasticField& field, const Eigen::Matrix3d& gradient) 
 
 // 2x2x2 distorted and curved patches in random orientations.
 geometry::MultiPatch distorted_box() {
-  return geometry::connect(geometry::box_model({.patches = {2, 2, 2}, .distortion = 0.3, .curvature = 0.2, .orientation_seed = 7}));
+  return geometry::connect(geometry::box_model(
+      {.patches = {2, 2, 2}, .distortion = 0.3, .curvature = 0.2, .orientation_seed = 7}));
 }
 
 TEST(SolveElasticity, PassesThePatchTestOnADistortedBoxInBothCouplings) {
@@ -39,11 +40,13 @@ TEST(SolveElasticity, PassesThePatchTestOnADistortedBoxInBothCouplings) {
   gradient << 1e-3, 2e-4, -3e-4, 5e-4, -7e-4, 1e-4, 2e-4, 6e-4, 4e-4;
   for (const Coupling coupling : couplings) {
     ElasticityProblem p = problem(distorted_box(), {.refine = 1}, steel);
-    p.supports = {{"boundary", p.discretization.model.boundary_faces(), PrescribedDisplacement{.gradient = gradient}}};
+    p.supports = {
+        {"boundary", p.discretization.model.boundary_faces(), PrescribedDisplacement{.gradient = gradient}}};
     const ElasticitySolution solution = solve_elasticity(p, {.coupling = coupling});
     EXPECT_LT(affine_error(solution.field, gradient), 1e-10) << name(coupling);
     const Eigen::Matrix3d strain = 0.5 * (gradient + gradient.transpose());
-    EXPECT_NEAR(solution.results.internal_energy / (0.5 * stress(strain, steel).cwiseProduct(strain).sum()), 1, 1e-11);
+    EXPECT_NEAR(solution.results.internal_energy / (0.5 * stress(strain, steel).cwiseProduct(strain).sum()),
+                1, 1e-11);
     EXPECT_NEAR(solution.results.external_work / solution.results.internal_energy, 1, 1e-10);
   }
 }
@@ -52,11 +55,14 @@ TEST(SolveElasticity, StretchesABarByTractionAgainstSymmetryPlanes) {
   for (const Coupling coupling : couplings) {
     ElasticityProblem p = problem(distorted_box(), {}, steel);
     const auto& model = p.discretization.model;
-    for (const char* plane : {"x_min", "y_min", "z_min"}) p.supports.push_back({plane, boundary(model, plane), PlaneSupport{}});
+    for (const char* plane : {"x_min", "y_min", "z_min"})
+      p.supports.push_back({plane, boundary(model, plane), PlaneSupport{}});
     p.surface_loads = {constant_traction("pull", boundary(model, "x_max"), {1e8, 0, 0})};
     const ElasticitySolution solution = solve_elasticity(p, {.coupling = coupling});
     const double strain = 1e8 / 210e9;
-    EXPECT_LT(affine_error(solution.field, Eigen::Vector3d(strain, -0.3 * strain, -0.3 * strain).asDiagonal()), 1e-10);
+    EXPECT_LT(
+        affine_error(solution.field, Eigen::Vector3d(strain, -0.3 * strain, -0.3 * strain).asDiagonal()),
+        1e-10);
     EXPECT_NEAR(solution.results.max_von_mises.value, 1e8, 1e-1);
     EXPECT_NEAR(solution.results.reactions[0].force[0], -1e8, 1e-1);
     EXPECT_NEAR(solution.results.reactions[1].force.norm(), 0, 1e-1);
@@ -65,9 +71,12 @@ TEST(SolveElasticity, StretchesABarByTractionAgainstSymmetryPlanes) {
 
 // Lame's thick-walled cylinder: a = 1, b = 2, E = 1000, pressure 10 inside, plane strain.
 double cylinder_error(double nu, int degree, int refine, Coupling coupling) {
-  const geometry::MultiPatch model = geometry::connect(geometry::cylinder_model({.radial_patches = 2, .patches_around = 2}));
-  ElasticityProblem p = problem(model, {.degree = {degree, degree, 1}, .refine = refine}, isotropic(1000, nu));
-  for (const char* plane : {"start", "end", "bottom", "top"}) p.supports.push_back({plane, boundary(model, plane), PlaneSupport{}});
+  const geometry::MultiPatch model =
+      geometry::connect(geometry::cylinder_model({.radial_patches = 2, .patches_around = 2}));
+  ElasticityProblem p =
+      problem(model, {.degree = {degree, degree, 1}, .refine = refine}, isotropic(1000, nu));
+  for (const char* plane : {"start", "end", "bottom", "top"})
+    p.supports.push_back({plane, boundary(model, plane), PlaneSupport{}});
   p.surface_loads = {pressure_load("pressure", boundary(model, "inner"), 10)};
   const ElasticitySolution solution = solve_elasticity(p, {.coupling = coupling});
   const double k = 10.0 / 3;
@@ -78,7 +87,8 @@ double cylinder_error(double nu, int degree, int refine, Coupling coupling) {
 }
 
 TEST(SolveElasticity, SolvesTheThickCylinder) {
-  for (const Coupling coupling : couplings) EXPECT_LT(cylinder_error(0.3, 3, 3, coupling), 1e-6) << name(coupling);
+  for (const Coupling coupling : couplings)
+    EXPECT_LT(cylinder_error(0.3, 4, 2, coupling), 1e-6) << name(coupling);
 }
 
 TEST(SolveElasticity, CouplingsAgreeInDisplacementEnergyAndMultipliers) {
@@ -90,7 +100,8 @@ TEST(SolveElasticity, CouplingsAgreeInDisplacementEnergyAndMultipliers) {
   const ElasticitySolution b = solve_elasticity(p, {.coupling = Coupling::lagrange});
   double difference = 0;
   for (std::size_t i = 0; i < a.field.displacement.size(); ++i)
-    difference = std::max(difference, (a.field.displacement[i] - b.field.displacement[i]).cwiseAbs().maxCoeff());
+    difference =
+        std::max(difference, (a.field.displacement[i] - b.field.displacement[i]).cwiseAbs().maxCoeff());
   EXPECT_LT(difference / a.results.max_displacement.value, 1e-9);
   EXPECT_NEAR(a.results.internal_energy / b.results.internal_energy, 1, 1e-9);
   ASSERT_EQ(a.multipliers.size(), b.multipliers.size());

@@ -1,0 +1,117 @@
+#include "iga/assembly.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <numeric>
+
+#include "geometry/models/cylinder.hpp"
+#include "geometry/quadrature.hpp"
+#include "iga/tests/small_models.hpp"
+
+namespace isopatch::iga {
+namespace {
+
+using geometry::NurbsVolume;
+
+Eigen::MatrixXd dense(const solvers::SymmetricBlockMatrix& matrix) {
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(matrix.rows(), matrix.rows());
+  for (int row = 0; row < matrix.block_rows(); ++row)
+    for (auto at = matrix.row_start[static_cast<std::size_t>(row)];
+         at < matrix.row_start[static_cast<std::size_t>(row) + 1]; ++at) {
+      const int column = matrix.columns[static_cast<std::size_t>(at)];
+      const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> block(
+          &matrix.values[static_cast<std::size_t>(9 * at)]);
+      result.block<3, 3>(3 * row, 3 * column) = block;
+      result.block<3, 3>(3 * column, 3 * row) = block.transpose();
+    }
+  return result;
+}
+
+RowNumbering own_rows(const Discretization& d) {
+  RowNumbering numbering{std::vector<int>(static_cast<std::size_t>(d.node_count())), d.node_count()};
+  std::iota(numbering.row_of_node.begin(), numbering.row_of_node.end(), 0);
+  return numbering;
+}
+
+// The plain way, sharing nothing with the assembler but the spline itself: strains of every function at every
+// point by the volume's own derivatives, in Voigt's notation.
+Eigen::MatrixXd reference_stiffness(const NurbsVolume& patch, const Material& material) {
+  const int n = patch.size();
+  Eigen::Matrix<double, 6, 6> elasticity = Eigen::Matrix<double, 6, 6>::Zero();
+  elasticity.topLeftCorner<3, 3>().setConstant(material.lambda);
+  elasticity.diagonal().array() += material.mu;
+  elasticity.diagonal().head<3>().array() += material.mu;
+  std::vector<NurbsVolume> functions;  // each basis function as the x coordinate of a map
+  for (int a = 0; a < n; ++a) {
+    Eigen::Matrix3Xd unit = Eigen::Matrix3Xd::Zero(3, n);
+    unit(0, a) = 1;
+    functions.emplace_back(patch.knots(), unit, patch.weights());
+  }
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(3 * n, 3 * n);
+  std::array<std::vector<double>, 3> nodes, weights;
+  for (std::size_t d = 0; d < 3; ++d) {
+    const auto rule = geometry::gauss_legendre(patch.knots()[d].degree() + 1);
+    const auto breaks = patch.knots()[d].breaks();
+    for (std::size_t e = 0; e + 1 < breaks.size(); ++e)
+      for (Eigen::Index q = 0; q < rule.nodes.size(); ++q) {
+        nodes[d].push_back(breaks[e] + (breaks[e + 1] - breaks[e]) * rule.nodes[q]);
+        weights[d].push_back((breaks[e + 1] - breaks[e]) * rule.weights[q]);
+      }
+  }
+  for (std::size_t k = 0; k < nodes[2].size(); ++k)
+    for (std::size_t j = 0; j < nodes[1].size(); ++j)
+      for (std::size_t i = 0; i < nodes[0].size(); ++i) {
+        const geometry::Parameter<3> at(nodes[0][i], nodes[1][j], nodes[2][k]);
+        const Eigen::Matrix3d jacobian = patch.jacobian(at);
+        Eigen::MatrixXd strains = Eigen::MatrixXd::Zero(6, 3 * n);
+        for (int a = 0; a < n; ++a) {
+          const Eigen::RowVector3d g =
+              functions[static_cast<std::size_t>(a)].jacobian(at).row(0) * jacobian.inverse();
+          strains.middleCols<3>(3 * a) << g[0], 0, 0, 0, g[1], 0, 0, 0, g[2], g[1], g[0], 0, 0, g[2], g[1],
+              g[2], 0, g[0];
+        }
+        stiffness += weights[0][i] * weights[1][j] * weights[2][k] * jacobian.determinant() *
+                     strains.transpose() * elasticity * strains;
+      }
+  return stiffness;
+}
+
+TEST(Assembly, EqualsThePlainStrainDisplacementProductOnARationalPatch) {
+  const geometry::MultiPatch model = geometry::connect(geometry::cylinder_model({}));
+  const Discretization d = discretize(model, {.degree = {2, 3, 1}, .elements_per_direction = {2, 1, 1}});
+  const Material material = isotropic(3, 0.3);
+  const Eigen::MatrixXd fast = dense(assemble_stiffness(d, {material}, own_rows(d)));
+  const Eigen::MatrixXd slow = reference_stiffness(d.patches[0], material);
+  EXPECT_LT((fast - slow).cwiseAbs().maxCoeff(), 1e-13 * slow.cwiseAbs().maxCoeff());
+}
+
+TEST(Assembly, LeavesExactlySixRigidMotionsToAFreePatch) {
+  const geometry::MultiPatch model = geometry::connect(geometry::box_model({.curvature = 0.3}));
+  const Discretization d = discretize(model);
+  const Eigen::MatrixXd k = dense(assemble_stiffness(d, {isotropic(1, 0.25)}, own_rows(d)));
+  const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k).eigenvalues();
+  EXPECT_LT(values.head<6>().cwiseAbs().maxCoeff(), 1e-13 * values.maxCoeff());
+  EXPECT_GT(values[6], 1e-4 * values.maxCoeff());
+}
+
+TEST(Assembly, SharedRowsSumWhatTheirNodesHave) {
+  const geometry::MultiPatch model = geometry::connect(
+      geometry::box_model({.patches = {2, 1, 1}, .distortion = 0.2, .orientation_seed = 3}));
+  const Discretization d = discretize(model);
+  const Material material = isotropic(1, 0.3);
+  const std::vector<Material> materials(2, material);
+  const Eigen::MatrixXd apart = dense(assemble_stiffness(d, materials, own_rows(d)));
+  RowNumbering pairs{std::vector<int>(16),
+                     8};  // every node shares a row with another one, whatever that means
+  for (int node = 0; node < 16; ++node) pairs.row_of_node[static_cast<std::size_t>(node)] = node / 2;
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(24, 24);
+  for (int a = 0; a < 16; ++a)
+    for (int b = 0; b < 16; ++b) sum.block<3, 3>(a / 2 * 3, b / 2 * 3) += apart.block<3, 3>(3 * a, 3 * b);
+  EXPECT_LT((dense(assemble_stiffness(d, materials, pairs)) - sum).cwiseAbs().maxCoeff(),
+            1e-14 * sum.cwiseAbs().maxCoeff());
+}
+
+}  // namespace
+}  // namespace isopatch::iga

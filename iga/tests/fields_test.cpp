@@ -1,0 +1,175 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "geometry/base/atomic_file.hpp"
+#include "geometry/base/error.hpp"
+#include "geometry/measures.hpp"
+#include "geometry/models/elbow.hpp"
+#include "geometry/quadrature.hpp"
+#include "iga/bezier_output.hpp"
+#include "iga/loads.hpp"
+#include "iga/result_file.hpp"
+#include "iga/tests/small_models.hpp"
+
+namespace isopatch::iga {
+namespace {
+
+using geometry::NurbsVolume;
+using geometry::Parameter;
+using testing::boundary;
+using testing::problem;
+
+// A pipe elbow, clamped at its inlet and pulled aside at its outlet: rational patches with mixed degrees.
+ElasticityProblem elbow() {
+  ElasticityProblem p = problem(geometry::connect(geometry::elbow_model({})), {.degree = {2, 2, 2}},
+                                isotropic(200, 0.3, 2.0, "soft"));
+  const auto& model = p.discretization.model;
+  p.supports = {{"inlet", boundary(model, "inlet"), PrescribedDisplacement{}}};
+  p.surface_loads = {total_force("pull", boundary(model, "outlet"), {0, 0.1, 0}, model)};
+  return p;
+}
+
+const ElasticitySolution& elbow_solution() {
+  static const ElasticitySolution solution = solve_elasticity(elbow());
+  return solution;
+}
+
+Parameter<3> inside(const NurbsVolume& patch, double u, double v, double w) {
+  return patch.low() + (patch.high() - patch.low()).cwiseProduct(Parameter<3>(u, v, w));
+}
+
+TEST(ElasticField, LocatesItsOwnPoints) {
+  const ElasticField& field = elbow_solution().field;
+  for (std::size_t p = 0; p < field.patches.size(); ++p) {
+    const NurbsVolume& patch = field.patches[p];
+    const Parameter<3> parameter = inside(patch, 0.13, 0.71, 0.37);
+    const Location found = locate(field, patch.point(parameter));
+    EXPECT_EQ(found.patch, static_cast<int>(p));
+    EXPECT_LT((found.parameter - parameter).norm(), 1e-9);
+    EXPECT_LT(found.distance, 1e-11);
+  }
+  EXPECT_NEAR(locate(field, {0, 0, 1}).distance, 8, 1e-6)
+      << "the axis of the inlet pipe is a bore radius away";
+}
+
+TEST(BezierCells, CarryTheFieldsOfTheSolution) {
+  const ElasticField& field = elbow_solution().field;
+  const int patch = 5;
+  const NurbsVolume& volume = field.patches[patch];
+  const geometry::BezierCells cells = bezier_cells(field, patch);
+  ASSERT_EQ(cells.cell_count, volume.knots(0).element_count() * volume.knots(1).element_count() *
+                                  volume.knots(2).element_count());
+  const auto rule = geometry::gauss_legendre(3);
+  const auto n = volume.size() == 0 ? 0 : cells.points.cols() / cells.cell_count;
+  const auto piece_of = [&](const Eigen::MatrixXd& values) {
+    Eigen::Matrix3Xd three = Eigen::Matrix3Xd::Zero(3, n);
+    three.topRows(values.rows()) = values.leftCols(n);
+    std::array<geometry::KnotVector, 3> knots;
+    for (int d = 0; d < 3; ++d)
+      knots[static_cast<std::size_t>(d)] =
+          geometry::KnotVector::bezier(cells.degree[static_cast<std::size_t>(d)]);
+    return NurbsVolume(knots, three, cells.weights.head(n));
+  };
+  const std::array<std::vector<double>, 3> breaks = {volume.knots(0).breaks(), volume.knots(1).breaks(),
+                                                     volume.knots(2).breaks()};
+  const auto in_patch = [&](const Parameter<3>& t) {
+    Parameter<3> result;
+    for (int d = 0; d < 3; ++d) {
+      const auto& b = breaks[static_cast<std::size_t>(d)];
+      result[d] = b[0] + t[d] * (b[1] - b[0]);
+    }
+    return result;
+  };
+  // Place and displacement anywhere, von Mises and the Jacobian at the Gauss points.
+  const Parameter<3> anywhere(0.3, 0.85, 0.4);
+  const FieldValues exact = evaluate(field, patch, in_patch(anywhere));
+  EXPECT_LT((piece_of(cells.points).point(anywhere) - exact.place).norm(), 1e-13 * exact.place.norm());
+  EXPECT_LT((piece_of(cells.point_fields[0].values).point(anywhere) - exact.displacement).norm(),
+            1e-12 * exact.displacement.norm());
+  for (int q = 0; q < 27; ++q) {
+    const Parameter<3> gauss(rule.nodes[q % 3], rule.nodes[q / 3 % 3], rule.nodes[q / 9]);
+    const FieldValues at = evaluate(field, patch, in_patch(gauss));
+    EXPECT_NEAR(piece_of(cells.point_fields[1].values.topRows(3)).point(gauss)[2] / at.von_mises,
+                at.stress(2, 2) / at.von_mises, 1e-10);
+    EXPECT_NEAR(piece_of(cells.point_fields[2].values).point(gauss)[0] / at.von_mises, 1, 1e-10);
+    EXPECT_NEAR(piece_of(cells.point_fields[3].values).point(gauss)[0] / at.jacobian, 1, 1e-10);
+  }
+}
+
+TEST(ResultFile, ComesBackAsItWas) {
+  const ElasticitySolution& solution = elbow_solution();
+  const auto path = std::filesystem::temp_directory_path() / "isopatch_result_test.h5";
+  write_file(path, to_hdf5({solution.field, solution.multipliers, "title = \"x\"", "{}"}));
+  const StoredResult back = read_result(path);
+  std::filesystem::remove(path);
+  ASSERT_EQ(back.field.patches.size(), solution.field.patches.size());
+  for (std::size_t p = 0; p < back.field.patches.size(); ++p) {
+    EXPECT_EQ(back.field.patches[p].knots(), solution.field.patches[p].knots());
+    EXPECT_EQ(back.field.patches[p].control_points(), solution.field.patches[p].control_points());
+    EXPECT_EQ(back.field.patches[p].weights(), solution.field.patches[p].weights());
+    EXPECT_EQ(back.field.displacement[p], solution.field.displacement[p]);
+    EXPECT_EQ(back.field.materials[p].mu, solution.field.materials[p].mu);
+    EXPECT_EQ(back.field.materials[p].name, "soft");
+  }
+  ASSERT_EQ(back.multipliers.size(), solution.multipliers.size());
+  EXPECT_EQ(back.multipliers.back().force, solution.multipliers.back().force);
+  EXPECT_EQ(back.study, "title = \"x\"");
+}
+
+TEST(Loads, HaveTheResultantsOfTheirKind) {
+  ElasticityProblem p = elbow();
+  const auto& model = p.discretization.model;
+  EXPECT_LT((load_vector(p).rowwise().sum() - Eigen::Vector3d(0, 0.1, 0)).norm(), 1e-13);
+  // Pressure on the whole closed surface has no resultant; on the outlet, a plane face looking to +x, it has
+  // area times pressure.
+  p.surface_loads = {pressure_load("all around", model.boundary_faces(), 3)};
+  const Eigen::Matrix3Xd closed = load_vector(p, 6);
+  EXPECT_LT(closed.rowwise().sum().norm(), 1e-8 * closed.cwiseAbs().sum());
+  p.surface_loads = {pressure_load("outlet", boundary(model, "outlet"), 3)};
+  EXPECT_LT((load_vector(p).rowwise().sum() - Eigen::Vector3d(-3 * M_PI * 36, 0, 0)).norm(), 1e-3);
+  p.surface_loads.clear();
+  std::vector<PatchId> all;
+  double volume = 0;
+  for (int i = 0; i < model.patch_count(); ++i) {
+    all.emplace_back(i);
+    volume += geometry::volume(model.patches()[static_cast<std::size_t>(i)]);
+  }
+  p.volume_loads = gravity("weight", all, {0, 0, -9.81}, p.materials);
+  EXPECT_NEAR(load_vector(p, 8).rowwise().sum()[2] / (-9.81 * 2.0 * volume), 1, 1e-9);
+}
+
+TEST(Loads, NeedABoundaryFaceAndADensity) {
+  ElasticityProblem p = elbow();
+  p.surface_loads[0].faces = {p.discretization.model.interfaces()[0].first};
+  EXPECT_THROW(load_vector(p), Error);
+  p.materials[0].density = 0;
+  EXPECT_THROW(gravity("weight", {PatchId(0)}, {0, 0, -1}, p.materials), Error);
+}
+
+TEST(Reactions, BalanceLoadsAndTheirMoments) {
+  const ElasticitySolution& solution = elbow_solution();
+  const Eigen::Vector3d force = solution.results.reactions[0].force;
+  EXPECT_LT((force + Eigen::Vector3d(0, 0.1, 0)).norm(), 1e-9);
+  // The outlet's centre is at x = bend radius + outlet length, z = inlet length + bend radius.
+  const Eigen::Vector3d moment = Eigen::Vector3d(35, 0, 35).cross(Eigen::Vector3d(0, 0.1, 0));
+  EXPECT_LT((solution.results.reactions[0].moment + moment).norm(), 1e-3 * moment.norm());
+  EXPECT_NEAR(solution.results.external_work / solution.results.internal_energy, 1, 1e-9);
+}
+
+TEST(Material, RefusesWhatIsNoStiffness) {
+  EXPECT_NEAR(poisson(isotropic(7, 0.3)), 0.3, 1e-15);
+  EXPECT_NEAR(young(isotropic(7, 0.3)), 7, 1e-14);
+  for (const auto& [e, nu] : std::vector<std::pair<double, double>>{
+           {0, 0.3}, {-1, 0.3}, {1, 0.5}, {1, 0.7}, {1, -1}, {NAN, 0.1}, {1, NAN}})
+    EXPECT_THROW(isotropic(e, nu), Error) << e << " " << nu;
+  try {
+    isotropic(1, 0.5);
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("incompressible"));
+  }
+}
+
+}  // namespace
+}  // namespace isopatch::iga
