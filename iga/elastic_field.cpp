@@ -40,6 +40,7 @@ Location closest(const NurbsVolume& patch, int index, const Eigen::Vector3d& pla
                          (best.parameter[d] >= patch.knots(d).last() && target > best.parameter[d]);
       if (!stuck) kept.push_back(d);
     }
+    if (kept.empty()) break;
     if (kept.size() < 3) {
       Eigen::MatrixXd reduced(3, kept.size());
       for (std::size_t k = 0; k < kept.size(); ++k)

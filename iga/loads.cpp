@@ -14,6 +14,10 @@ namespace isopatch::iga {
 
 using geometry::PatchFace;
 
+// Areas are not polynomial and faces are cheap: with these points a force spread over a rational face adds up
+// to itself.
+constexpr int extra_face_points = 6;
+
 SurfaceLoad constant_traction(std::string name, std::vector<PatchFace> faces,
                               const Eigen::Vector3d& traction) {
   return {std::move(name), std::move(faces),
@@ -63,7 +67,8 @@ Eigen::Matrix3Xd face_load(
   std::array<DirectionTable, 2> tables;
   for (int d = 0; d < 2; ++d)
     tables[static_cast<std::size_t>(d)] = direction_table(
-        surface.knots(d), geometry::gauss_legendre(points > 0 ? points : surface.degree(d) + 1));
+        surface.knots(d),
+        geometry::gauss_legendre(points > 0 ? points : surface.degree(d) + extra_face_points));
   Eigen::Matrix3Xd load = Eigen::Matrix3Xd::Zero(3, surface.size());
   for (const auto& v : tables[1].elements) {
     for (const auto& u : tables[0].elements) {

@@ -8,7 +8,7 @@
 namespace isopatch::iga {
 
 /// Load vector of all surface and volume loads, per node before any coupling. (3, nodes), N
-/// @param points  Gauss points per element and direction; 0: degree + 1
+/// @param points  Gauss points per element and direction; 0: degree + 1 in volumes, degree + 6 on faces
 /// @throws Error invalid_argument  a face that is not on the boundary, a patch that does not exist, a load
 /// that
 ///                                 is not finite at a point
