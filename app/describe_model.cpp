@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "app/engineering_units.hpp"
 #include "app/internal/json_values.hpp"
 
@@ -49,6 +51,11 @@ std::string patches_text(const ModelReport& report, bool all) {
   return text + cut(shown, report.patches.size(), "patches");
 }
 
+/// Three digits; what rounds to zero is 0.
+double rounded(double x) {
+  return std::round(1000 * x) / 1000 + 0.0;
+}
+
 std::string faces_text(const MultiPatch& model, const ModelReport& report, bool all) {
   const std::size_t total = report.boundary_faces.size();
   const std::size_t shown = all ? total : std::min(short_list, total);
@@ -57,7 +64,7 @@ std::string faces_text(const MultiPatch& model, const ModelReport& report, bool 
     const BoundaryFaceReport& face = report.boundary_faces[i];
     text += fmt::format("  {:<10} {:>12}  centre {}, normal ({:.3f}, {:.3f}, {:.3f})\n", face.label,
                         with_unit(face.area, "m^2"), place_with_unit(face.centre, model.size()),
-                        face.normal[0] + 0.0, face.normal[1] + 0.0, face.normal[2] + 0.0);
+                        rounded(face.normal[0]), rounded(face.normal[1]), rounded(face.normal[2]));
   }
   return text + cut(shown, total, "faces");
 }
@@ -68,11 +75,11 @@ std::string boundaries_text(const MultiPatch& model, const ModelReport& report) 
     double area = 0;
     std::string labels;
     for (const auto& face : boundary.faces) {
-      labels += (labels.empty() ? "" : " ") + model.label(face);
+      labels += fmt::format(" {}", model.label(face));
       for (const BoundaryFaceReport& known : report.boundary_faces)
         if (known.face == face) area += known.area;
     }
-    text += fmt::format("  {:<12} {:>12}  {}\n", boundary.name, with_unit(area, "m^2"), labels);
+    text += fmt::format("  {:<12} {:>12} {}\n", boundary.name, with_unit(area, "m^2"), labels);
   }
   return text.empty() ? "" : "\nnamed boundaries\n" + text;
 }

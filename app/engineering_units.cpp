@@ -14,26 +14,29 @@ struct Prefix {
 };
 constexpr std::array<Prefix, 7> prefixes = {
     {{1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "u"}, {1e-9, "n"}}};
+/// Of m, for areas and volumes, with the centimetres that people use there.
+constexpr std::array<Prefix, 4> length_prefixes = {{{1, ""}, {1e-2, "c"}, {1e-3, "m"}, {1e-6, "u"}}};
 
-int power_of(std::string_view unit) {
-  return unit.ends_with("^2") ? 2 : unit.ends_with("^3") ? 3 : 1;
+Prefix suitable_power(double magnitude, int power) {
+  for (const Prefix& prefix : length_prefixes)
+    if (magnitude >= std::pow(prefix.factor, power)) return {std::pow(prefix.factor, power), prefix.symbol};
+  return {std::pow(length_prefixes.back().factor, power), length_prefixes.back().symbol};
 }
 
-/// The largest prefix that leaves at least 1 before the decimal point; lengths stop at m, areas and volumes
-/// at mm.
+/// The largest prefix that leaves at least 1 before the decimal point; lengths stop at m.
 Prefix suitable(double value, std::string_view unit) {
   const double magnitude = std::abs(value);
-  const int power = power_of(unit);
   if (!(magnitude > 0) || !std::isfinite(magnitude)) return {1, ""};
+  if (unit == "m^2") return suitable_power(magnitude, 2);
+  if (unit == "m^3") return suitable_power(magnitude, 3);
   for (const Prefix& prefix : prefixes) {
-    if (unit.starts_with('m') && prefix.factor > 1) continue;
-    if (power > 1 && prefix.factor < 1e-3) continue;
-    const double factor = std::pow(prefix.factor, power);
+    const bool length = unit == "m";
+    if (length && prefix.factor > 1) continue;
     // 0.1 m reads better as 100 mm; machine parts come in millimetres.
-    const double least = unit == "m" && prefix.factor == 1 ? 10 : 1;
-    if (magnitude >= least * factor) return {factor, prefix.symbol};
+    const double least = length && prefix.factor == 1 ? 10 : 1;
+    if (magnitude >= least * prefix.factor) return prefix;
   }
-  return power > 1 ? Prefix{std::pow(1e-3, power), "m"} : prefixes.back();
+  return prefixes.back();
 }
 
 }  // namespace
@@ -67,10 +70,14 @@ std::string vector_with_unit(const Eigen::Vector3d& vector, std::string_view uni
 }
 
 std::string with_separators(std::int64_t count) {
-  std::string digits = fmt::format("{}", count);
-  for (int i = static_cast<int>(digits.size()) - 3; i > (count < 0 ? 1 : 0); i -= 3)
-    digits.insert(static_cast<std::size_t>(i), ",");
-  return digits;
+  const std::string digits = fmt::format("{}", count);
+  std::string result;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    const bool after_digit = i > 0 && digits[i - 1] != '-';
+    if (after_digit && (digits.size() - i) % 3 == 0) result += ',';
+    result += digits[i];
+  }
+  return result;
 }
 
 std::string bytes_text(std::int64_t bytes) {

@@ -31,26 +31,26 @@ struct BoxCondition {
 
 /// All conditions given must hold at all sample points of a face.
 struct FaceConditions {
-  std::optional<PlaneCondition> plane;
-  std::optional<CylinderCondition> cylinder;
-  std::optional<SphereCondition> sphere;
-  std::optional<BoxCondition> box;
-  std::optional<Eigen::Vector3d> normal;  ///< the outward normal, within `angle`
-  double angle = 0.08726646259971647;     ///< rad; 5 degrees
-  std::optional<double> tolerance;        ///< m; none: 1e-4 of the model's size
+  std::optional<PlaneCondition> plane = {};
+  std::optional<CylinderCondition> cylinder = {};
+  std::optional<SphereCondition> sphere = {};
+  std::optional<BoxCondition> box = {};
+  std::optional<Eigen::Vector3d> normal = {};  ///< the outward normal, within `angle`
+  double angle = 0.08726646259971647;          ///< rad; 5 degrees
+  std::optional<double> tolerance = {};        ///< m; none: 1e-4 of the model's size
 };
 
 /// Boundary faces by names, by geometry, or by both (the faces named that also fulfil the conditions).
 struct FaceSelection {
-  std::vector<std::string> faces;  ///< "0:back" in the input's naming, or the name of a boundary
-  std::optional<FaceConditions> where;
-  Place place;  ///< in the study file
+  std::vector<std::string> faces = {};  ///< "0:back" in the input's naming, or the name of a boundary
+  std::optional<FaceConditions> where = {};
+  Place place = {};  ///< in the study file
 };
 
 /// Patches by index; empty ranges mean all.
 struct PatchSelection {
-  std::vector<std::pair<int, int>> ranges;  ///< first and last, both included
-  Place place;
+  std::vector<std::pair<int, int>> ranges = {};  ///< first and last, both included
+  Place place = {};
 };
 
 /// The boundary faces that a selection names, increasing, each once.
@@ -58,10 +58,8 @@ struct PatchSelection {
 /// Geometric conditions are tested on a 9 x 9 grid of points of each boundary face.
 ///
 /// @param model  in m
-/// @throws Error invalid_argument  a face that does not exist or is no boundary, a selection that matches
-/// nothing: the
-///         message lists the boundaries' names and the faces that came nearest; each begins with the
-///         selection's place
+/// @throws Error invalid_argument  a face that does not exist or is no boundary; a selection that matches
+///     nothing, listing the boundaries' names and the faces that came nearest. Each begins with the place.
 std::vector<geometry::PatchFace> select_faces(const geometry::MultiPatch& model,
                                               const FaceSelection& selection);
 

@@ -276,9 +276,10 @@ std::string si_unit(const Dimension& dimension) {
   if (const KnownDimension* known = find(dimension)) return known->unit;
   std::string result;
   const auto append = [&](const char* symbol, int exponent) {
-    if (exponent != 0)
-      result +=
-          (result.empty() ? "" : " ") + (exponent == 1 ? symbol : fmt::format("{}^{}", symbol, exponent));
+    if (exponent == 0) return;
+    if (!result.empty()) result += ' ';
+    result += symbol;
+    if (exponent != 1) result += fmt::format("^{}", exponent);
   };
   append("kg", dimension.mass);
   append("m", dimension.length);

@@ -1,9 +1,12 @@
 #include "app/program.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -77,6 +80,39 @@ class Program : public testing::Test {
   std::string out_;
   std::string err_;
 };
+
+/// Exit code of a shell command.
+int shell(const std::string& command) {
+  return WEXITSTATUS(std::system(command.c_str()));
+}
+
+/// Names of all files in a folder and below.
+std::vector<std::string> files_below(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) names.push_back(entry.path().lexically_relative(folder).string());
+  return names;
+}
+
+TEST_F(Program, InterruptedLeavesNoFile) {
+  // Half a million elements take far longer than the time until the interrupt.
+  const std::string command = fmt::format(
+      "timeout -k 20 --preserve-status -s INT 0.3 {} run {} --set discretization.refine=6 >{} 2>&1",
+      ISOPATCH_PROGRAM, study(), (folder_ / "log").string());
+  EXPECT_EQ(shell(command), 130);
+  EXPECT_THAT(files_below(folder_), testing::UnorderedElementsAre("study.toml", "log"));
+}
+
+TEST_F(Program, AFullDiskIsAnErrorAndLeavesNoPartOfAFile) {
+  // The shell's file size limit stands for the disk: each write beyond it fails.
+  const std::string log = (folder_ / "log").string();
+  EXPECT_EQ(shell(fmt::format("(ulimit -f 2; exec {} run {} -q) 2>{}", ISOPATCH_PROGRAM, study(), log)), 3);
+  EXPECT_THAT(read_file(log), HasSubstr("free some space or choose another output directory"));
+  for (const std::string& name : files_below(folder_)) {
+    EXPECT_THAT(name, testing::Not(HasSubstr("unfinished")));
+    EXPECT_NE(name, "results/summary.json");
+  }
+}
 
 void collect_keys(const json& value, const std::string& path, std::vector<std::string>& keys) {
   if (!value.is_object()) return keys.push_back(path);
@@ -197,6 +233,32 @@ TEST_F(Program, ConflictsOutsideProbesAndMissingDensitiesAreRefused) {
   EXPECT_THAT(err_, HasSubstr("density"));
   EXPECT_EQ(run_text(replaced(bar, "faces = [\"x_max\"]", "faces = [\"x_mx\"]")), 2);
   EXPECT_THAT(err_, HasSubstr("did you mean"));
+}
+
+/// A cube whose corner (1, 1, 1) is moved to (t, t, t): det J there is 3 t - 2.
+std::string cube_with_corner(double t) {
+  return fmt::format(
+      "700 1 0 0\n3 0\n2 2\n0 0 1 1\n2 2\n0 0 1 1\n2 2\n0 0 1 1\n"
+      "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n{0} {0} {0}\n",
+      t);
+}
+
+TEST_F(Program, AFoldBetweenGaussPointsIsAWarningAFoldAtOneAnError) {
+  const std::string text = replaced(
+      replaced(bar, "generate = \"box\"\nsize = [2, 1, 1]\npatches = [2, 1, 1]", "file = \"cube.g2\""),
+      "faces = [\"x_min\", \"y_min\", \"z_min\"]", "faces = [\"0:west\", \"0:south\", \"0:front\"]");
+  const std::string loaded = replaced(replaced(text, "faces = [\"x_max\"]", "faces = [\"0:back\"]"),
+                                      "point = [2, 1, 1]", "point = [0, 0, 0]");
+  write_file(folder_ / "cube.g2", cube_with_corner(0.6));
+  EXPECT_EQ(run_text(loaded), 0) << err_;
+  EXPECT_THAT(err_, HasSubstr("isopatch: warning: patch 0 is folded at parameter (1, 1, 1), (600, 600, 600) "
+                              "mm: its Jacobian determinant is -0.2 m^3"));
+  EXPECT_THAT(json::parse(read_file(results() / "summary.json"))["model"]["patches_not_certified"],
+              testing::ElementsAre(0));
+  write_file(folder_ / "cube.g2", cube_with_corner(-0.2));
+  EXPECT_EQ(run_text(loaded), 2);
+  EXPECT_THAT(err_, HasSubstr("isopatch: error: patch 0 is folded: its Jacobian determinant is -"));
+  EXPECT_THAT(err_, HasSubstr("at the Gauss point with parameter (0.7887, 0.7887, 0.7887)"));
 }
 
 TEST_F(Program, CompareSolvesBothWays) {

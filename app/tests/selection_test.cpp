@@ -73,11 +73,11 @@ TEST(Selection, RefusesFacesThatDoNotExist) {
   const MultiPatch model = two_boxes();
   EXPECT_THAT(refusal(model, {.faces = {"5:west"}}),
               HasSubstr("study.toml:7:1: face \"5:west\" does not exist: the model has patches 0 to 1"));
-  EXPECT_THAT(refusal(model, {.faces = {"0:wets"}}), HasSubstr("(did you mean 'west'?)"));
+  EXPECT_THAT(refusal(model, {.faces = {"0:wes"}}), HasSubstr("(did you mean 'west'?)"));
   EXPECT_THAT(refusal(model, {.faces = {"0:east"}}),
               HasSubstr("face 0:east is no boundary: it is joined to 1:west"));
   EXPECT_THAT(refusal(model, {.faces = {"x_mim"}}),
-              HasSubstr("no boundary is named \"x_mim\" (did you mean 'x_min'?); boundaries: x_min, x_max"));
+              HasSubstr("no boundary is named \"x_mim\" (did you mean 'x_min'?); boundaries: x_min, y_min"));
 }
 
 TEST(Selection, MatchingNothingNamesWhatCameNearest) {

@@ -191,7 +191,7 @@ TEST(Study, WrongUnitsSayWhatWasExpectedAndWhatCame) {
   EXPECT_THAT(refusal(model + material + support + load + "pressure = nan\n"), HasSubstr("must be finite"));
   EXPECT_THAT(refusal(model + material + support + load + "pressure = \"inf Pa\"\n"),
               HasSubstr("not a finite number"));
-  EXPECT_THAT(refusal("[model]\nfile = \"x\"\nlength_unit = \"2 MPa\"\n"),
+  EXPECT_THAT(refusal("[model]\nfile = \"x\"\nlength_unit = \"2 MPa\"\n" + material + support),
               HasSubstr("expected a length such as \"mm\""));
   EXPECT_THAT(refusal(model + "size = [1, \"2 Pa\", 3]\n" + material + support),
               HasSubstr("size: expected a length"));
