@@ -143,7 +143,7 @@ INSTANTIATE_TEST_SUITE_P(Fuzz, BrokenFile,
                          testing::Values(std::pair{"gismo", xml_seed()}, std::pair{"g2", g2_seed},
                                          std::pair{"mfem", mfem_seed},
                                          std::pair{"mfem_patches", mfem_patch_seed}),
-                         [](const auto& info) { return info.param.first; });
+                         [](const auto& test) { return test.param.first; });
 
 TEST(Fuzz, DamagedHdf5FilesGiveErrorsAndNothingElse) {
   Hdf5Writer writer;
