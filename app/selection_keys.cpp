@@ -107,7 +107,7 @@ const Keys<FaceConditions>& where_keys() {
       custom_key<C>(
           "normal", "3 numbers, or \"x\", \"-x\", \"y\", ...", "Faces whose outward normal points this way.",
           [](C& target, const ConfigValue& value) { target.normal = read_direction(value, "normal"); }),
-      quantity_key<C>("angle", &C::angle, dim::angle, {0, 3.1415926535897936, false, true},
+      quantity_key<C>("angle", &C::angle, dim::angle, {0, 3.15, false, true},
                       "How far a normal may turn away from `normal`.")
           .with_default("\"5 deg\""),
       quantity_key<C>("tolerance", &C::tolerance, dim::length, positive,

@@ -262,6 +262,18 @@ TEST(Study, OverridesReplaceOneValue) {
   EXPECT_THAT(refusal(text, {"model.generate.x=1"}), HasSubstr("has no keys"));
 }
 
+TEST(Study, EveryExampleIsRead) {
+  int count = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::filesystem::path(ISOPATCH_SOURCE_DIR) / "examples")) {
+    if (!entry.is_directory()) continue;
+    ++count;
+    EXPECT_FALSE(read_study(entry.path() / "study.toml").title.empty()) << entry.path();
+    EXPECT_TRUE(std::filesystem::exists(entry.path() / "README.md")) << entry.path();
+  }
+  EXPECT_GE(count, 6);
+}
+
 TEST(Study, DocumentationFileIsWhatTheTableSays) {
   EXPECT_EQ(read_file(std::filesystem::path(ISOPATCH_SOURCE_DIR) / "app/STUDY.md"), study_documentation())
       << "run: isopatch keys > app/STUDY.md";
