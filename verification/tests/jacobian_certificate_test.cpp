@@ -42,7 +42,8 @@ TEST(JacobianCertificateOnModels, AcceptsTheFirstSegmentationAndRejectsTwoPatche
   ISOPATCH_NEEDS_DATA("terrific/terrificPart02_vol.xml");
   const Tolerance loose{.same_point = 1e-5};
   EXPECT_TRUE(rejected(connect(reference_patches("terrific/terrificPart01_vol.xml"), loose)).empty());
-  EXPECT_EQ(rejected(connect(reference_patches("terrific/terrificPart02_vol.xml"), loose)), (std::vector{8, 9}));
+  EXPECT_EQ(rejected(connect(reference_patches("terrific/terrificPart02_vol.xml"), loose)),
+            (std::vector{8, 9}));
 }
 
 TEST(JacobianCertificateOnModels, AcceptsTheChairStandReoriented) {

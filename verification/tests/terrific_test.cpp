@@ -12,13 +12,15 @@ namespace {
 using geometry::PatchFace;
 using geometry::Side;
 
-const std::vector<PatchFace> clamped = {{PatchId(0), Side::back}, {PatchId(1), Side::back}, {PatchId(2), Side::south}};
+const std::vector<PatchFace> clamped = {
+    {PatchId(0), Side::back}, {PatchId(1), Side::back}, {PatchId(2), Side::south}};
 const std::vector<PatchFace> loaded = {{PatchId(13), Side::front}, {PatchId(14), Side::north}};
 
 iga::ElasticitySolution terrific(const iga::DiscretizationOptions& options, iga::Coupling coupling) {
   const geometry::MultiPatch model = geometry::connect(reference_patches("terrific/terrific.xml"));
   iga::ElasticityProblem problem{iga::discretize(model, options), {}, {}, {}, {}};
-  problem.materials.assign(static_cast<std::size_t>(model.patch_count()), iga::Material{54.0e9, 27.8e9, 0, "aluminium"});
+  problem.materials.assign(static_cast<std::size_t>(model.patch_count()),
+                           iga::Material{54.0e9, 27.8e9, 0, "aluminium"});
   problem.supports = {{"clamped bore", clamped, iga::PrescribedDisplacement{}}};
   problem.surface_loads = {iga::constant_traction("loaded bore", loaded, {20e6, -14e6, 0})};
   return iga::solve_elasticity(problem, {.coupling = coupling});
@@ -26,15 +28,14 @@ iga::ElasticitySolution terrific(const iga::DiscretizationOptions& options, iga:
 
 double area(const geometry::MultiPatch& model, const std::vector<PatchFace>& faces) {
   double sum = 0;
-  for (const PatchFace face : faces) sum += geometry::area(geometry::face_surface(model.patch(face.patch), face.side));
+  for (const PatchFace face : faces)
+    sum += geometry::area(geometry::face_surface(model.patch(face.patch), face.side));
   return sum;
 }
 
 class Terrific : public ::testing::Test {
  protected:
-  void SetUp() override {
-    ISOPATCH_NEEDS_DATA("terrific/terrific.xml");
-  }
+  void SetUp() override { ISOPATCH_NEEDS_DATA("terrific/terrific.xml"); }
 };
 
 TEST_F(Terrific, HasTheVolumeAndAreasOfThePart) {
