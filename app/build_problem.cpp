@@ -38,49 +38,47 @@ std::vector<iga::Material> assign_materials(const Study& study, int patch_count)
   return result;
 }
 
-/// Negative Gauss points can only be in patches that the certificate did not accept.
-void refuse_folds(const iga::Discretization& discretization, const ModelReport& report, int points) {
-  for (std::size_t i = 0; i < report.patches.size(); ++i) {
-    if (report.patches[i].certificate.accepted()) continue;
-    const auto quality = geometry::quality(discretization.patches[i], points);
-    if (quality.min_jacobian > 0) continue;
-    const PatchId id(static_cast<int>(i));
-    const auto parameter = discretization.model.renamed(id, quality.worst_parameter);
-    throw Error(
-        ErrorCode::fold_over,
-        fmt::format(
-            "patch {} is folded: its Jacobian determinant is {:.3g} m^3 at the Gauss point with parameter "
-            "({:.4g}, {:.4g}, {:.4g}), {}. Repair the patch: move its inner control points, or split it",
-            i, quality.min_jacobian, parameter[0], parameter[1], parameter[2],
-            place_with_unit(discretization.patches[i].point(quality.worst_parameter),
-                            discretization.model.size())));
+/// The faces of a support or a load, with its share of the report and a warning if some are missed by little.
+std::vector<geometry::PatchFace> caught_faces(const FaceSelection& selection, const std::string& name,
+                                              std::string_view kind, BuiltProblem& built,
+                                              std::vector<CaughtRegion>& regions) {
+  const MultiPatch& model = built.problem.discretization.model;
+  SelectedFaces selected = select_faces(model, selection);
+  regions.push_back(region_of(name, kind, selected.faces, built.report));
+  const std::string warning = near_miss_warning(model, selection, name, selected);
+  if (!warning.empty()) built.warnings.push_back(warning);
+  return std::move(selected.faces);
+}
+
+void add_volume_load(const LoadInput& load, BuiltProblem& built) {
+  iga::ElasticityProblem& problem = built.problem;
+  const auto patches = select_patches(problem.discretization.model.patch_count(), load.patches);
+  built.loads.push_back(region_of(load.name, name(load.kind), patches, built.report));
+  if (load.kind == LoadKind::body_force) {
+    problem.volume_loads.push_back(
+        {load.name, patches, [f = load.vector](const Eigen::Vector3d&) { return f; }});
+    return;
+  }
+  try {
+    for (auto& weight : iga::gravity(load.name, patches, load.vector, problem.materials))
+      problem.volume_loads.push_back(std::move(weight));
+  } catch (const Error& error) {
+    throw error_at(load.selection.place, error.what(), error.code());
   }
 }
 
-void add_load(const LoadInput& load, iga::ElasticityProblem& problem) {
-  const MultiPatch& model = problem.discretization.model;
-  if (load.kind == LoadKind::body_force || load.kind == LoadKind::gravity) {
-    const auto patches = select_patches(model.patch_count(), load.patches);
-    if (load.kind == LoadKind::body_force) {
-      problem.volume_loads.push_back(
-          {load.name, patches, [f = load.vector](const Eigen::Vector3d&) { return f; }});
-      return;
-    }
-    try {
-      for (auto& weight : iga::gravity(load.name, patches, load.vector, problem.materials))
-        problem.volume_loads.push_back(std::move(weight));
-    } catch (const Error& error) {
-      throw error_at(load.selection.place, error.what(), error.code());
-    }
-    return;
-  }
-  auto faces = select_faces(model, load.selection);
+void add_load(const LoadInput& load, BuiltProblem& built) {
+  if (load.kind == LoadKind::body_force || load.kind == LoadKind::gravity)
+    return add_volume_load(load, built);
+  auto faces = caught_faces(load.selection, load.name, name(load.kind), built, built.loads);
+  auto& loads = built.problem.surface_loads;
   if (load.kind == LoadKind::traction)
-    problem.surface_loads.push_back(iga::constant_traction(load.name, std::move(faces), load.vector));
+    loads.push_back(iga::constant_traction(load.name, std::move(faces), load.vector));
   else if (load.kind == LoadKind::pressure)
-    problem.surface_loads.push_back(iga::pressure_load(load.name, std::move(faces), load.pressure));
+    loads.push_back(iga::pressure_load(load.name, std::move(faces), load.pressure));
   else
-    problem.surface_loads.push_back(iga::total_force(load.name, std::move(faces), load.vector, model));
+    loads.push_back(
+        iga::total_force(load.name, std::move(faces), load.vector, built.problem.discretization.model));
 }
 
 LocatedProbe locate_probe(const ProbeInput& probe, const iga::ElasticityProblem& problem) {
@@ -127,12 +125,14 @@ BuiltProblem build_problem(const Study& study, const Progress& progress) {
   BuiltProblem built{{iga::discretize(model, study.discretization), materials, {}, {}, {}},
                      seen,
                      {},
+                     {},
+                     {},
                      certificate_warnings(model, seen)};
-  refuse_folds(built.problem.discretization, seen, study.options.quadrature_points);
-  for (const SupportInput& support : study.supports)
-    built.problem.supports.push_back(
-        {support.name, select_faces(model, support.selection), support.condition});
-  for (const LoadInput& load : study.loads) add_load(load, built.problem);
+  for (const SupportInput& support : study.supports) {
+    auto faces = caught_faces(support.selection, support.name, name(support.kind), built, built.supports);
+    built.problem.supports.push_back({support.name, std::move(faces), support.condition});
+  }
+  for (const LoadInput& load : study.loads) add_load(load, built);
   for (const ProbeInput& probe : study.probes) built.probes.push_back(locate_probe(probe, built.problem));
   if (study.loads.empty())
     built.warnings.push_back("the study has no load; only prescribed displacements can move the part");

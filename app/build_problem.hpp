@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/caught_region.hpp"
 #include "app/model_report.hpp"
 #include "app/study.hpp"
 #include "iga/problem.hpp"
@@ -24,6 +25,8 @@ struct LocatedProbe {
 struct BuiltProblem {
   iga::ElasticityProblem problem;
   ModelReport report;
+  std::vector<CaughtRegion> supports;  ///< in the study's order
+  std::vector<CaughtRegion> loads;
   std::vector<LocatedProbe> probes;
   std::vector<std::string> warnings;
 };
@@ -31,13 +34,11 @@ struct BuiltProblem {
 /// Builds the problem that a study describes. Nothing is assembled yet, and no file but the model's is
 /// touched.
 ///
-/// A patch that fails the certificate of the Jacobian's sign, but is positive at all Gauss points of the
-/// solution space, gives a warning.
+/// Warnings name the patches that fail the certificate of the Jacobian's sign (the assembly refuses those
+/// that are folded at a Gauss point) and the faces that a selection leaves out by little.
 ///
-/// @throws Error fold_over         a Gauss point with a Jacobian determinant that is not positive
 /// @throws Error invalid_argument  a patch without material or with two, selections that match nothing, faces
-/// that do
-///                                 not exist, probes outside the part; all with file, line and column
+///     that do not exist, probes outside the part; all with file, line and column
 BuiltProblem build_problem(const Study& study, const Progress& progress = {});
 
 }  // namespace isopatch::app

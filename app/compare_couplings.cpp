@@ -81,7 +81,7 @@ std::string phase_rows(const CouplingRun& a, const CouplingRun& b) {
 
 bool CouplingComparison::agree() const {
   return displacement_difference <= allowed_difference && energy_difference <= allowed_difference &&
-         multiplier_difference <= allowed_difference;
+         multiplier_difference <= allowed_multiplier_difference;
 }
 
 CouplingComparison compare_couplings(const Study& study, const Progress& progress) {
@@ -114,7 +114,8 @@ std::string comparison_json(const Study& study, const CouplingComparison& compar
                       {{"displacement", comparison.displacement_difference},
                        {"internal_energy", comparison.energy_difference},
                        {"multipliers", comparison.multiplier_difference},
-                       {"allowed", CouplingComparison::allowed_difference}}},
+                       {"allowed", CouplingComparison::allowed_difference},
+                       {"allowed_multipliers", CouplingComparison::allowed_multiplier_difference}}},
                      {"agree", comparison.agree()},
                      {"warnings", comparison.warnings},
                      {"memory", {{"peak_bytes", peak_memory_bytes()}}}};
@@ -145,10 +146,12 @@ std::string comparison_text(const Study& study, const CouplingComparison& compar
   text += row("internal energy", with_unit(a.results.internal_energy, "J"),
               with_unit(b.results.internal_energy, "J"));
   text += fmt::format(
-      "  largest relative difference: displacement {:.2g}, energy {:.2g}, multipliers {:.2g} (allowed "
-      "{:.0e})\n",
-      comparison.displacement_difference, comparison.energy_difference, comparison.multiplier_difference,
-      CouplingComparison::allowed_difference);
+      "  largest relative difference: displacement {:.2g}, energy {:.2g} (allowed {:.0e}), multipliers "
+      "{:.2g} "
+      "(allowed {:.0e})\n",
+      comparison.displacement_difference, comparison.energy_difference,
+      CouplingComparison::allowed_difference, comparison.multiplier_difference,
+      CouplingComparison::allowed_multiplier_difference);
   return text + (comparison.agree() ? "  the two couplings agree\n" : "  THE TWO COUPLINGS DISAGREE\n");
 }
 

@@ -28,7 +28,8 @@ struct CouplingComparison {
   double multiplier_difference = 0;
   std::vector<std::string> warnings;
 
-  static constexpr double allowed_difference = 1e-8;
+  static constexpr double allowed_difference = 1e-9;  ///< of displacement and energy
+  static constexpr double allowed_multiplier_difference = 1e-8;
   bool agree() const;
 };
 

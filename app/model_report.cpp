@@ -72,9 +72,13 @@ std::vector<std::string> certificate_warnings(const MultiPatch& model, const Mod
                     place_with_unit(certificate.place, model.size()));
     if (certificate.sign == JacobianSign::negative)
       warnings.push_back(
-          fmt::format("patch {} is folded {}: its Jacobian determinant is {:.3g} m^3 there. All Gauss points "
-                      "are positive, so the study runs; do not trust stresses near that place",
-                      i, place, certificate.smallest));
+          fmt::format("patch {} is folded {}: its Jacobian determinant is {:.3g} m^3 there. {}", i, place,
+                      certificate.smallest,
+                      report.patches[i].quality.min_jacobian > 0
+                          ? "All Gauss points are positive, so the study runs; do not trust stresses near "
+                            "that place"
+                          : "Gauss points are negative too, so no study can run; repair the patch: move its "
+                            "inner control points, or split it"));
     else
       warnings.push_back(
           fmt::format("patch {} could not be certified: its Jacobian determinant comes down to {:.3g} m^3 {}",

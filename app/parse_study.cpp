@@ -142,6 +142,7 @@ SupportInput read_support(const Section& input, std::size_t index) {
   result.name = fmt::format("support {}{}", index + 1, keys.name.empty() ? "" : " (" + keys.name + ")");
   result.selection = {keys.faces, keys.where, input.place};
   if (plane) {
+    result.kind = keys.symmetry ? SupportKind::symmetry : SupportKind::roller;
     result.condition = iga::PlaneSupport{keys.normal_displacement.value_or(0)};
   } else {
     iga::PrescribedDisplacement condition;

@@ -40,7 +40,8 @@ Files appear whole or not at all, and only after everything has been computed.)"
 constexpr const char* compare_examples = R"(Examples:
   isopatch compare study.toml
   isopatch compare study.toml --set discretization.degree=3
-Prints a table and writes compare.json. Exit code 1 if the couplings differ by more than 1e-8.)";
+Prints a table and writes compare.json. Exit code 1 if the couplings differ by more than 1e-9 in
+displacement or energy, or 1e-8 in multipliers, relatively.)";
 
 constexpr const char* info_examples = R"(Examples:
   isopatch info model.xml                            G+Smo XML, GoTools .g2 or an MFEM NURBS mesh

@@ -17,6 +17,15 @@ namespace {
 using geometry::MultiPatch;
 using geometry::PatchFace;
 
+/// Faces that miss the tolerance by less than this were perhaps meant.
+constexpr double near_miss_factor = 5;
+
+/// The next number with two digits above x > 0.
+double rounded_up(double x) {
+  const double digit = std::pow(10, std::floor(std::log10(x)) - 1);
+  return digit * (std::floor(x / digit) + 1);
+}
+
 bool contains(const std::vector<PatchFace>& faces, const PatchFace& face) {
   return std::find(faces.begin(), faces.end(), face) != faces.end();
 }
@@ -144,7 +153,7 @@ Error nothing_found(const MultiPatch& model, const FaceSelection& selection,
 
 }  // namespace
 
-std::vector<PatchFace> select_faces(const MultiPatch& model, const FaceSelection& selection) {
+SelectedFaces select_faces(const MultiPatch& model, const FaceSelection& selection) {
   std::vector<PatchFace> faces = model.boundary_faces();
   if (!selection.faces.empty()) {
     faces.clear();
@@ -155,17 +164,37 @@ std::vector<PatchFace> select_faces(const MultiPatch& model, const FaceSelection
   }
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  if (!selection.where) return faces;
+  if (!selection.where) return {faces};
   const double tolerance = selection.where->tolerance.value_or(1e-4 * model.size());
-  std::vector<PatchFace> result;
+  SelectedFaces result;
+  result.tolerance = tolerance;
   std::vector<Deviation> candidates;
   for (const PatchFace& face : faces) {
     candidates.push_back(deviation(model, face, *selection.where));
     const bool turned = selection.where->normal && candidates.back().angle > selection.where->angle;
-    if (candidates.back().distance <= tolerance && !turned) result.push_back(face);
+    const double distance = candidates.back().distance;
+    if (turned || distance >= near_miss_factor * tolerance) continue;
+    if (distance <= tolerance)
+      result.faces.push_back(face);
+    else
+      result.near_misses.push_back({face, distance});
   }
-  if (result.empty()) throw nothing_found(model, selection, std::move(candidates), tolerance);
+  if (result.faces.empty()) throw nothing_found(model, selection, std::move(candidates), tolerance);
+  std::stable_sort(result.near_misses.begin(), result.near_misses.end(),
+                   [](const NearMiss& a, const NearMiss& b) { return a.distance < b.distance; });
   return result;
+}
+
+std::string near_miss_warning(const MultiPatch& model, const FaceSelection& selection,
+                              const std::string& name, const SelectedFaces& selected) {
+  if (selected.near_misses.empty()) return "";
+  std::string faces;
+  for (const NearMiss& miss : selected.near_misses)
+    faces += fmt::format("{}{} (up to {} away)", faces.empty() ? "" : ", ", model.label(miss.face),
+                         with_unit(miss.distance, "m"));
+  return fmt::format("{}: {} leaves out {}; its tolerance is {}. tolerance = \"{}\" would include them",
+                     to_string(selection.place), name, faces, with_unit(selected.tolerance, "m"),
+                     with_unit(rounded_up(selected.near_misses.back().distance), "m"));
 }
 
 std::vector<PatchId> select_patches(int patch_count, const PatchSelection& selection) {

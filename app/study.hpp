@@ -39,10 +39,13 @@ struct MaterialInput {
   Place place;
 };
 
+enum class SupportKind { displacement, symmetry, roller };
+
 /// Supports: each component a value in m or free, plus a gradient; or a plane on which u.n is given.
 struct SupportInput {
   std::string name;
   FaceSelection selection;
+  SupportKind kind = SupportKind::displacement;
   std::variant<iga::PrescribedDisplacement, iga::PlaneSupport> condition;
 };
 

@@ -56,10 +56,12 @@ ExitCode compare_command(const StudyCommand& command, const Console& console) {
                 << fmt::format("  written to {}\n", (study.output.directory / "compare.json").string());
   if (comparison.agree()) return ExitCode::ok;
   console.fail(fmt::format(
-      "the two couplings disagree: relative difference {:.2g} in displacement, {:.2g} in energy, {:.2g} in "
-      "multipliers, above {:.0e}; look at the solver's residuals and at the model's gaps",
-      comparison.displacement_difference, comparison.energy_difference, comparison.multiplier_difference,
-      CouplingComparison::allowed_difference));
+      "the two couplings disagree: relative difference {:.2g} in displacement, {:.2g} in energy (allowed "
+      "{:.0e}), {:.2g} in multipliers (allowed {:.0e}); look at the solver's residuals and at the model's "
+      "gaps",
+      comparison.displacement_difference, comparison.energy_difference,
+      CouplingComparison::allowed_difference, comparison.multiplier_difference,
+      CouplingComparison::allowed_multiplier_difference));
   return ExitCode::failed;
 }
 

@@ -63,15 +63,38 @@ Json discretization_json(const StudyRun& run) {
           {"dofs_free", size.dofs_free}};
 }
 
-Json materials_json(const StudyRun& run) {
+Json materials_json(const Study& study, const StudyRun& run) {
   Json result = Json::array();
-  for (const iga::Material& material : run.built.problem.materials)
-    result.push_back({{"name", material.name},
-                      {"lambda", material.lambda},
-                      {"mu", material.mu},
-                      {"young", iga::young(material)},
-                      {"poisson", iga::poisson(material)},
-                      {"density", material.density}});
+  for (const MaterialInput& input : study.materials) {
+    Json patches = Json::array();
+    for (const PatchId id :
+         select_patches(run.built.problem.discretization.model.patch_count(), input.patches))
+      patches.push_back(id.value);
+    result.push_back({{"name", input.material.name},
+                      {"patches", patches},
+                      {"lambda", input.material.lambda},
+                      {"mu", input.material.mu},
+                      {"young", iga::young(input.material)},
+                      {"poisson", iga::poisson(input.material)},
+                      {"density", input.material.density}});
+  }
+  return result;
+}
+
+Json supports_json(const std::vector<CaughtRegion>& supports) {
+  Json result = Json::array();
+  for (const CaughtRegion& region : supports)
+    result.push_back(
+        {{"name", region.name}, {"kind", region.kind}, {"faces", region.faces}, {"area", region.area}});
+  return result;
+}
+
+Json loads_json(const std::vector<CaughtRegion>& loads) {
+  Json result = supports_json(loads);
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    result[i]["patches"] = loads[i].patches;
+    result[i]["volume"] = loads[i].volume;
+  }
   return result;
 }
 
@@ -143,6 +166,15 @@ Json timings_json(const StudyRun& run) {
   return result;
 }
 
+std::string regions_text(const StudyRun& run) {
+  std::string text;
+  for (const CaughtRegion& region : run.built.supports)
+    text += fmt::format("  support           {}\n", region_text(region));
+  for (const CaughtRegion& region : run.built.loads)
+    text += fmt::format("  load              {}\n", region_text(region));
+  return text;
+}
+
 std::string reactions_text(const StudyRun& run) {
   std::string text;
   for (const iga::Reaction& reaction : run.solution.results.reactions)
@@ -168,7 +200,9 @@ std::string summary_json(const Study& study, const StudyRun& run) {
                      {"title", study.title},
                      {"study", study.source},
                      {"model", model_json(run)},
-                     {"materials", materials_json(run)},
+                     {"materials", materials_json(study, run)},
+                     {"supports", supports_json(run.built.supports)},
+                     {"loads", loads_json(run.built.loads)},
                      {"discretization", discretization_json(run)},
                      {"coupling", iga::name(study.options.coupling)},
                      {"solver", solver_json(run.solution.solver)},
@@ -190,6 +224,7 @@ std::string summary_text(const Study& study, const StudyRun& run) {
   text += fmt::format("  model             {} patches, {} interfaces, {} boundary faces, volume {}\n",
                       model.patch_count(), model.interfaces().size(), model.boundary_faces().size(),
                       with_unit(run.built.report.volume, "m^3"));
+  text += regions_text(run);
   text += fmt::format("  unknowns          {} ({} free), {} elements, coupled by {}\n",
                       with_separators(size.dofs), with_separators(size.dofs_free),
                       with_separators(size.elements), iga::name(study.options.coupling));

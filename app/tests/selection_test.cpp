@@ -19,7 +19,7 @@ MultiPatch two_boxes() {
 
 std::vector<std::string> labels(const MultiPatch& model, const FaceSelection& selection) {
   std::vector<std::string> result;
-  for (const auto& face : select_faces(model, selection)) result.push_back(model.label(face));
+  for (const auto& face : select_faces(model, selection).faces) result.push_back(model.label(face));
   return result;
 }
 
@@ -53,11 +53,11 @@ TEST(Selection, FindsFacesByGeometry) {
       labels(box, {.faces = {"z_max"}, .where = FaceConditions{.box = BoxCondition{{0, 0, 0}, {1, 1, 1}}}}),
       testing::ElementsAre("0:back"));
   const MultiPatch ring = geometry::connect(geometry::cylinder_model({.angle = Angle::degrees(360)}));
-  EXPECT_EQ(select_faces(ring, {.where = FaceConditions{.cylinder = CylinderCondition{.radius = 1}}}),
-            select_faces(ring, {.faces = {"inner"}}));
+  EXPECT_EQ(select_faces(ring, {.where = FaceConditions{.cylinder = CylinderCondition{.radius = 1}}}).faces,
+            select_faces(ring, {.faces = {"inner"}}).faces);
   const MultiPatch octant = geometry::connect(geometry::sphere_model({}));
-  EXPECT_EQ(select_faces(octant, {.where = FaceConditions{.sphere = SphereCondition{.radius = 2}}}),
-            select_faces(octant, {.faces = {"outer"}}));
+  EXPECT_EQ(select_faces(octant, {.where = FaceConditions{.sphere = SphereCondition{.radius = 2}}}).faces,
+            select_faces(octant, {.faces = {"outer"}}).faces);
 }
 
 TEST(Selection, FindsLeftHandedPatchesByTheInputsNames) {
@@ -65,7 +65,7 @@ TEST(Selection, FindsLeftHandedPatchesByTheInputsNames) {
     const MultiPatch model =
         geometry::connect(geometry::box_model({.patches = {2, 2, 1}, .orientation_seed = seed}));
     for (const auto& face : model.boundary_faces())
-      EXPECT_THAT(select_faces(model, {.faces = {model.label(face)}}), testing::ElementsAre(face));
+      EXPECT_THAT(select_faces(model, {.faces = {model.label(face)}}).faces, testing::ElementsAre(face));
   }
 }
 
@@ -89,6 +89,33 @@ TEST(Selection, MatchingNothingNamesWhatCameNearest) {
   EXPECT_THAT(
       refusal(two_boxes(), {.where = FaceConditions{.normal = Eigen::Vector3d(1, 1, 0).normalized()}}),
       HasSubstr("normal 45.0 deg off"));
+}
+
+TEST(Selection, NamesTheFacesThatMissTheToleranceByLittle) {
+  const MultiPatch model = geometry::connect(geometry::box_model({.patches = {1, 2, 1}}));
+  // A tilted plane: 0.3 mm from the first patch's side at most, 0.7 mm from the second's.
+  const auto side = [](double tolerance) {
+    const PlaneCondition plane{{3e-4, 0, 0}, Eigen::Vector3d(1, 1e-3, 0).normalized()};
+    return FaceSelection{.where = FaceConditions{.plane = plane, .tolerance = tolerance},
+                         .place = {"study.toml", 7, 1}};
+  };
+  const auto warning = [&](double tolerance) {
+    const SelectedFaces selected = select_faces(model, side(tolerance));
+    return near_miss_warning(model, side(tolerance), "support 1 (side)", selected);
+  };
+  EXPECT_THAT(select_faces(model, side(3.1e-4)).faces, testing::SizeIs(1));
+  EXPECT_EQ(
+      warning(3.1e-4),
+      "study.toml:7:1: support 1 (side) leaves out 1:west (up to 700 um away); its tolerance is 310 um. "
+      "tolerance = \"700 um\" would include them");
+  EXPECT_THAT(select_faces(model, side(7.1e-4)).faces, testing::SizeIs(2));
+  EXPECT_EQ(warning(7.1e-4), "");
+  // Both are more than five tolerances away from a plane of another direction, or point another way.
+  FaceSelection turned = side(3.1e-4);
+  turned.where->plane = PlaneCondition{{0, 0, 1e-3}, {0, 0, 1}};
+  turned.where->tolerance = 1.1e-3;
+  turned.where->normal = Eigen::Vector3d(0, 0, -1);
+  EXPECT_THAT(select_faces(model, turned).near_misses, testing::IsEmpty());
 }
 
 TEST(Selection, PatchesAreRangesOrAll) {
