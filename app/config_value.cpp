@@ -126,6 +126,8 @@ std::string describe(const ConfigValue& value) {
 }
 
 ConfigTable parse_toml(std::string_view text, const std::string& source) {
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    throw error_at({source, 0, 0}, "the file is encoded as UTF-16; save it as UTF-8", ErrorCode::bad_format);
   try {
     return convert_table(toml::parse(text, source), source);
   } catch (const toml::parse_error& error) {

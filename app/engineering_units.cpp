@@ -69,6 +69,14 @@ std::string vector_with_unit(const Eigen::Vector3d& vector, std::string_view uni
                      prefix.symbol, unit);
 }
 
+double without_round_off(double value, double scale) {
+  return std::abs(value) < 1e-10 * scale ? 0.0 : value;
+}
+
+Eigen::Vector3d without_round_off(const Eigen::Vector3d& vector, double scale) {
+  return vector.unaryExpr([&](double x) { return without_round_off(x, scale); });
+}
+
 std::string with_separators(std::int64_t count) {
   const std::string digits = fmt::format("{}", count);
   std::string result;

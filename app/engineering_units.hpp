@@ -17,6 +17,11 @@ std::string place_with_unit(const Eigen::Vector3d& place, double model_size);
 /// "(1.20, 0, -3.4) kN": the largest component chooses the prefix.
 std::string vector_with_unit(const Eigen::Vector3d& vector, std::string_view unit);
 
+/// 0 for values that are round-off beside others of the same kind, the value itself otherwise.
+/// @param scale  size of the others; less than 1e-10 of it, what the solver's residual allows, is round-off
+double without_round_off(double value, double scale);
+Eigen::Vector3d without_round_off(const Eigen::Vector3d& vector, double scale);
+
 /// 73746 as "73,746".
 std::string with_separators(std::int64_t count);
 

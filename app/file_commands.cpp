@@ -52,15 +52,21 @@ std::string heading(const InfoCommand& command) {
 }
 
 std::string values_text(const StoredValues& found) {
-  const auto& v = found.values;
+  const iga::FieldValues& v = found.values;
+  const auto tidy = [](const Eigen::Vector3d& x) { return without_round_off(x, x.cwiseAbs().maxCoeff()); };
+  const Eigen::Vector3d place = tidy(v.place);
+  const Eigen::Vector3d displacement = tidy(v.displacement);
+  const auto stress = [&](int i, int j) {
+    return without_round_off(v.stress(i, j), v.stress.cwiseAbs().maxCoeff());
+  };
   return fmt::format(
       "point         ({:.9g}, {:.9g}, {:.9g}) m, patch {}, parameter ({:.6g}, {:.6g}, {:.6g})\n"
       "displacement  ({:.9g}, {:.9g}, {:.9g}) m\n"
       "stress        xx {:.6g}, yy {:.6g}, zz {:.6g}, xy {:.6g}, yz {:.6g}, zx {:.6g} Pa\n"
       "von Mises     {:.6g} Pa\n",
-      v.place[0], v.place[1], v.place[2], found.patch, found.parameter[0], found.parameter[1],
-      found.parameter[2], v.displacement[0], v.displacement[1], v.displacement[2], v.stress(0, 0),
-      v.stress(1, 1), v.stress(2, 2), v.stress(0, 1), v.stress(1, 2), v.stress(2, 0), v.von_mises);
+      place[0], place[1], place[2], found.patch, found.parameter[0], found.parameter[1], found.parameter[2],
+      displacement[0], displacement[1], displacement[2], stress(0, 0), stress(1, 1), stress(2, 2),
+      stress(0, 1), stress(1, 2), stress(2, 0), v.von_mises);
 }
 
 std::string values_json(const StoredValues& found) {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -34,6 +35,16 @@ std::vector<fs::path> make_directories(const fs::path& directory) {
   return missing;
 }
 
+/// Whether a run could have written it: patch_000.vtu, patch_1234.vtu.
+bool is_field_file(std::string_view name) {
+  constexpr std::string_view head = "patch_";
+  constexpr std::string_view tail = ".vtu";
+  if (!name.starts_with(head) || !name.ends_with(tail) || name.size() < head.size() + tail.size() + 3)
+    return false;
+  const auto number = name.substr(head.size(), name.size() - head.size() - tail.size());
+  return number.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 }  // namespace
 
 void check_writable(const fs::path& directory) {
@@ -50,6 +61,22 @@ void check_writable(const fs::path& directory) {
   }
   for (auto path = made.rbegin(); path != made.rend(); ++path) fs::remove(*path, problem);
   if (descriptor < 0) refuse(directory, std::strerror(reason));
+}
+
+void remove_earlier_results(const fs::path& directory, const std::vector<OutputFile>& files) {
+  std::error_code ignored;
+  fs::remove(directory / "summary.json", ignored);
+  std::vector<fs::path> earlier = {"results.h5", "results.vtm"};
+  for (const auto& entry : fs::directory_iterator(directory / "fields", ignored))
+    if (is_field_file(entry.path().filename().string()))
+      earlier.push_back("fields" / entry.path().filename());
+  for (const fs::path& path : earlier) {
+    const bool replaced =
+        std::any_of(files.begin(), files.end(), [&](const OutputFile& file) { return file.path == path; });
+    if (!replaced) fs::remove(directory / path, ignored);
+  }
+  // Only goes if it is empty.
+  fs::remove(directory / "fields", ignored);
 }
 
 void write_files(const fs::path& directory, const std::vector<OutputFile>& files) {

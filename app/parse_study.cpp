@@ -240,6 +240,13 @@ Study parse_study(const std::string& text, const std::filesystem::path& source_n
 }
 
 Study read_study(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+  if (std::filesystem::is_directory(path)) {
+    const auto inside = path / "study.toml";
+    throw Error(ErrorCode::io,
+                fmt::format("{} is a directory; {}", path.string(),
+                            std::filesystem::exists(inside) ? fmt::format("did you mean {}?", inside.string())
+                                                            : "give a study's file"));
+  }
   return parse_study(read_file(path), path, overrides);
 }
 

@@ -4,6 +4,7 @@
 #include <omp.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdlib>
 #include <functional>
 #include <memory>
 #include <new>
@@ -11,6 +12,7 @@
 #include "app/commands.hpp"
 #include "app/summary.hpp"
 #include "geometry/base/error.hpp"
+#include "solvers/blas_threads.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -181,6 +183,21 @@ std::unique_ptr<CLI::App> make_parser(CommandLine& line) {
   return app;
 }
 
+/// What an MPI launcher says in the environment; 1 process, rank 0 without one.
+struct LaunchedProcesses {
+  int count = 1;
+  int rank = 0;
+};
+
+LaunchedProcesses launched_processes() {
+  const auto number = [](const char* name, int otherwise) {
+    const char* text = std::getenv(name);
+    return text ? std::atoi(text) : otherwise;
+  };
+  const LaunchedProcesses open_mpi{number("OMPI_COMM_WORLD_SIZE", 1), number("OMPI_COMM_WORLD_RANK", 0)};
+  return open_mpi.count > 1 ? open_mpi : LaunchedProcesses{number("PMI_SIZE", 1), number("PMI_RANK", 0)};
+}
+
 ExitCode act(const CommandLine& line, const Console& console) {
   try {
     return line.action(console);
@@ -199,6 +216,13 @@ ExitCode act(const CommandLine& line, const Console& console) {
 }  // namespace
 
 int run_program(const std::vector<std::string>& arguments, const Console& console) {
+  const LaunchedProcesses launched = launched_processes();
+  if (launched.count > 1) {
+    if (launched.rank == 0)
+      console.fail(fmt::format(
+          "started as {} MPI processes; this version runs on one process; use --threads N", launched.count));
+    return static_cast<int>(ExitCode::wrong_input);
+  }
   CommandLine line;
   const auto app = make_parser(line);
   try {
@@ -214,6 +238,8 @@ int run_program(const std::vector<std::string>& arguments, const Console& consol
     return static_cast<int>(ExitCode::wrong_input);
   }
   if (line.threads > 0) omp_set_num_threads(line.threads);
+  // Threads of OpenMP regions would otherwise multiply with those of the BLAS; factorizations raise it again.
+  solvers::set_blas_threads(1);
   Console chosen = console;
   chosen.quiet = chosen.quiet || line.quiet;
   return static_cast<int>(act(line, chosen));

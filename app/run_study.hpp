@@ -46,6 +46,10 @@ std::vector<OutputFile> field_files(const iga::ElasticField& field, const Progre
 /// @throws Error io, naming the directory and the reason
 void check_writable(const std::filesystem::path& directory);
 
+/// Removes what an earlier run wrote and this one does not replace, and first of all its summary, which would
+/// vouch for files that are being replaced. Leaves all other files alone.
+void remove_earlier_results(const std::filesystem::path& directory, const std::vector<OutputFile>& files);
+
 /// Writes files, making their folders; each appears whole or not at all.
 /// @throws Error io
 void write_files(const std::filesystem::path& directory, const std::vector<OutputFile>& files);

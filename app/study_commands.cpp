@@ -30,9 +30,7 @@ ExitCode run_command(const StudyCommand& command, const Console& console) {
   ProgressDisplay display(console);
   StudyRun run = run_study(study, display.progress());
   const std::vector<OutputFile> files = output_files(study, run, display.progress());
-  // An earlier summary would vouch for files that are being replaced.
-  std::error_code ignored;
-  std::filesystem::remove(study.output.directory / "summary.json", ignored);
+  remove_earlier_results(study.output.directory, files);
   write_files(study.output.directory, files);
   display.clear();
   for (const std::string& warning : run.built.warnings) console.warn(warning);

@@ -176,19 +176,26 @@ std::string regions_text(const StudyRun& run) {
 }
 
 std::string reactions_text(const StudyRun& run) {
+  const iga::ElasticityResults& results = run.solution.results;
+  // Reactions that balance inside one support vanish beside the stresses on the surface.
+  double scale =
+      std::max(results.total_load.norm(), results.max_von_mises.value * run.built.report.boundary_area);
+  for (const iga::Reaction& reaction : results.reactions) scale = std::max(scale, reaction.force.norm());
   std::string text;
-  for (const iga::Reaction& reaction : run.solution.results.reactions)
-    text += fmt::format("  reaction          {} at {}\n", vector_with_unit(reaction.force, "N"),
-                        reaction.support);
+  for (const iga::Reaction& reaction : results.reactions)
+    text += fmt::format("  reaction          {} at {}\n",
+                        vector_with_unit(without_round_off(reaction.force, scale), "N"), reaction.support);
   return text;
 }
 
 std::string probes_text(const StudyRun& run) {
+  const iga::ElasticityResults& results = run.solution.results;
   std::string text;
   for (const ProbeValues& probe : run.probes)
-    text += fmt::format("  {:<17} displacement {}, von Mises {}\n", probe.name,
-                        vector_with_unit(probe.values.displacement, "m"),
-                        with_unit(probe.values.von_mises, "Pa"));
+    text += fmt::format(
+        "  {:<17} displacement {}, von Mises {}\n", probe.name,
+        vector_with_unit(without_round_off(probe.values.displacement, results.max_displacement.value), "m"),
+        with_unit(without_round_off(probe.values.von_mises, results.max_von_mises.value), "Pa"));
   return text;
 }
 

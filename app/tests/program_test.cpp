@@ -1,98 +1,9 @@
-#include "app/program.hpp"
-
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <nlohmann/json.hpp>
-#include <sstream>
-
-#include "geometry/base/atomic_file.hpp"
+#include "app/tests/program_fixture.hpp"
 
 namespace isopatch::app {
 namespace {
-
-using nlohmann::json;
-using testing::HasSubstr;
-using testing::StartsWith;
-namespace fs = std::filesystem;
-
-const std::string bar = R"(title = "bar"
-[model]
-generate = "box"
-size = [2, 1, 1]
-patches = [2, 1, 1]
-[[material]]
-young = 1000
-poisson = 0.25
-[[support]]
-name = "guides"
-faces = ["x_min", "y_min", "z_min"]
-roller = true
-[[load]]
-faces = ["x_max"]
-traction = [10, 0, 0]
-[[probe]]
-name = "end"
-point = [2, 1, 1]
-)";
-
-/// Runs the program in a folder of its own with a study in it.
-class Program : public testing::Test {
- protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "isopatch-test-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-    write_file(study(), bar);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string study() const { return (folder_ / "study.toml").string(); }
-  fs::path results() const { return folder_ / "results"; }
-
-  int run(const std::vector<std::string>& arguments, bool terminal = false) {
-    std::ostringstream out;
-    std::ostringstream err;
-    const int code = run_program(arguments, {out, err, terminal, false, false});
-    out_ = out.str();
-    err_ = err.str();
-    return code;
-  }
-  /// Runs another study text.
-  int run_text(const std::string& text, const std::vector<std::string>& more = {}) {
-    write_file(study(), text);
-    std::vector<std::string> arguments = {"run", study()};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return run(arguments);
-  }
-  std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    const auto at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    return text.replace(at, from.size(), to);
-  }
-
-  fs::path folder_;
-  std::string out_;
-  std::string err_;
-};
-
-/// Exit code of a shell command.
-int shell(const std::string& command) {
-  return WEXITSTATUS(std::system(command.c_str()));
-}
-
-/// Names of all files in a folder and below.
-std::vector<std::string> files_below(const fs::path& folder) {
-  std::vector<std::string> names;
-  for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file()) names.push_back(entry.path().lexically_relative(folder).string());
-  return names;
-}
 
 TEST_F(Program, InterruptedLeavesNoFile) {
   // Half a million elements take far longer than the time until the interrupt.
@@ -148,66 +59,6 @@ TEST_F(Program, RunWritesASummaryWithTheDocumentedKeys) {
     EXPECT_THAT(documentation, HasSubstr("`" + (key.starts_with("timings.") ? "timings" : key) + "`"));
   for (const char* phase : {"model", "output", "total"})
     EXPECT_TRUE(summary["timings"].contains(phase)) << phase;
-}
-
-TEST_F(Program, SaysWhatEverySupportAndLoadCaught) {
-  ASSERT_EQ(run_text(replaced(bar, "young = 1000", "young = 1000\ndensity = 2") +
-                     "[[load]]\nname = \"weight\"\npatches = 1\ngravity = [0, 0, -1]\n"),
-            0)
-      << err_;
-  const json summary = json::parse(read_file(results() / "summary.json"));
-  const json& guides = summary["supports"][0];
-  EXPECT_EQ(guides["name"], "support 1 (guides)");
-  EXPECT_EQ(guides["kind"], "roller");
-  EXPECT_THAT(guides["faces"], testing::ElementsAre("0:west", "0:south", "0:front", "1:south", "1:front"));
-  EXPECT_NEAR(guides["area"], 5, 1e-13);
-  ASSERT_EQ(summary["loads"].size(), 2u);
-  EXPECT_EQ(summary["loads"][0]["kind"], "traction");
-  EXPECT_THAT(summary["loads"][0]["faces"], testing::ElementsAre("1:east"));
-  EXPECT_NEAR(summary["loads"][0]["area"], 1, 1e-13);
-  EXPECT_EQ(summary["loads"][1]["kind"], "gravity");
-  EXPECT_THAT(summary["loads"][1]["patches"], testing::ElementsAre(1));
-  EXPECT_NEAR(summary["loads"][1]["volume"], 1, 1e-13);
-  EXPECT_THAT(out_, HasSubstr("  support           support 1 (guides): roller on 5 faces, 5 m^2\n"));
-  EXPECT_THAT(out_, HasSubstr("  load              load 1: traction on 1 face, 1 m^2\n"));
-  EXPECT_THAT(out_, HasSubstr("  load              load 2 (weight): gravity in 1 patch, 1 m^3\n"));
-}
-
-TEST_F(Program, NamesFacesInTheInputsNamingAndWarnsOfThoseMissedByLittle) {
-  const std::string text = replaced(bar, "faces = [\"x_max\"]",
-                                    "where = { box = { min = [1.9998, 0, 0], max = [2.1, 1, 1] }, "
-                                    "tolerance = \"0.1 mm\" }");
-  ASSERT_EQ(run_text(text, {"--set", "model.orientation_seed=3"}), 0) << err_;
-  const json summary = json::parse(read_file(results() / "summary.json"));
-  ASSERT_EQ(run({"info", study(), "--set", "model.orientation_seed=3", "--json"}), 0);
-  EXPECT_EQ(summary["loads"][0]["faces"], json::parse(out_)["boundaries"]["x_max"]);
-  EXPECT_THAT(summary["warnings"], testing::IsEmpty());
-  const std::string tilted = replaced(bar, "faces = [\"x_max\"]",
-                                      "where = { plane = { point = [2, 0, 0], normal = [1, 0, 0.0002] }, "
-                                      "tolerance = \"0.1 mm\" }");
-  EXPECT_EQ(run_text(tilted), 2);  // 0.2 mm away, and nothing else is nearer
-  const std::string halved = replaced(tilted, "patches = [2, 1, 1]", "patches = [1, 1, 2]");
-  ASSERT_EQ(run_text(halved), 0) << err_;
-  EXPECT_THAT(err_,
-              HasSubstr("isopatch: warning: " + study() +
-                        ":13:1: load 1 leaves out 1:east (up to 200 um away); its tolerance is 100 um"));
-  EXPECT_THAT(json::parse(read_file(results() / "summary.json"))["warnings"], testing::SizeIs(1));
-}
-
-TEST_F(Program, ListsEveryMaterialOnceWithItsPatches) {
-  ASSERT_EQ(run_text((replaced(bar, "young = 1000", "patches = 1\nyoung = 1000") +
-                      "[[material]]\npatches = 0\nname = \"steel\"\n")),
-            0)
-      << err_;
-  const json materials = json::parse(read_file(results() / "summary.json"))["materials"];
-  ASSERT_EQ(materials.size(), 2u);
-  EXPECT_EQ(materials[0]["young"], 1000.0);
-  EXPECT_THAT(materials[0]["patches"], testing::ElementsAre(1));
-  EXPECT_EQ(materials[1]["name"], "steel");
-  EXPECT_THAT(materials[1]["patches"], testing::ElementsAre(0));
-  ASSERT_EQ(run_text(bar), 0) << err_;
-  EXPECT_THAT(json::parse(read_file(results() / "summary.json"))["materials"][0]["patches"],
-              testing::ElementsAre(0, 1));
 }
 
 TEST_F(Program, RunPrintsAShortSummaryAndPlainProgress) {

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/program.hpp"
+#include "geometry/base/atomic_file.hpp"
+
+namespace isopatch::app {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::StartsWith;
+namespace fs = std::filesystem;
+
+inline const std::string bar = R"(title = "bar"
+[model]
+generate = "box"
+size = [2, 1, 1]
+patches = [2, 1, 1]
+[[material]]
+young = 1000
+poisson = 0.25
+[[support]]
+name = "guides"
+faces = ["x_min", "y_min", "z_min"]
+roller = true
+[[load]]
+faces = ["x_max"]
+traction = [10, 0, 0]
+[[probe]]
+name = "end"
+point = [2, 1, 1]
+)";
+
+/// Runs the program in a folder of its own with a study in it.
+class Program : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "isopatch-test-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+    write_file(study(), bar);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string study() const { return (folder_ / "study.toml").string(); }
+  fs::path results() const { return folder_ / "results"; }
+
+  int run(const std::vector<std::string>& arguments, bool terminal = false) {
+    std::ostringstream out;
+    std::ostringstream err;
+    const int code = run_program(arguments, {out, err, terminal, false, false});
+    out_ = out.str();
+    err_ = err.str();
+    return code;
+  }
+  /// Runs another study text.
+  int run_text(const std::string& text, const std::vector<std::string>& more = {}) {
+    write_file(study(), text);
+    std::vector<std::string> arguments = {"run", study()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+  }
+  std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const auto at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+  }
+
+  fs::path folder_;
+  std::string out_;
+  std::string err_;
+};
+
+/// Exit code of a shell command.
+inline int shell(const std::string& command) {
+  return WEXITSTATUS(std::system(command.c_str()));
+}
+
+/// Names of all files in a folder and below.
+inline std::vector<std::string> files_below(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) names.push_back(entry.path().lexically_relative(folder).string());
+  return names;
+}
+
+}  // namespace isopatch::app

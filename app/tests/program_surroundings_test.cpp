@@ -1,0 +1,98 @@
+#include "app/tests/program_fixture.hpp"
+#include "solvers/blas_threads.hpp"
+
+namespace isopatch::app {
+namespace {
+
+TEST_F(Program, MoreThanOneMpiProcessIsRefusedWithOneMessage) {
+  for (const std::string kind : {"OMPI_COMM_WORLD", "PMI"}) {
+    ::setenv((kind + "_SIZE").c_str(), "2", 1);
+    ::setenv((kind + "_RANK").c_str(), "0", 1);
+    EXPECT_EQ(run({"run", study()}), 2) << kind;
+    EXPECT_EQ(err_,
+              "isopatch: error: started as 2 MPI processes; this version runs on one process; "
+              "use --threads N\n");
+    ::setenv((kind + "_RANK").c_str(), "1", 1);
+    EXPECT_EQ(run({"run", study()}), 2) << kind;
+    EXPECT_EQ(err_, "");
+    EXPECT_FALSE(fs::exists(results()));
+    ::setenv((kind + "_SIZE").c_str(), "1", 1);
+    ::setenv((kind + "_RANK").c_str(), "0", 1);
+    EXPECT_EQ(run({"info", study()}), 0) << err_;
+    ::unsetenv((kind + "_SIZE").c_str());
+    ::unsetenv((kind + "_RANK").c_str());
+  }
+}
+
+TEST_F(Program, TheBlasHasOneThreadOutsideOfFactorizations) {
+  if (solvers::blas_threads() == 0) GTEST_SKIP() << "the BLAS is not OpenBLAS";
+  solvers::set_blas_threads(2);
+  EXPECT_EQ(run({"run", study(), "-q"}), 0);
+  EXPECT_EQ(solvers::blas_threads(), 1);
+}
+
+TEST_F(Program, ASecondRunReplacesTheFirstWholly) {
+  ASSERT_EQ(run({"run", study(), "-q"}), 0) << err_;
+  ASSERT_EQ(run({"compare", study(), "-q"}), 0) << err_;
+  write_file(results() / "notes.txt", "mine");
+  write_file(results() / "fields/patch_mine.vtu", "mine");
+  // One patch instead of two: a field file of the first run would be left beside the new ones.
+  ASSERT_EQ(run({"run", study(), "-q", "--set", "model.patches=[1,1,1]"}), 0) << err_;
+  EXPECT_THAT(files_below(results()),
+              testing::UnorderedElementsAre("summary.json", "results.h5", "results.vtm", "compare.json",
+                                            "notes.txt", "fields/patch_mine.vtu", "fields/patch_000.vtu"));
+  EXPECT_EQ(json::parse(read_file(results() / "summary.json"))["model"]["patches"], 1);
+  ASSERT_EQ(run({"run", study(), "-q", "--set", "output.fields=false", "--set", "output.hdf5=false"}), 0);
+  EXPECT_THAT(files_below(results()), testing::UnorderedElementsAre("summary.json", "compare.json",
+                                                                    "notes.txt", "fields/patch_mine.vtu"));
+}
+
+TEST_F(Program, AFailedRunLeavesEarlierResultsAlone) {
+  ASSERT_EQ(run({"run", study(), "-q"}), 0) << err_;
+  const std::string before = read_file(results() / "summary.json");
+  EXPECT_NE(run({"run", study(), "-q", "--set", "load.0.faces=[\"x_min\", \"0:east\"]"}), 0);
+  EXPECT_EQ(read_file(results() / "summary.json"), before);
+  EXPECT_TRUE(fs::exists(results() / "fields/patch_001.vtu"));
+}
+
+TEST_F(Program, ReadsStudiesWrittenByWindowsEditors) {
+  std::string text = "\xEF\xBB\xBF";
+  for (const char c : bar) text += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  ASSERT_EQ(run_text(text), 0) << err_;
+  EXPECT_EQ(json::parse(read_file(results() / "summary.json"))["title"], "bar");
+  EXPECT_EQ(run_text(replaced(text, "poisson", "poison")), 2);
+  EXPECT_THAT(err_,
+              HasSubstr("study.toml:8:1: unknown key 'poison' in [[material]] (did you mean 'poisson'?)"));
+  std::string wide = "\xFF\xFE";
+  for (const char c : bar) wide += {c, '\0'};
+  EXPECT_EQ(run_text(wide), 2);
+  EXPECT_THAT(err_, HasSubstr("UTF-16; save it as UTF-8"));
+}
+
+TEST_F(Program, AStudyThatIsADirectoryIsRefusedByItsName) {
+  EXPECT_EQ(run({"run", folder_.string()}), 3);
+  EXPECT_THAT(err_, HasSubstr(folder_.string() + " is a directory; did you mean " + study() + "?"));
+  fs::remove(study());
+  EXPECT_EQ(run({"run", folder_.string()}), 3);
+  EXPECT_THAT(err_, HasSubstr(folder_.string() + " is a directory; give a study's file"));
+  EXPECT_EQ(run({"info", folder_.string()}), 3);
+  EXPECT_THAT(err_, HasSubstr("Is a directory"));
+}
+
+TEST_F(Program, SettingAnUnknownKeyNamesTheNearest) {
+  const auto message = [&](const std::string& assignment) {
+    EXPECT_EQ(run({"run", study(), "--set", assignment}), 2) << assignment;
+    return err_;
+  };
+  EXPECT_THAT(message("discretization.refin=2"),
+              HasSubstr("--set discretization.refin=2: unknown key 'refin' in [discretization] "
+                        "(did you mean 'refine'?)"));
+  EXPECT_THAT(message("load.0.tracton=[1,0,0]"), HasSubstr("did you mean 'traction'?"));
+  EXPECT_THAT(message("discretisation.refine=2"), HasSubstr("did you mean 'discretization'?"));
+  EXPECT_THAT(message("loads.0.pressure=2"), HasSubstr("did you mean 'load'?"));
+  EXPECT_THAT(message("model.siz=[1,1,1]"), HasSubstr("did you mean 'size'?"));
+  EXPECT_THAT(message("load.1.pressure=2"), HasSubstr("'1' is no index of an array of 1"));
+}
+
+}  // namespace
+}  // namespace isopatch::app
