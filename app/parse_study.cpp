@@ -240,7 +240,8 @@ Study parse_study(const std::string& text, const std::filesystem::path& source_n
 }
 
 Study read_study(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
-  if (std::filesystem::is_directory(path)) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
     const auto inside = path / "study.toml";
     throw Error(ErrorCode::io,
                 fmt::format("{} is a directory; {}", path.string(),
