@@ -78,7 +78,7 @@ void add_load(const LoadInput& load, BuiltProblem& built) {
     loads.push_back(iga::pressure_load(load.name, std::move(faces), load.pressure));
   else
     loads.push_back(
-        iga::total_force(load.name, std::move(faces), load.vector, built.problem.discretization.model));
+        iga::total_force(load.name, std::move(faces), load.vector, built.problem.discretization));
 }
 
 LocatedProbe locate_probe(const ProbeInput& probe, const iga::ElasticityProblem& problem) {

@@ -1,7 +1,5 @@
 #include "iga/assembly.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <numeric>
 
@@ -59,23 +57,29 @@ std::vector<std::vector<int>> nodes_of_rows(const RowNumbering& numbering) {
 // The blocks of one element: for every ordered pair of functions (a, b) nine values, row by row.
 struct ElementStiffness {
   std::vector<int> rows;
-  Eigen::MatrixXd gradients;  // (3 n, q), scaled by the square root of the measure
-  Eigen::MatrixXd products;   // (3 n, 3 n), lower triangle
+  std::vector<int> order;  // of the functions, by row
   std::vector<double> blocks;
 };
 
-void compute_element(const ElementValues& values, const Material& material, ElementStiffness& out) {
+struct Products {
+  Eigen::MatrixXd gradients;  // (3 n, q), scaled by the square root of the measure
+  Eigen::MatrixXd products;   // (3 n, 3 n), lower triangle
+};
+
+void compute_element(const ElementValues& values, const Material& material, Products& scratch,
+                     ElementStiffness& out) {
   const auto n = static_cast<Eigen::Index>(values.functions.size());
-  out.gradients.resize(3 * n, values.measures.size());
+  scratch.gradients.resize(3 * n, values.measures.size());
   const Eigen::VectorXd roots = values.measures.cwiseSqrt();
   for (int d = 0; d < 3; ++d)
-    out.gradients.middleRows(d * n, n) = values.gradients[static_cast<std::size_t>(d)] * roots.asDiagonal();
-  out.products.setZero(3 * n, 3 * n);
-  out.products.selfadjointView<Eigen::Lower>().rankUpdate(out.gradients);
+    scratch.gradients.middleRows(d * n, n) =
+        values.gradients[static_cast<std::size_t>(d)] * roots.asDiagonal();
+  scratch.products.setZero(3 * n, 3 * n);
+  scratch.products.selfadjointView<Eigen::Lower>().rankUpdate(scratch.gradients);
   const auto product = [&](int i, Eigen::Index a, int j, Eigen::Index b) {
     const Eigen::Index r = i * n + a;
     const Eigen::Index c = j * n + b;
-    return r >= c ? out.products(r, c) : out.products(c, r);
+    return r >= c ? scratch.products(r, c) : scratch.products(c, r);
   };
   out.blocks.resize(static_cast<std::size_t>(9 * n * n));
   for (Eigen::Index a = 0; a < n; ++a) {
@@ -92,19 +96,16 @@ void compute_element(const ElementValues& values, const Material& material, Elem
   }
 }
 
-// Adds the rows of an element that belong to one of `threads` shares.
-void add_rows(const ElementStiffness& element, int share, int threads, SymmetricBlockMatrix& matrix) {
+// Adds the rows of an element that belong to one of `shares`.
+void add_rows(const ElementStiffness& element, int share, int shares, SymmetricBlockMatrix& matrix) {
   const auto n = static_cast<int>(element.rows.size());
-  std::vector<int> order(static_cast<std::size_t>(n));
-  std::iota(order.begin(), order.end(), 0);
   const auto row_of = [&](int a) { return element.rows[static_cast<std::size_t>(a)]; };
-  std::sort(order.begin(), order.end(), [&](int a, int b) { return row_of(a) < row_of(b); });
   for (int a = 0; a < n; ++a) {
     const int row = row_of(a);
-    if (row / 16 % threads != share) continue;
+    if (row / 16 % shares != share) continue;
     auto column = matrix.columns.begin() + matrix.row_start[static_cast<std::size_t>(row)];
     const auto end = matrix.columns.begin() + matrix.row_start[static_cast<std::size_t>(row) + 1];
-    for (const int b : order) {
+    for (const int b : element.order) {
       if (row_of(b) < row) continue;
       column = std::lower_bound(column, end, row_of(b));
       const double* block = &element.blocks[static_cast<std::size_t>(9 * (a * n + b))];
@@ -117,26 +118,29 @@ void add_rows(const ElementStiffness& element, int share, int threads, Symmetric
 }  // namespace
 
 SymmetricBlockMatrix stiffness_pattern(const Discretization& d, const RowNumbering& numbering) {
+  constexpr int rows_per_task = 64;
   std::vector<Neighbours> neighbours;
   for (const auto& patch : d.patches) neighbours.emplace_back(patch);
   const std::vector<std::vector<int>> nodes = nodes_of_rows(numbering);
   std::vector<std::vector<int>> columns(nodes.size());
-#pragma omp parallel for schedule(dynamic, 64)
-  for (int row = 0; row < numbering.rows; ++row) {
-    std::vector<int>& found = columns[static_cast<std::size_t>(row)];
-    for (const int node : nodes[static_cast<std::size_t>(row)]) {
-      const auto patch = static_cast<std::size_t>(
-          std::upper_bound(d.first_node.begin(), d.first_node.end(), node) - d.first_node.begin() - 1);
-      const int first = d.first_node[patch];
-      neighbours[patch].for_each(node - first, [&](int local) {
-        const int column = numbering.row_of_node[static_cast<std::size_t>(first + local)];
-        if (column >= row) found.push_back(column);
-      });
+  parallel_for((numbering.rows + rows_per_task - 1) / rows_per_task, [&](std::int64_t task, int) {
+    const int last = std::min(numbering.rows, static_cast<int>(task + 1) * rows_per_task);
+    for (int row = static_cast<int>(task) * rows_per_task; row < last; ++row) {
+      std::vector<int>& found = columns[static_cast<std::size_t>(row)];
+      for (const int node : nodes[static_cast<std::size_t>(row)]) {
+        const auto patch = static_cast<std::size_t>(
+            std::upper_bound(d.first_node.begin(), d.first_node.end(), node) - d.first_node.begin() - 1);
+        const int first = d.first_node[patch];
+        neighbours[patch].for_each(node - first, [&](int local) {
+          const int column = numbering.row_of_node[static_cast<std::size_t>(first + local)];
+          if (column >= row) found.push_back(column);
+        });
+      }
+      std::sort(found.begin(), found.end());
+      found.erase(std::unique(found.begin(), found.end()), found.end());
+      found.shrink_to_fit();
     }
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-    found.shrink_to_fit();
-  }
+  });
   SymmetricBlockMatrix matrix;
   matrix.row_start.reserve(nodes.size() + 1);
   for (const auto& found : columns)
@@ -154,20 +158,29 @@ SymmetricBlockMatrix assemble_stiffness(const Discretization& d, const std::vect
   for (const auto& patch : d.patches)
     functions = std::max<std::int64_t>(functions,
                                        (patch.degree(0) + 1) * (patch.degree(1) + 1) * (patch.degree(2) + 1));
-  const int threads = omp_get_max_threads();
-  for_each_element<ElementStiffness>(
-      d, points, 8 * 24 * functions * functions, progress, "assembly",
-      [&](int patch, const ElementValues& values, ElementStiffness& element) {
+  // Every row has one owner, which adds the elements in their order: no races, and the same sums for any
+  // number of threads.
+  const int shares = 4 * omp_get_max_threads();
+  for_each_element<Products, ElementStiffness>(
+      d, points, 72 * functions * functions, progress, "assembly",
+      [&](const ElementAt& at, const ElementValues& values, Products& scratch, ElementStiffness& element) {
+        const auto patch = static_cast<std::size_t>(at.patch);
         element.rows.resize(values.functions.size());
         for (std::size_t a = 0; a < values.functions.size(); ++a)
-          element.rows[a] = numbering.row_of_node[static_cast<std::size_t>(
-              d.first_node[static_cast<std::size_t>(patch)] + values.functions[a])];
-        compute_element(values, materials[static_cast<std::size_t>(patch)], element);
+          element.rows[a] =
+              numbering.row_of_node[static_cast<std::size_t>(d.first_node[patch] + values.functions[a])];
+        element.order.resize(element.rows.size());
+        std::iota(element.order.begin(), element.order.end(), 0);
+        std::sort(element.order.begin(), element.order.end(), [&](int a, int b) {
+          return element.rows[static_cast<std::size_t>(a)] < element.rows[static_cast<std::size_t>(b)];
+        });
+        compute_element(values, materials[patch], scratch, element);
       },
-      [&](int, const std::vector<ElementStiffness>& elements, std::int64_t count) {
-#pragma omp parallel num_threads(threads)
-        for (std::int64_t i = 0; i < count; ++i)
-          add_rows(elements[static_cast<std::size_t>(i)], omp_get_thread_num(), threads, matrix);
+      [&](std::span<const ElementStiffness> elements) {
+        parallel_for(shares, [&](std::int64_t share, int) {
+          for (const ElementStiffness& element : elements)
+            add_rows(element, static_cast<int>(share), shares, matrix);
+        });
       });
   return matrix;
 }

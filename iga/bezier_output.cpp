@@ -13,15 +13,19 @@ namespace {
 
 using geometry::NurbsVolume;
 
-// Inverse of the Bernstein values at the Gauss points: from values there to coefficients.
-Eigen::MatrixXd interpolation_at_gauss_points(int degree) {
-  const geometry::QuadratureRule rule = geometry::gauss_legendre(degree + 1);
-  const geometry::KnotVector knots = geometry::KnotVector::bezier(degree);
-  Eigen::MatrixXd values(degree + 1, degree + 1);
-  for (Eigen::Index q = 0; q <= degree; ++q)
-    values.row(q) = geometry::basis(knots, rule.nodes[q]).values.row(0);
-  return values.inverse();
-}
+// Bernstein values at the Gauss points of one direction: from coefficients to values there, and back.
+struct GaussInterpolation {
+  explicit GaussInterpolation(int degree) : values(degree + 1, degree + 1) {
+    const geometry::QuadratureRule rule = geometry::gauss_legendre(degree + 1);
+    const geometry::KnotVector knots = geometry::KnotVector::bezier(degree);
+    for (Eigen::Index q = 0; q <= degree; ++q)
+      values.row(q) = geometry::basis(knots, rule.nodes[q]).values.row(0);
+    inverse = values.inverse();
+  }
+  Eigen::MatrixXd values;
+  Eigen::MatrixXd inverse;
+};
+using Interpolations = std::array<GaussInterpolation, 3>;
 
 // Fields at the Gauss points of one element, one column per point.
 struct PointValues {
@@ -50,22 +54,20 @@ PointValues at_gauss_points(const ElementValues& values, const Eigen::Matrix3Xd&
 // Coefficients in the cell's rational basis of the functions that take the given values at the Gauss points:
 // the numerator, values times weight function, is interpolated, then divided by the weights.
 Eigen::MatrixXd coefficients(const Eigen::MatrixXd& values, const NurbsVolume& piece,
-                             const std::array<Eigen::MatrixXd, 3>& inverse,
+                             const Interpolations& interpolations,
                              const Eigen::RowVectorXd& weight_function) {
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic> c =
       values.array().rowwise() * weight_function.array();
   for (int d = 0; d < 3; ++d)
-    c = geometry::apply_along<3, Eigen::Dynamic>(c, piece.sizes(), d, inverse[static_cast<std::size_t>(d)]);
+    c = geometry::apply_along<3, Eigen::Dynamic>(c, piece.sizes(), d,
+                                                 interpolations[static_cast<std::size_t>(d)].inverse);
   return c.array().rowwise() / piece.weights().transpose().array();
 }
 
-Eigen::RowVectorXd weight_at_gauss_points(const NurbsVolume& piece) {
+Eigen::RowVectorXd weight_at_gauss_points(const NurbsVolume& piece, const Interpolations& interpolations) {
   Eigen::Matrix<double, 1, Eigen::Dynamic> w = piece.weights().transpose();
-  for (int d = 0; d < 3; ++d) {
-    const int p = piece.degree(d);
-    const Eigen::MatrixXd values = interpolation_at_gauss_points(p).inverse();
-    w = geometry::apply_along<3, 1>(w, piece.sizes(), d, values);
-  }
+  for (int d = 0; d < 3; ++d)
+    w = geometry::apply_along<3, 1>(w, piece.sizes(), d, interpolations[static_cast<std::size_t>(d)].values);
   return w;
 }
 
@@ -92,9 +94,9 @@ geometry::BezierCells bezier_cells(const ElasticField& field, int patch) {
                         {"jacobian", Eigen::MatrixXd(1, total)}};
   cells.cell_fields = {{"patch", Eigen::MatrixXd::Constant(1, cells.cell_count, patch)}};
 
-  std::array<Eigen::MatrixXd, 3> inverse;
-  for (int d = 0; d < 3; ++d)
-    inverse[static_cast<std::size_t>(d)] = interpolation_at_gauss_points(volume.degree(d));
+  const Interpolations interpolations = {GaussInterpolation(volume.degree(0)),
+                                         GaussInterpolation(volume.degree(1)),
+                                         GaussInterpolation(volume.degree(2))};
   const ElementEvaluator evaluator(volume, 0);
   ElementValues values;
   for (std::size_t e = 0; e < pieces.size(); ++e) {
@@ -104,13 +106,13 @@ geometry::BezierCells bezier_cells(const ElasticField& field, int patch) {
     cells.point_fields[0].values.middleCols(first, per_cell) = moved[e].control_points();
     evaluator.evaluate(static_cast<std::int64_t>(e), values);
     const PointValues at = at_gauss_points(values, field.displacement[p], material);
-    const Eigen::RowVectorXd weight = weight_at_gauss_points(pieces[e]);
+    const Eigen::RowVectorXd weight = weight_at_gauss_points(pieces[e], interpolations);
     cells.point_fields[1].values.middleCols(first, per_cell) =
-        coefficients(at.stress, pieces[e], inverse, weight);
+        coefficients(at.stress, pieces[e], interpolations, weight);
     cells.point_fields[2].values.middleCols(first, per_cell) =
-        coefficients(at.von_mises, pieces[e], inverse, weight);
+        coefficients(at.von_mises, pieces[e], interpolations, weight);
     cells.point_fields[3].values.middleCols(first, per_cell) =
-        coefficients(at.jacobian, pieces[e], inverse, weight);
+        coefficients(at.jacobian, pieces[e], interpolations, weight);
   }
   return cells;
 }

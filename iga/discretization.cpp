@@ -40,8 +40,9 @@ KnotVector subdivided(const KnotVector& knots, int parts, int least_multiplicity
   return geometry::with_knots(knots, inserted);
 }
 
-// Longest edge of any element along a direction, measured along the control polygon of its Bezier form, which
-// bounds it from above.
+// Bound of the length of any element along a direction if it is cut into equal parts: degree times the
+// longest leg of the control polygon of its Bezier form bounds the speed (up to the weights' ratio for
+// rational patches).
 double longest_element(const NurbsVolume& patch, int direction) {
   auto knots = patch.knots();
   knots[static_cast<std::size_t>(direction)] = geometry::bezier_knots(patch.knots(direction));
@@ -52,13 +53,9 @@ double longest_element(const NurbsVolume& patch, int direction) {
   double longest = 0;
   for (int i = 0; i < split.size(); ++i) {
     const int along = (i / stride) % split.size(direction);
-    if (along % p != 0 || along + p >= split.size(direction)) continue;
-    double length = 0;
-    for (int k = 0; k < p; ++k)
-      length +=
-          (split.control_points().col(i + (k + 1) * stride) - split.control_points().col(i + k * stride))
-              .norm();
-    longest = std::max(longest, length);
+    if (along + 1 >= split.size(direction)) continue;
+    longest = std::max(longest,
+                       p * (split.control_points().col(i + stride) - split.control_points().col(i)).norm());
   }
   return longest;
 }
@@ -124,16 +121,19 @@ Discretization discretize(const geometry::MultiPatch& model, const Discretizatio
 
   Discretization result{model, {}, {0}};
   for (std::size_t i = 0; i < model.patches().size(); ++i) {
-    result.patches.push_back(
-        geometry::refined(model.patches()[i], {knots[3 * i], knots[3 * i + 1], knots[3 * i + 2]}));
-    const std::int64_t nodes = std::int64_t{result.first_node.back()} + result.patches.back().size();
-    if (3 * nodes > 2'000'000'000)
+    const double nodes = result.first_node.back() +
+                         1.0 * knots[3 * i].size() * knots[3 * i + 1].size() * knots[3 * i + 2].size();
+    if (3 * nodes > 2e9)
       throw Error(
           ErrorCode::unsupported,
-          fmt::format("{} control points up to patch {} are more than 32-bit indices can count; refine less",
-                      nodes, i));
+          fmt::format(
+              "{:.3g} control points up to patch {} are more than 32-bit indices can count; refine less",
+              nodes, i));
     result.first_node.push_back(static_cast<int>(nodes));
   }
+  for (std::size_t i = 0; i < model.patches().size(); ++i)
+    result.patches.push_back(
+        geometry::refined(model.patches()[i], {knots[3 * i], knots[3 * i + 1], knots[3 * i + 2]}));
   check_traces(model, result.patches);
   return result;
 }

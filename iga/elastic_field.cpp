@@ -2,12 +2,14 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "geometry/measures.hpp"
 #include "geometry/splines/basis.hpp"
+#include "geometry/splines/grid.hpp"
 
 namespace isopatch::iga {
 namespace {
@@ -15,10 +17,46 @@ namespace {
 using geometry::NurbsVolume;
 using geometry::Parameter;
 
-// The same functions with the displacement in place of the control points.
-NurbsVolume displacement_map(const ElasticField& field, int patch) {
-  const auto p = static_cast<std::size_t>(patch);
-  return NurbsVolume(field.patches[p].knots(), field.displacement[p], field.patches[p].weights());
+// Values and first derivatives along the parameters at one point.
+struct FirstDerivatives {
+  Eigen::Vector3d value = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d jacobian = Eigen::Matrix3d::Zero();
+};
+
+// Of place and displacement, from one evaluation of the basis.
+std::array<FirstDerivatives, 2> first_derivatives(const NurbsVolume& patch,
+                                                  const Eigen::Matrix3Xd& displacement,
+                                                  const Parameter<3>& parameter) {
+  std::array<geometry::BasisValues, 3> b;
+  for (int d = 0; d < 3; ++d)
+    b[static_cast<std::size_t>(d)] = geometry::basis(patch.knots(d), parameter[d], 1);
+  // Row 0: weighted sums of place, displacement and 1; rows 1 to 3: their derivatives.
+  Eigen::Matrix<double, 4, 7> sums = Eigen::Matrix<double, 4, 7>::Zero();
+  for (Eigen::Index k = 0; k < b[2].values.cols(); ++k)
+    for (Eigen::Index j = 0; j < b[1].values.cols(); ++j)
+      for (Eigen::Index i = 0; i < b[0].values.cols(); ++i) {
+        const Eigen::Index index =
+            b[0].first + i + patch.size(0) * (b[1].first + j + patch.size(1) * (b[2].first + k));
+        const double u = b[0].values(0, i), v = b[1].values(0, j), w = b[2].values(0, k);
+        const Eigen::Vector4d factors(u * v * w, b[0].values(1, i) * v * w, u * b[1].values(1, j) * w,
+                                      u * v * b[2].values(1, k));
+        Eigen::Matrix<double, 1, 7> row;
+        row << patch.control_points().col(index).transpose(), displacement.col(index).transpose(), 1.0;
+        sums += factors * (patch.weights()[index] * row);
+      }
+  std::array<FirstDerivatives, 2> result;
+  for (int which = 0; which < 2; ++which) {
+    FirstDerivatives& out = result[static_cast<std::size_t>(which)];
+    out.value = sums.block<1, 3>(0, 3 * which).transpose() / sums(0, 6);
+    for (int d = 0; d < 3; ++d)
+      out.jacobian.col(d) =
+          (sums.block<1, 3>(1 + d, 3 * which).transpose() - sums(1 + d, 6) * out.value) / sums(0, 6);
+  }
+  return result;
+}
+
+bool is_singular(const Eigen::Matrix3d& jacobian) {
+  return std::abs(jacobian.determinant()) <= 1e-10 * std::pow(jacobian.colwise().norm().maxCoeff(), 3);
 }
 
 Parameter<3> clamped(const NurbsVolume& patch, const Parameter<3>& parameter) {
@@ -72,16 +110,23 @@ double von_mises(const Eigen::Matrix3d& stress) {
 
 FieldValues evaluate(const ElasticField& field, int patch, const Parameter<3>& parameter) {
   const auto p = static_cast<std::size_t>(patch);
-  const NurbsVolume map = displacement_map(field, patch);
-  const Eigen::Matrix3d jacobian = field.patches[p].jacobian(parameter);
-  const Eigen::Matrix3d gradient = map.jacobian(parameter) * jacobian.inverse();
+  const NurbsVolume& volume = field.patches[p];
+  const auto [place, displacement] = first_derivatives(volume, field.displacement[p], parameter);
   FieldValues values;
-  values.place = field.patches[p].point(parameter);
-  values.displacement = map.point(parameter);
+  values.place = place.value;
+  values.displacement = displacement.value;
+  values.jacobian = place.jacobian.determinant();
+  Eigen::Matrix3d gradient;
+  if (is_singular(place.jacobian)) {
+    const Parameter<3> inside = parameter + 1e-3 * (0.5 * (volume.low() + volume.high()) - parameter);
+    const auto [place_there, displacement_there] = first_derivatives(volume, field.displacement[p], inside);
+    gradient = displacement_there.jacobian * place_there.jacobian.inverse();
+  } else {
+    gradient = displacement.jacobian * place.jacobian.inverse();
+  }
   values.strain = 0.5 * (gradient + gradient.transpose());
   values.stress = stress(values.strain, field.materials[p]);
   values.von_mises = von_mises(values.stress);
-  values.jacobian = jacobian.determinant();
   return values;
 }
 
@@ -93,7 +138,6 @@ Location locate(const ElasticField& field, const Eigen::Vector3d& place) {
     if (geometry::box(patch).exteriorDistance(place) > best.distance) continue;
     // The nearest of a grid of points with two per element starts the iteration.
     Parameter<3> start = patch.low();
-    double nearest = std::numeric_limits<double>::infinity();
     std::array<std::vector<double>, 3> grid;
     for (int d = 0; d < 3; ++d) {
       const std::vector<double> breaks = patch.knots(d).breaks();
@@ -101,16 +145,13 @@ Location locate(const ElasticField& field, const Eigen::Vector3d& place) {
         for (const double share : {0.25, 0.75})
           grid[static_cast<std::size_t>(d)].push_back(breaks[e] + share * (breaks[e + 1] - breaks[e]));
     }
-    for (const double w : grid[2]) {
-      for (const double v : grid[1]) {
-        for (const double u : grid[0]) {
-          const double distance = (patch.point({u, v, w}) - place).norm();
-          if (distance < nearest) {
-            nearest = distance;
-            start = {u, v, w};
-          }
-        }
-      }
+    const Eigen::Matrix3Xd points = geometry::points_on_grid(patch, grid);
+    Eigen::Index nearest = 0;
+    (points.colwise() - place).colwise().squaredNorm().minCoeff(&nearest);
+    for (std::size_t d = 0; d < 3; ++d) {
+      const auto count = static_cast<Eigen::Index>(grid[d].size());
+      start[static_cast<int>(d)] = grid[d][static_cast<std::size_t>(nearest % count)];
+      nearest /= count;
     }
     const Location found = closest(patch, static_cast<int>(p), place, start);
     if (found.distance < best.distance) best = found;

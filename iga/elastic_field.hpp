@@ -26,7 +26,10 @@ struct FieldValues {
 };
 
 /// @param patch      index of the patch, from 0
-/// @param parameter  in the domain of the patch
+/// @param parameter  in the domain of the patch; where the map is singular (on a collapsed edge), strain and
+/// stress are
+///                   those a thousandth of the way to the patch's middle
+/// @cost             O((degree + 1)^3)
 FieldValues evaluate(const ElasticField& field, int patch, const geometry::Parameter<3>& parameter);
 
 /// sqrt(3/2 s:s) of the stress deviator s.
@@ -41,7 +44,7 @@ struct Location {
 
 /// The patch and parameter closest to a point.
 /// @return  distance is 0 up to round-off for points inside; callers decide what distance is too far
-/// @cost    a few Newton iterations in each patch whose box is near
+/// @cost    eight points per element and a few Newton iterations in each patch whose box is near
 Location locate(const ElasticField& field, const Eigen::Vector3d& place);
 
 }  // namespace isopatch::iga

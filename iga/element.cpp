@@ -56,10 +56,6 @@ std::int64_t ElementEvaluator::element_count() const {
   return count;
 }
 
-std::array<int, 3> ElementEvaluator::functions_per_direction() const {
-  return {patch_->degree(0) + 1, patch_->degree(1) + 1, patch_->degree(2) + 1};
-}
-
 std::array<const DirectionTable::Element*, 3> ElementEvaluator::of(std::int64_t element) const {
   std::array<const DirectionTable::Element*, 3> result;
   for (std::size_t d = 0; d < 3; ++d) {

@@ -44,7 +44,6 @@ class ElementEvaluator {
   ElementEvaluator(const geometry::NurbsVolume& patch, const std::array<geometry::QuadratureRule, 3>& rules);
 
   std::int64_t element_count() const;
-  std::array<int, 3> functions_per_direction() const;
   /// Fills `values`, whose storage is used again from element to element.
   void evaluate(std::int64_t element, ElementValues& values) const;
   /// Parameter of a quadrature point.

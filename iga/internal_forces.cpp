@@ -6,6 +6,7 @@ namespace isopatch::iga {
 namespace {
 
 struct ElementForces {
+  ElementAt at;
   std::vector<int> functions;
   Eigen::MatrixXd forces;  // (n, 3)
   double energy = 0;
@@ -48,35 +49,32 @@ InternalForces internal_forces(const Discretization& d, const std::vector<Materi
   InternalForces result;
   result.forces = Eigen::Matrix3Xd::Zero(3, d.node_count());
   result.max_von_mises.value = -1;
-  std::int64_t element_of_patch = 0;
-  std::int64_t worst_element = 0;
+  ElementAt worst;
   Eigen::Index worst_point = 0;
-  int last_patch = -1;
-  for_each_element<ElementForces>(
+  struct NoScratch {};
+  for_each_element<NoScratch, ElementForces>(
       d, points, 16384, progress, "stresses",
-      [&](int patch, const ElementValues& values, ElementForces& element) {
-        const auto p = static_cast<std::size_t>(patch);
+      [&](const ElementAt& at, const ElementValues& values, NoScratch&, ElementForces& element) {
+        const auto p = static_cast<std::size_t>(at.patch);
+        element.at = at;
         compute_element(values, materials[p], displacement, d.first_node[p], element);
       },
-      [&](int patch, const std::vector<ElementForces>& elements, std::int64_t count) {
-        if (patch != last_patch) element_of_patch = 0;
-        last_patch = patch;
-        for (std::int64_t i = 0; i < count; ++i, ++element_of_patch) {
-          const ElementForces& element = elements[static_cast<std::size_t>(i)];
+      [&](std::span<const ElementForces> elements) {
+        for (const ElementForces& element : elements) {
           result.energy += element.energy;
+          const int first = d.first_node[static_cast<std::size_t>(element.at.patch)];
           for (std::size_t a = 0; a < element.functions.size(); ++a)
-            result.forces.col(d.first_node[static_cast<std::size_t>(patch)] + element.functions[a]) +=
+            result.forces.col(first + element.functions[a]) +=
                 element.forces.row(static_cast<Eigen::Index>(a)).transpose();
           if (element.max_von_mises > result.max_von_mises.value) {
-            result.max_von_mises = {element.max_von_mises, element.worst_place, patch, {}};
-            worst_element = element_of_patch;
+            result.max_von_mises = {element.max_von_mises, element.worst_place, element.at.patch, {}};
+            worst = element.at;
             worst_point = element.worst_point;
           }
         }
       });
-  const int patch = result.max_von_mises.patch;
-  const ElementEvaluator evaluator(d.patches[static_cast<std::size_t>(patch)], points);
-  result.max_von_mises.parameter = evaluator.parameter(worst_element, worst_point);
+  const ElementEvaluator evaluator(d.patches[static_cast<std::size_t>(worst.patch)], points);
+  result.max_von_mises.parameter = evaluator.parameter(worst.element, worst_point);
   return result;
 }
 

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "geometry/base/error.hpp"
-#include "geometry/measures.hpp"
 #include "iga/element.hpp"
 
 namespace isopatch::iga {
@@ -32,10 +31,14 @@ SurfaceLoad pressure_load(std::string name, std::vector<PatchFace> faces, double
 }
 
 SurfaceLoad total_force(std::string name, std::vector<PatchFace> faces, const Eigen::Vector3d& force,
-                        const geometry::MultiPatch& model) {
+                        const Discretization& d) {
+  // With the rule that the load itself is integrated with, the force adds up to the last digits.
   double area = 0;
   for (const PatchFace face : faces)
-    area += geometry::area(geometry::face_surface(model.patch(face.patch), face.side));
+    area += face_load(d.patches.at(static_cast<std::size_t>(face.patch.value)), face.side,
+                      [](const Eigen::Vector3d&, const Eigen::Vector3d&) { return Eigen::Vector3d(1, 0, 0); })
+                .row(0)
+                .sum();
   if (!(area > 0))
     throw Error(ErrorCode::invalid_argument,
                 fmt::format("'{}': a force needs faces with an area to act on", name));
@@ -58,7 +61,7 @@ std::vector<VolumeLoad> gravity(const std::string& name, const std::vector<Patch
 }
 
 Eigen::Matrix3Xd face_load(
-    const geometry::NurbsVolume& patch, geometry::Side side, int points,
+    const geometry::NurbsVolume& patch, geometry::Side side,
     const std::function<Eigen::Vector3d(const Eigen::Vector3d&, const Eigen::Vector3d&)>& traction) {
   const geometry::NurbsSurface surface = geometry::face_surface(patch, side);
   // Of a right-handed patch, the second direction is the one whose two tangents, in increasing order, turn
@@ -66,9 +69,8 @@ Eigen::Matrix3Xd face_load(
   const double outward = (geometry::is_high(side) ? 1 : -1) * (geometry::direction(side) == 1 ? -1 : 1);
   std::array<DirectionTable, 2> tables;
   for (int d = 0; d < 2; ++d)
-    tables[static_cast<std::size_t>(d)] = direction_table(
-        surface.knots(d),
-        geometry::gauss_legendre(points > 0 ? points : surface.degree(d) + extra_face_points));
+    tables[static_cast<std::size_t>(d)] =
+        direction_table(surface.knots(d), geometry::gauss_legendre(surface.degree(d) + extra_face_points));
   Eigen::Matrix3Xd load = Eigen::Matrix3Xd::Zero(3, surface.size());
   for (const auto& v : tables[1].elements) {
     for (const auto& u : tables[0].elements) {
@@ -103,7 +105,7 @@ Eigen::Matrix3Xd face_load(
 
 namespace {
 
-void add_surface_load(const ElasticityProblem& problem, const SurfaceLoad& surface_load, int points,
+void add_surface_load(const ElasticityProblem& problem, const SurfaceLoad& surface_load,
                       Eigen::Matrix3Xd& load) {
   const Discretization& d = problem.discretization;
   const auto& boundary = d.model.boundary_faces();
@@ -113,7 +115,7 @@ void add_surface_load(const ElasticityProblem& problem, const SurfaceLoad& surfa
                   fmt::format("'{}': face {} is not on the boundary of the model", surface_load.name,
                               d.model.label(face)));
     const auto p = static_cast<std::size_t>(face.patch.value);
-    const Eigen::Matrix3Xd on_face = face_load(d.patches[p], face.side, points, surface_load.traction);
+    const Eigen::Matrix3Xd on_face = face_load(d.patches[p], face.side, surface_load.traction);
     if (!on_face.allFinite())
       throw Error(ErrorCode::invalid_argument, fmt::format("'{}': the load on face {} is not finite",
                                                            surface_load.name, d.model.label(face)));
@@ -152,8 +154,7 @@ void add_volume_load(const ElasticityProblem& problem, const VolumeLoad& volume_
 
 Eigen::Matrix3Xd load_vector(const ElasticityProblem& problem, int points) {
   Eigen::Matrix3Xd load = Eigen::Matrix3Xd::Zero(3, problem.discretization.node_count());
-  for (const SurfaceLoad& surface_load : problem.surface_loads)
-    add_surface_load(problem, surface_load, points, load);
+  for (const SurfaceLoad& surface_load : problem.surface_loads) add_surface_load(problem, surface_load, load);
   for (const VolumeLoad& volume_load : problem.volume_loads)
     add_volume_load(problem, volume_load, points, load);
   return load;

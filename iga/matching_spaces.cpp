@@ -8,6 +8,7 @@
 
 #include "geometry/base/error.hpp"
 #include "geometry/splines/transfer.hpp"
+#include "iga/internal/union_find.hpp"
 
 namespace isopatch::iga {
 namespace {
@@ -97,22 +98,12 @@ void for_each_pair(const Interface& interface, const std::vector<geometry::Nurbs
 }  // namespace
 
 std::vector<int> tied_directions(const geometry::MultiPatch& model) {
-  std::vector<int> parent(static_cast<std::size_t>(3 * model.patch_count()));
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](std::size_t i) {
-    int r = static_cast<int>(i);
-    while (parent[static_cast<std::size_t>(r)] != r) r = parent[static_cast<std::size_t>(r)];
-    return r;
-  };
-  for (const Interface& interface : model.interfaces()) {
-    for (const TiedPair& pair : tied_pairs(interface)) {
-      const int a = root(pair.first);
-      const int b = root(pair.second);
-      parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-    }
-  }
-  std::vector<int> classes(parent.size());
-  for (std::size_t i = 0; i < parent.size(); ++i) classes[i] = root(i);
+  UnionFind directions(3 * model.patch_count());
+  for (const Interface& interface : model.interfaces())
+    for (const TiedPair& pair : tied_pairs(interface))
+      directions.unite(static_cast<int>(pair.first), static_cast<int>(pair.second));
+  std::vector<int> classes;
+  for (int i = 0; i < 3 * model.patch_count(); ++i) classes.push_back(directions.find(i));
   return classes;
 }
 

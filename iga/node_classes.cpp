@@ -3,34 +3,11 @@
 #include <numeric>
 
 #include "geometry/collapse.hpp"
+#include "iga/internal/union_find.hpp"
 #include "iga/matching_spaces.hpp"
 
 namespace isopatch::iga {
 namespace {
-
-class UnionFind {
- public:
-  explicit UnionFind(int count) : parent_(static_cast<std::size_t>(count)) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-  int find(int i) {
-    while (parent(i) != i) {
-      parent(i) = parent(parent(i));
-      i = parent(i);
-    }
-    return i;
-  }
-  // The smaller index stays the representative, so classes are numbered by their first node.
-  void unite(int i, int j) {
-    i = find(i);
-    j = find(j);
-    if (i != j) parent(std::max(i, j)) = std::min(i, j);
-  }
-
- private:
-  int& parent(int i) { return parent_[static_cast<std::size_t>(i)]; }
-  std::vector<int> parent_;
-};
 
 // Control points of collapsed edges, and of each line of a side along a direction in which it is collapsed.
 void unite_collapsed(const Discretization& d, int patch, UnionFind& nodes) {

@@ -44,7 +44,7 @@ SurfaceLoad constant_traction(std::string name, std::vector<geometry::PatchFace>
 SurfaceLoad pressure_load(std::string name, std::vector<geometry::PatchFace> faces, double pressure);
 /// A total force (N) spread evenly over the faces' area.
 SurfaceLoad total_force(std::string name, std::vector<geometry::PatchFace> faces,
-                        const Eigen::Vector3d& force, const geometry::MultiPatch& model);
+                        const Eigen::Vector3d& force, const Discretization& discretization);
 
 /// Force per volume in patches, N/m^3.
 struct VolumeLoad {

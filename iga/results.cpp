@@ -2,13 +2,19 @@
 
 #include <Eigen/Geometry>
 
-#include "iga/element.hpp"
+#include "geometry/splines/grid.hpp"
 
 namespace isopatch::iga {
 namespace {
 
-geometry::QuadratureRule even_points(int degree) {
-  return {Eigen::VectorXd::LinSpaced(degree + 1, 0.0, 1.0), Eigen::VectorXd::Ones(degree + 1)};
+// Every element's ends and `degree` - 1 parameters evenly between them.
+std::vector<double> grid_parameters(const geometry::KnotVector& knots) {
+  const std::vector<double> breaks = knots.breaks();
+  std::vector<double> result = {knots.first()};
+  for (std::size_t e = 0; e + 1 < breaks.size(); ++e)
+    for (int k = 1; k <= knots.degree(); ++k)
+      result.push_back(breaks[e] + (breaks[e + 1] - breaks[e]) * k / knots.degree());
+  return result;
 }
 
 }  // namespace
@@ -16,21 +22,20 @@ geometry::QuadratureRule even_points(int degree) {
 Extremum max_displacement(const ElasticField& field) {
   Extremum result;
   result.value = -1;
-  ElementValues values;
   for (std::size_t p = 0; p < field.patches.size(); ++p) {
-    const auto& patch = field.patches[p];
-    const ElementEvaluator evaluator(
-        patch, {even_points(patch.degree(0)), even_points(patch.degree(1)), even_points(patch.degree(2))});
-    for (std::int64_t e = 0; e < evaluator.element_count(); ++e) {
-      evaluator.evaluate(e, values);
-      Eigen::Matrix3Xd u(3, static_cast<Eigen::Index>(values.functions.size()));
-      for (Eigen::Index a = 0; a < u.cols(); ++a)
-        u.col(a) = field.displacement[p].col(values.functions[static_cast<std::size_t>(a)]);
-      Eigen::Index at = 0;
-      const double longest = (u * values.values).colwise().norm().maxCoeff(&at);
-      if (longest > result.value)
-        result = {longest, values.places.col(at), static_cast<int>(p), evaluator.parameter(e, at)};
-    }
+    const geometry::NurbsVolume& patch = field.patches[p];
+    const geometry::GridParameters<3> grid = {
+        grid_parameters(patch.knots(0)), grid_parameters(patch.knots(1)), grid_parameters(patch.knots(2))};
+    const geometry::NurbsVolume moved(patch.knots(), field.displacement[p], patch.weights());
+    Eigen::Index at = 0;
+    const double longest = geometry::points_on_grid(moved, grid).colwise().norm().maxCoeff(&at);
+    if (longest <= result.value) continue;
+    const auto m = static_cast<Eigen::Index>(grid[0].size());
+    const auto n = static_cast<Eigen::Index>(grid[1].size());
+    const geometry::Parameter<3> parameter(grid[0][static_cast<std::size_t>(at % m)],
+                                           grid[1][static_cast<std::size_t>(at / m % n)],
+                                           grid[2][static_cast<std::size_t>(at / m / n)]);
+    result = {longest, patch.point(parameter), static_cast<int>(p), parameter};
   }
   return result;
 }
@@ -46,9 +51,14 @@ std::vector<Reaction> support_reactions(const ElasticityProblem& problem, const 
     for (int i = 0; i < d.patches[p].size(); ++i) {
       const int node = d.first_node[p] + i;
       const Frame& frame = frames[static_cast<std::size_t>(classes.class_of[static_cast<std::size_t>(node)])];
+      // The residual is a sum of forces along the supports' own directions, which are triangular in the axes.
+      Eigen::Vector3d rest = forces.col(node);
       for (int k = frame.free; k < 3; ++k) {
+        const Eigen::Vector3d& direction = frame.direction[static_cast<std::size_t>(k)];
+        const Eigen::Vector3d force =
+            direction * (frame.axes.col(k).dot(rest) / frame.axes.col(k).dot(direction));
+        rest -= force;
         Reaction& reaction = reactions[static_cast<std::size_t>(frame.support[static_cast<std::size_t>(k)])];
-        const Eigen::Vector3d force = frame.axes.col(k) * frame.axes.col(k).dot(forces.col(node));
         reaction.force += force;
         // Rigid rotations have the control points' own displacements as coefficients, so this moment is
         // exact.

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "geometry/base/error.hpp"
+#include "geometry/measures.hpp"
 
 namespace isopatch::iga {
 namespace {
@@ -54,12 +55,14 @@ std::vector<std::string> described(const Eigen::MatrixXd& null_space, const Eige
 std::vector<FreeBody> free_bodies(const Discretization& d, const NodeClasses& classes,
                                   const std::vector<Frame>& frames) {
   std::vector<FreeBody> result;
-  const double size = d.model.size();
   for (const std::vector<PatchId>& body : d.model.bodies()) {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
     for (const PatchId patch : body)
       centre += d.patches[static_cast<std::size_t>(patch.value)].control_points().rowwise().mean() /
                 double(body.size());
+    Eigen::AlignedBox3d extent;
+    for (const PatchId patch : body) extent.extend(geometry::box(d.model.patch(patch)));
+    const double size = extent.diagonal().norm();
     Eigen::Matrix<double, 6, 6> gram = Eigen::Matrix<double, 6, 6>::Zero();
     for (const PatchId patch : body) {
       const auto p = static_cast<std::size_t>(patch.value);

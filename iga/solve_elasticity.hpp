@@ -22,7 +22,7 @@ std::string_view name(Coupling coupling);
 struct ElasticityOptions {
   Coupling coupling = Coupling::elimination;
   solvers::SolverOptions solver = {};
-  /// Gauss points per element and direction; 0: degree + 1. Range 0 .. 20.
+  /// Gauss points per element and direction in volumes; 0: degree + 1. Range 0 .. 20.
   int quadrature_points = 0;
 };
 
@@ -33,13 +33,14 @@ struct ProblemSize {
   std::int64_t dofs_uncoupled = 0;    ///< 3 control_points
   std::int64_t dofs_eliminated = 0;   ///< 3 times the classes of coincident control points
   std::int64_t multipliers = 0;       ///< dofs_uncoupled - dofs_eliminated: rows that tie the patches
-  std::int64_t multipliers_free = 0;  ///< of these, rows left where supports already fix all their points
+  std::int64_t multipliers_free = 0;  ///< of these, the rows that remain: those in components that supports fix are dropped
   std::int64_t dofs = 0;  ///< unknowns of the chosen coupling before supports are fixed, multipliers included
   std::int64_t dofs_free = 0;  ///< the same after supports are fixed
 };
 
 /// What holds two coincident control points together: the force that the first exerts on the second is
 /// `force`.
+/// Without the components that supports fix; pairs with all components fixed have none.
 struct Multiplier {
   int first_node = 0;
   int second_node = 0;

@@ -15,14 +15,21 @@ namespace {
 
 using geometry::PatchFace;
 
-// One scalar condition on a point: direction . u = value, direction of unit length.
+// One scalar condition on a point: direction . u = value.
 struct Condition {
-  Eigen::Vector3d direction;
-  double value;
+  Eigen::Vector3d direction;  // of unit length
+  double value = 0;
+  double uncertainty = 0;  // of the direction, rad: conditions that differ by less are the same
 };
 
-// Directions closer than this (radians) count as parallel: planes of published models are flat to about 1e-8.
-constexpr double parallel = 1e-5;
+// Planes of published models are flat to about 1e-8 of their size.
+constexpr double least_uncertainty = 1e-5;
+
+// The outward normal of a plane face, and how far its points' own disagreement may turn it.
+struct PlaneNormal {
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  double uncertainty = least_uncertainty;
+};
 
 std::string point_text(const Eigen::Vector3d& x) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g}) m", x[0], x[1], x[2]);
@@ -34,10 +41,11 @@ void impose(Frame& frame, const Condition& condition, int support, const Elastic
   Eigen::Vector3d rest = condition.direction;
   for (int k = frame.free; k < 3; ++k) rest -= frame.axes.col(k) * frame.axes.col(k).dot(condition.direction);
   const double value_there = condition.direction.dot(frame.prescribed);
-  if (frame.free == 0 || rest.norm() < parallel) {
+  frame.uncertainty = std::max(frame.uncertainty, condition.uncertainty);
+  if (frame.free == 0 || rest.norm() < frame.uncertainty) {
     const double scale = std::max(
         {std::abs(condition.value), frame.prescribed.norm(), 1e-6 * problem.discretization.model.size()});
-    if (std::abs(condition.value - value_there) <= 1e-6 * scale) return;
+    if (std::abs(condition.value - value_there) <= std::max(1e-6, frame.uncertainty) * scale) return;
     int other = support;
     for (int k = frame.free; k < 3; ++k)
       if (std::abs(frame.axes.col(k).dot(condition.direction)) > 0.5)
@@ -56,6 +64,7 @@ void impose(Frame& frame, const Condition& condition, int support, const Elastic
   // The new fixed axis takes the last free place; the free ones before it span what remains.
   const int place_of_axis = --frame.free;
   frame.axes.col(place_of_axis) = axis;
+  frame.direction[static_cast<std::size_t>(place_of_axis)] = condition.direction;
   frame.support[static_cast<std::size_t>(place_of_axis)] = support;
   int filled = 0;
   for (int candidate = 0; candidate < 3 && filled < frame.free; ++candidate) {
@@ -69,8 +78,8 @@ void impose(Frame& frame, const Condition& condition, int support, const Elastic
   }
 }
 
-// Outward unit normal of a face that must be plane.
-Eigen::Vector3d plane_normal(const geometry::MultiPatch& model, PatchFace face, const std::string& support) {
+// For a face that must be plane.
+PlaneNormal plane_normal(const geometry::MultiPatch& model, PatchFace face, const std::string& support) {
   const geometry::NurbsVolume& patch = model.patch(face.patch);
   const Eigen::Matrix3Xd points = geometry::face_surface(patch, face.side).control_points();
   const Eigen::Vector3d centre = points.rowwise().mean();
@@ -92,18 +101,30 @@ Eigen::Vector3d plane_normal(const geometry::MultiPatch& model, PatchFace face, 
   for (int d = 0; d < 3; ++d)
     if (std::abs(std::abs(normal[d]) - 1) < 1e-12)
       normal = Eigen::Vector3d::Unit(d) * (normal[d] > 0 ? 1 : -1);
-  return normal;
+  // Points may be off by the tolerance, which turns narrow faces most; below a degree, so that corners stay
+  // corners.
+  const Eigen::VectorXd across = (points.colwise() - centre).transpose() * eigen.eigenvectors().col(1);
+  const double width = across.maxCoeff() - across.minCoeff();
+  const double off = std::max(off_plane, model.tolerance().same_point * model.size());
+  return {normal, std::clamp(4 * off / width, least_uncertainty, 1e-2)};
+}
+
+Eigen::Vector3d control_point(const Discretization& d, int node) {
+  const auto patch = static_cast<std::size_t>(
+      std::upper_bound(d.first_node.begin(), d.first_node.end(), node) - d.first_node.begin() - 1);
+  return d.patches[patch].control_points().col(node - d.first_node[patch]);
 }
 
 std::vector<Condition> conditions_at(const Support& support, const Eigen::Vector3d& place,
-                                     const Eigen::Vector3d& normal) {
+                                     const PlaneNormal& plane_of_face) {
   if (const auto* plane = std::get_if<PlaneSupport>(&support.condition))
-    return {{normal, plane->normal_displacement}};
+    return {{plane_of_face.normal, plane->normal_displacement, plane_of_face.uncertainty}};
   const auto& prescribed = std::get<PrescribedDisplacement>(support.condition);
   std::vector<Condition> result;
   for (int d = 0; d < 3; ++d)
     if (const auto& value = prescribed.value[static_cast<std::size_t>(d)])
-      result.push_back({Eigen::Vector3d::Unit(d), *value + prescribed.gradient.row(d).dot(place)});
+      result.push_back(
+          {Eigen::Vector3d::Unit(d), *value + prescribed.gradient.row(d).dot(place), least_uncertainty});
   return result;
 }
 
@@ -121,12 +142,13 @@ std::vector<Frame> support_frames(const ElasticityProblem& problem, const NodeCl
                     fmt::format("'{}': face {} is not on the boundary of the model", support.name,
                                 d.model.label(face)));
       const bool plane = std::holds_alternative<PlaneSupport>(support.condition);
-      const Eigen::Vector3d normal =
-          plane ? plane_normal(d.model, face, support.name) : Eigen::Vector3d::Zero();
+      const PlaneNormal normal = plane ? plane_normal(d.model, face, support.name) : PlaneNormal{};
       const auto patch = static_cast<std::size_t>(face.patch.value);
       for (const int point : geometry::face_control_points(d.patches[patch].sizes(), face.side)) {
         const int node_class = classes.class_of[static_cast<std::size_t>(d.first_node[patch] + point)];
-        const Eigen::Vector3d place = d.patches[patch].control_points().col(point);
+        // One place for all nodes of a class, or a gradient would prescribe their distances as a
+        // contradiction.
+        const Eigen::Vector3d place = control_point(d, classes.of(node_class)[0]);
         for (const Condition& condition : conditions_at(support, place, normal))
           impose(frames[static_cast<std::size_t>(node_class)], condition, static_cast<int>(s), problem,
                  place);

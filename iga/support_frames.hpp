@@ -16,7 +16,12 @@ struct Frame {
       Eigen::Matrix3d::Identity();  ///< orthonormal columns: the free directions, then the fixed ones
   int free = 3;                     ///< number of free directions
   Eigen::Vector3d prescribed = Eigen::Vector3d::Zero();  ///< m, without component along the free directions
-  std::array<int, 3> support = {-1, -1, -1};             ///< per column: the support that fixes it, or -1
+  /// Per fixed column: the unit direction along which its support acts; the columns are these, orthogonalized
+  /// from the last one down.
+  std::array<Eigen::Vector3d, 3> direction = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
+                                              Eigen::Vector3d::Zero()};
+  double uncertainty = 0;                     ///< of the directions, rad
+  std::array<int, 3> support = {-1, -1, -1};  ///< per column: the support that fixes it, or -1
 };
 
 /// One frame per class of nodes.

@@ -33,7 +33,8 @@ struct MultiplierRow {
 std::vector<MultiplierRow> multiplier_rows(const NodeClasses& classes, const std::vector<Frame>& frames);
 
 /// B with x(first) - x(second) = 0 in each row; x as in apply_supports, one block row per node.
-/// @throws Error internal if the rank, found by a factorization of B B^T, is not full
+/// @throws Error internal if the rank is not full: the rows, as edges between components of nodes, close a
+/// circle
 solvers::ConstraintMatrix multiplier_matrix(const std::vector<MultiplierRow>& rows, int nodes);
 
 /// The multipliers of a known solution: (B B^T)^-1 B r, with the residual r = f - K u of every node in frame

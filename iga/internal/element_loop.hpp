@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/base/progress.hpp"
 #include "iga/discretization.hpp"
 #include "iga/element.hpp"
+#include "iga/internal/parallel_for.hpp"
 
 namespace isopatch::iga {
 
@@ -17,48 +19,48 @@ void require_positive_jacobian(const Discretization& discretization, int patch,
                                const ElementEvaluator& evaluator, std::int64_t element,
                                const ElementValues& values);
 
-/// Walks over all elements in batches: each batch is computed in parallel, then consumed.
+/// One element of a discretization.
+struct ElementAt {
+  int patch = 0;
+  std::int64_t element = 0;  ///< within the patch
+};
+
+/// Walks over all elements of all patches in batches: each batch is computed in parallel, then consumed.
 ///
-/// @param compute  (patch, ElementValues, Result&): called in parallel
-/// @param consume  (patch, const std::vector<Result>&, count): called by one thread, in the order of the
-/// elements,
-///                 so that what it sums does not depend on the number of threads
-/// @param batch_bytes_per_element  what one Result holds; batches stay below 64 MB
-template <class Result, class Compute, class Consume>
-void for_each_element(const Discretization& discretization, int points, std::int64_t batch_bytes_per_element,
+/// @param compute  (ElementAt, const ElementValues&, Scratch&, Result&): called in parallel; one Scratch a
+/// thread
+/// @param consume  (std::span<const Result>): called by one thread, in the order of the elements, so that
+/// what it
+///                 sums does not depend on the number of threads
+/// @param result_bytes  what one Result holds: a batch stays below 64 MB, but has two elements a thread
+template <class Scratch, class Result, class Compute, class Consume>
+void for_each_element(const Discretization& discretization, int points, std::int64_t result_bytes,
                       const Progress& progress, const char* phase, Compute compute, Consume consume) {
-  const int threads = omp_get_max_threads();
-  const std::int64_t batch = std::max<std::int64_t>(
-      2 * threads, (std::int64_t{64} << 20) / std::max<std::int64_t>(1, batch_bytes_per_element));
-  std::vector<Result> results;
-  std::vector<ElementValues> values(static_cast<std::size_t>(threads));
-  const auto total = static_cast<double>(discretization.element_count());
-  std::int64_t done = 0;
-  for (int patch = 0; patch < discretization.patch_count(); ++patch) {
-    const ElementEvaluator evaluator(discretization.patches[static_cast<std::size_t>(patch)], points);
-    for (std::int64_t first = 0; first < evaluator.element_count(); first += batch) {
-      const std::int64_t count = std::min(batch, evaluator.element_count() - first);
-      results.resize(std::max(results.size(), static_cast<std::size_t>(count)));
-      std::int64_t folded = -1;
-#pragma omp parallel for schedule(dynamic, 1)
-      for (std::int64_t i = 0; i < count; ++i) {
-        ElementValues& at = values[static_cast<std::size_t>(omp_get_thread_num())];
-        evaluator.evaluate(first + i, at);
-        if (at.jacobians.minCoeff() > 0) {
-          compute(patch, at, results[static_cast<std::size_t>(i)]);
-        } else {
-#pragma omp critical
-          folded = folded < 0 ? first + i : std::min(folded, first + i);
-        }
-      }
-      if (folded >= 0) {
-        evaluator.evaluate(folded, values[0]);
-        require_positive_jacobian(discretization, patch, evaluator, folded, values[0]);
-      }
-      consume(patch, results, count);
-      done += count;
-      progress(phase, static_cast<double>(done) / total);
-    }
+  const auto threads = static_cast<std::size_t>(omp_get_max_threads());
+  std::vector<ElementEvaluator> evaluators;
+  std::vector<std::int64_t> first = {0};
+  for (const geometry::NurbsVolume& patch : discretization.patches) {
+    evaluators.emplace_back(patch, points);
+    first.push_back(first.back() + evaluators.back().element_count());
+  }
+  const std::int64_t batch =
+      std::max<std::int64_t>(2 * static_cast<std::int64_t>(threads), (std::int64_t{64} << 20) / result_bytes);
+  std::vector<Result> results(static_cast<std::size_t>(std::min(batch, first.back())));
+  std::vector<Scratch> scratch(threads);
+  std::vector<ElementValues> values(threads);
+  for (std::int64_t start = 0; start < first.back(); start += batch) {
+    const std::int64_t count = std::min(batch, first.back() - start);
+    parallel_for(count, [&](std::int64_t i, int thread) {
+      const auto patch = std::upper_bound(first.begin(), first.end(), start + i) - first.begin() - 1;
+      const ElementAt at{static_cast<int>(patch), start + i - first[static_cast<std::size_t>(patch)]};
+      ElementValues& here = values[static_cast<std::size_t>(thread)];
+      const ElementEvaluator& evaluator = evaluators[static_cast<std::size_t>(patch)];
+      evaluator.evaluate(at.element, here);
+      require_positive_jacobian(discretization, at.patch, evaluator, at.element, here);
+      compute(at, here, scratch[static_cast<std::size_t>(thread)], results[static_cast<std::size_t>(i)]);
+    });
+    consume(std::span<const Result>(results.data(), static_cast<std::size_t>(count)));
+    progress(phase, static_cast<double>(start + count) / static_cast<double>(first.back()));
   }
 }
 

@@ -1,6 +1,7 @@
 #include "iga/assembly.hpp"
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -94,6 +95,23 @@ TEST(Assembly, LeavesExactlySixRigidMotionsToAFreePatch) {
   const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k).eigenvalues();
   EXPECT_LT(values.head<6>().cwiseAbs().maxCoeff(), 1e-13 * values.maxCoeff());
   EXPECT_GT(values[6], 1e-4 * values.maxCoeff());
+}
+
+TEST(Assembly, GivesTheSameBitsForAnyNumberOfThreads) {
+  const geometry::MultiPatch model =
+      geometry::connect(geometry::box_model({.patches = {2, 2, 1}, .distortion = 0.2}));
+  const Discretization d = discretize(model, {.refine = 2});
+  const std::vector<Material> materials(4, isotropic(1, 0.3));
+  const int usual = omp_get_max_threads();
+  omp_set_num_threads(1);
+  const auto one = assemble_stiffness(d, materials, own_rows(d));
+  for (const auto& [threads, dynamic] : {std::pair{2, 0}, std::pair{5, 0}, std::pair{8, 1}}) {
+    omp_set_num_threads(threads);
+    omp_set_dynamic(dynamic);  // lets the runtime give fewer threads than asked for
+    EXPECT_EQ(assemble_stiffness(d, materials, own_rows(d)).values, one.values) << threads;
+  }
+  omp_set_dynamic(0);
+  omp_set_num_threads(usual);
 }
 
 TEST(Assembly, SharedRowsSumWhatTheirNodesHave) {

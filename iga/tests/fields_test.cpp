@@ -27,7 +27,7 @@ ElasticityProblem elbow() {
                                 isotropic(200, 0.3, 2.0, "soft"));
   const auto& model = p.discretization.model;
   p.supports = {{"inlet", boundary(model, "inlet"), PrescribedDisplacement{}}};
-  p.surface_loads = {total_force("pull", boundary(model, "outlet"), {0, 0.1, 0}, model)};
+  p.surface_loads = {total_force("pull", boundary(model, "outlet"), {0, 0.1, 0}, p.discretization)};
   return p;
 }
 
@@ -52,6 +52,19 @@ TEST(ElasticField, LocatesItsOwnPoints) {
   }
   EXPECT_NEAR(locate(field, {0, 0, 1}).distance, 8, 1e-6)
       << "the axis of the inlet pipe is a bore radius away";
+}
+
+TEST(ElasticField, HasFiniteStressOnACollapsedEdge) {
+  const NurbsVolume cube;
+  Eigen::Matrix3Xd points = cube.control_points();
+  for (int i = 0; i < 8; ++i)
+    if (points(0, i) == 0) points(1, i) = 0.5;
+  // u = (x, 0, 0) / 1000 everywhere.
+  const Eigen::Matrix3Xd u = Eigen::Vector3d(1e-3, 0, 0).asDiagonal() * points;
+  const ElasticField field{{NurbsVolume(cube.knots(), points)}, {u}, {isotropic(1000, 0)}};
+  const FieldValues at = evaluate(field, 0, {0, 0.5, 0.5});
+  EXPECT_NEAR(at.stress(0, 0), 1, 1e-9);
+  EXPECT_NEAR(at.jacobian, 0, 1e-15);
 }
 
 TEST(BezierCells, CarryTheFieldsOfTheSolution) {

@@ -118,6 +118,57 @@ TEST(SolveElasticity, CouplingsAgreeInDisplacementEnergyAndMultipliers) {
   EXPECT_LT(b.size.multipliers_free, b.size.multipliers);
 }
 
+TEST(SolveElasticity, RollersPushAlongTheirNormalsOnly) {
+  const geometry::NurbsVolume cube;
+  Eigen::Matrix3Xd points = cube.control_points();
+  points.row(0) += 0.6 * points.row(1);
+  ElasticityProblem p = problem(geometry::connect({{geometry::NurbsVolume(cube.knots(), points)}, {}, {}}),
+                                {.refine = 1}, steel);
+  const auto side = [](geometry::Side s) { return std::vector<geometry::PatchFace>{{PatchId(0), s}}; };
+  p.supports = {{"south", side(geometry::Side::south), PlaneSupport{}},
+                {"west", side(geometry::Side::west), PlaneSupport{}},
+                {"front", side(geometry::Side::front), PlaneSupport{}}};
+  p.surface_loads = {constant_traction("push", side(geometry::Side::east), {-2e6, 1e6, 0})};
+  const auto reactions = solve_elasticity(p).results.reactions;
+  const double size = reactions[1].force.norm();
+  EXPECT_GT(size, 1e6);
+  EXPECT_NEAR(reactions[0].force[0] / size, 0, 1e-9);
+  EXPECT_NEAR(reactions[1].force[1] / reactions[1].force[0], -0.6, 1e-9);
+}
+
+// Two patches in a row whose shared corners are `off` away from where they should be, by `direction`.
+geometry::MultiPatch imperfect_bar(double off, int direction, bool both_patches) {
+  geometry::PatchSet set = geometry::box_model({.size = {0.1, 1, 1}, .patches = {2, 1, 1}});
+  for (std::size_t p = both_patches ? 0 : 1; p < 2; ++p) {
+    Eigen::Matrix3Xd points = set.patches[p].control_points();
+    for (int i = 0; i < 8; ++i)
+      if (std::abs(points(0, i) - 0.05) < 1e-9 && points(2, i) == 0) points(direction, i) += off;
+    set.patches[p] = geometry::NurbsVolume(set.patches[p].knots(), points);
+  }
+  return geometry::connect(set);
+}
+
+TEST(SolveElasticity, DoesNotLockOnASymmetryPlaneThatIsFlatOnlyToTheTolerance) {
+  double energy[2];
+  for (const int imperfect : {0, 1}) {
+    ElasticityProblem p = problem(imperfect_bar(5e-7 * imperfect, 2, true), {.degree = {2, 2, 2}}, steel);
+    const auto& model = p.discretization.model;
+    for (const char* plane : {"x_min", "y_min", "z_min"})
+      p.supports.push_back({plane, boundary(model, plane), PlaneSupport{}});
+    p.surface_loads = {constant_traction("pull", boundary(model, "x_max"), {1e8, 0, 0})};
+    energy[imperfect] = solve_elasticity(p).results.internal_energy;
+  }
+  EXPECT_NEAR(energy[1] / energy[0], 1, 1e-4);
+}
+
+TEST(SolveElasticity, AGradientDoesNotContradictItselfAcrossAGapWithinTheTolerance) {
+  ElasticityProblem p = problem(imperfect_bar(1e-7, 0, false), {}, steel);
+  PrescribedDisplacement stretched{.value = {-5e-5, 0.0, 0.0}};
+  stretched.gradient(0, 0) = 1e-3;
+  p.supports = {{"stretched", boundary(p.discretization.model, "z_min"), stretched}};
+  EXPECT_NO_THROW(solve_elasticity(p));
+}
+
 TEST(SolveElasticity, NamesTheRigidMotionsLeft) {
   ElasticityProblem p = problem(distorted_box(), {}, steel);
   p.supports = {{"rest", boundary(p.discretization.model, "z_min"), PlaneSupport{}}};

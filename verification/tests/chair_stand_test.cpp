@@ -25,7 +25,7 @@ TEST(ChairStand, HasTheEnergyAndSagOfFiniteElements) {
          {{PatchId(6), Side::front}, {PatchId(8), Side::south}},
          iga::PrescribedDisplacement{{std::nullopt, std::nullopt, 0.0}}}};
     problem.surface_loads = {
-        iga::total_force("hub bore", {{PatchId(1), Side::north}}, {0, 0, -159.903}, model)};
+        iga::total_force("hub bore", {{PatchId(1), Side::north}}, {0, 0, -159.903}, problem.discretization)};
     const iga::ElasticitySolution solution = iga::solve_elasticity(problem, {.coupling = coupling});
     EXPECT_NEAR(solution.results.internal_energy / 25.409e-3, 1, 0.005);
     // A traction spread evenly works on the mean displacement of its face.

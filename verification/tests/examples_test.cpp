@@ -1,0 +1,136 @@
+// Every example as its reader runs it: the program's own summary against the figures of its README.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <sstream>
+
+#include "app/program.hpp"
+#include "geometry/base/atomic_file.hpp"
+#include "verification/tests/reference_data.hpp"
+
+namespace isopatch::verification {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+/// Runs examples in a folder that goes with the test.
+class Examples : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "isopatch-examples-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  /// The summary of an example, which must run; {} if it does not.
+  json summary_of(const std::string& name, const std::vector<std::string>& more = {}) const {
+    const fs::path study = fs::path(ISOPATCH_SOURCE_DIR) / "examples" / name / "study.toml";
+    std::vector<std::string> arguments = {"run", study.string(), "--output", folder_.string(), "--quiet"};
+    for (const char* setting : {"output.fields=false", "output.hdf5=false"})
+      arguments.insert(arguments.end(), {"--set", setting});
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    std::ostringstream out;
+    std::ostringstream err;
+    const int code = app::run_program(arguments, {out, err, false, false, true});
+    EXPECT_EQ(code, 0) << err.str();
+    return code == 0 ? json::parse(read_file(folder_ / "summary.json")) : json::object();
+  }
+
+  fs::path folder_;
+};
+
+double at(const json& values, const char* pointer) {
+  return values.at(json::json_pointer(pointer)).get<double>();
+}
+
+constexpr double same = 1e-6;         // relative; figures are given with seven digits or more
+constexpr double equilibrium = 1e-9;  // relative; the solver's residual is below 1e-10
+
+void expect_figures(const json& summary, int dofs_free, double energy, double max_displacement) {
+  ASSERT_FALSE(summary.empty());
+  EXPECT_EQ(at(summary, "/discretization/dofs_free"), dofs_free);
+  EXPECT_NEAR(at(summary, "/results/internal_energy") / energy, 1, same);
+  EXPECT_NEAR(at(summary, "/results/external_work") / energy, 1, same);
+  EXPECT_NEAR(at(summary, "/results/max_displacement") / max_displacement, 1, same);
+}
+
+void expect_vector(const json& found, const std::array<double, 3>& expected, double tolerance) {
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(found[i].get<double>(), expected[i], tolerance) << i;
+}
+
+TEST_F(Examples, LinkHasItsFiguresWithBothCouplings) {
+  for (const auto& [coupling, dofs_free] : {std::pair("elimination", 2985), std::pair("lagrange", 4665)}) {
+    const json summary = summary_of("link", {"--set", std::string("coupling.method=") + coupling});
+    ASSERT_FALSE(summary.empty());
+    EXPECT_EQ(summary.at("coupling"), coupling);
+    expect_figures(summary, dofs_free, 0.578529995, 0.577171582e-3);
+    expect_vector(summary["results"]["reactions"][0]["force"], {-1e4, 2e3, 0}, equilibrium * 1e4);
+    EXPECT_NEAR(at(summary, "/results/max_von_mises") / 338.686943e6, 1, same);
+    EXPECT_EQ(summary["supports"][0]["faces"].size(), 4u);
+    // The whole bores: 2 pi r times the thickness.
+    EXPECT_NEAR(at(summary, "/supports/0/area"), 2 * std::numbers::pi * 0.010 * 0.012, 1e-13);
+    EXPECT_NEAR(at(summary, "/loads/0/area"), 2 * std::numbers::pi * 0.007 * 0.012, 1e-13);
+  }
+}
+
+TEST_F(Examples, PatchTestFollowsTheLinearDisplacement) {
+  const json summary = summary_of("patch_test");
+  // The strain is the same everywhere: E = 1 GPa, nu = 0.3 give this energy in a cube of 1 m^3.
+  constexpr double lambda = 0.3e9 / (1.3 * 0.4);
+  constexpr double mu = 1e9 / 2.6;
+  constexpr double xx = 1e-3, yy = -5e-4, zz = 8e-4, xy = 3.5e-4, yz = 3.5e-4, zx = -1.5e-4;
+  constexpr double trace = xx + yy + zz;
+  constexpr double squares = xx * xx + yy * yy + zz * zz + 2 * (xy * xy + yz * yz + zx * zx);
+  expect_figures(summary, 81, 0.5 * lambda * trace * trace + mu * squares, 3.5341194094e-3);
+  expect_vector(summary["probes"][0]["displacement"], {1.5e-3, -2.095e-3, 1.27e-3}, 1e-15);
+  EXPECT_EQ(summary["supports"][0]["faces"].size(), 24u);
+  EXPECT_NEAR(at(summary, "/supports/0/area"), 6, 1e-12);
+}
+
+TEST_F(Examples, ThickCylinderHasLamesSolution) {
+  const json summary = summary_of("thick_cylinder");
+  constexpr double inner = 1.3e-3 * (10.0 / 3) * (0.4 + 4);
+  constexpr double outer = 1.3e-3 * (10.0 / 3) * (2 * 0.4 + 2);
+  expect_figures(summary, 2400, 0.5 * 10 * inner * (std::numbers::pi / 4), inner);
+  expect_vector(summary["probes"][0]["displacement"], {inner, 0, 0}, same * inner);
+  expect_vector(summary["probes"][1]["displacement"], {outer, 0, 0}, same * inner);
+  expect_vector(summary["results"]["reactions"][0]["force"], {-5, -5, 0}, equilibrium * 5);
+}
+
+TEST_F(Examples, TwoMaterialBarIsExact) {
+  const json summary = summary_of("two_material_bar");
+  constexpr double joint = 10e6 / (54.0e9 + 2 * 27.8e9);
+  constexpr double end = joint + 10e6 / (3.19e9 + 2 * 0.899e9);
+  expect_figures(summary, 8, 0.5 * 10e6 * end, end);
+  expect_vector(summary["probes"][0]["displacement"], {joint, 0, 0}, 1e-12 * end);
+  expect_vector(summary["probes"][1]["displacement"], {end, 0, 0}, 1e-12 * end);
+  ASSERT_EQ(summary["materials"].size(), 2u);
+  EXPECT_EQ(summary["materials"][1]["patches"], json::array({1}));
+}
+
+TEST_F(Examples, ChairStandHasItsFigures) {
+  ISOPATCH_NEEDS_DATA("chair_stand/chair_stand.xml");
+  const json summary = summary_of("chair_stand");
+  expect_figures(summary, 7609, 0.0252928239, 0.317271178e-3);
+  EXPECT_EQ(summary["model"]["left_handed_patches"].size(), 9u);
+  expect_vector(summary["results"]["reactions"][1]["force"], {0, 0, 159.903}, equilibrium * 159.903);
+}
+
+TEST_F(Examples, TerrificHasItsFiguresAtDegreeTwo) {
+  ISOPATCH_NEEDS_DATA("terrific/terrific.xml");
+  const json summary = summary_of("terrific", {"--set", "discretization.degree=2"});
+  expect_figures(summary, 14922, 68.5962934, 6.83809438e-3);
+  EXPECT_NEAR(at(summary, "/supports/0/area"), 2.2521e-3, 1e-7);
+  EXPECT_NEAR(at(summary, "/loads/0/area"), 2.25115e-3, 1e-8);
+  EXPECT_EQ(summary["supports"][0]["faces"], json::array({"0:back", "1:back", "2:south"}));
+  EXPECT_EQ(summary["model"]["patches_not_certified"], json::array({5, 8}));
+}
+
+}  // namespace
+}  // namespace isopatch::verification
