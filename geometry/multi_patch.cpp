@@ -57,6 +57,9 @@ void check_input(const PatchSet& set, const Tolerance& tolerance) {
     throw Error(ErrorCode::invalid_argument,
                 fmt::format("tolerance.near_miss is {}; its range is (same_point, 0.1), and same_point is {}",
                             tolerance.near_miss, tolerance.same_point));
+  if (!(tolerance.same_knot > 0 && tolerance.same_knot < 1e-3))
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("tolerance.same_knot is {}; its range is (0, 1e-3)", tolerance.same_knot));
   for (const Boundary& boundary : set.boundaries)
     for (const PatchFace& face : boundary.faces)
       check_face(face, set.patches.size(), fmt::format("boundary '{}'", boundary.name));
