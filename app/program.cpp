@@ -12,6 +12,7 @@
 #include "app/commands.hpp"
 #include "app/summary.hpp"
 #include "geometry/base/error.hpp"
+#include "geometry/base/nearest_name.hpp"
 #include "solvers/blas_threads.hpp"
 
 namespace isopatch::app {
@@ -233,6 +234,13 @@ int run_program(const std::vector<std::string>& arguments, const Console& consol
     return static_cast<int>(ExitCode::ok);
   } catch (const CLI::ParseError& error) {
     const auto chosen = app->get_subcommands();
+    if (chosen.empty() && !arguments.empty() && !arguments.front().starts_with('-')) {
+      std::vector<std::string> commands;
+      for (const CLI::App* command : app->get_subcommands({})) commands.push_back(command->get_name());
+      console.fail(fmt::format("unknown command '{}'{}; see isopatch --help", arguments.front(),
+                               did_you_mean(arguments.front(), commands)));
+      return static_cast<int>(ExitCode::wrong_input);
+    }
     console.fail(fmt::format("{}; see isopatch {}--help", error.what(),
                              chosen.empty() ? "" : chosen.front()->get_name() + " "));
     return static_cast<int>(ExitCode::wrong_input);

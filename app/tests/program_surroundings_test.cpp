@@ -94,5 +94,11 @@ TEST_F(Program, SettingAnUnknownKeyNamesTheNearest) {
   EXPECT_THAT(message("load.1.pressure=2"), HasSubstr("'1' is no index of an array of 1"));
 }
 
+TEST(ProgramCommands, AnUnknownOneIsNamedWithTheNearest) {
+  std::ostringstream out, err;
+  EXPECT_EQ(run_program({"rnu", "study.toml"}, {out, err}), 2);
+  EXPECT_THAT(err.str(), HasSubstr("unknown command 'rnu' (did you mean 'run'?)"));
+}
+
 }  // namespace
 }  // namespace isopatch::app
