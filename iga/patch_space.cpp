@@ -1,0 +1,19 @@
+#include "iga/patch_space.hpp"
+
+namespace isopatch::iga {
+
+std::vector<PatchSpace> isoparametric_spaces(const Discretization& discretization) {
+  std::vector<PatchSpace> spaces;
+  for (const geometry::NurbsVolume& patch : discretization.patches)
+    spaces.push_back({&patch, patch.knots(), patch.is_rational() ? patch.weights() : Eigen::VectorXd()});
+  return spaces;
+}
+
+std::vector<PatchPart> whole_patches(const std::vector<PatchSpace>& spaces) {
+  std::vector<PatchPart> parts;
+  for (std::size_t p = 0; p < spaces.size(); ++p)
+    parts.push_back({static_cast<int>(p), 0, spaces[p].knots[2].element_count()});
+  return parts;
+}
+
+}  // namespace isopatch::iga
