@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "iga/internal/line_table.hpp"
+#include "iga/internal/point_forms.hpp"
+#include "iga/internal/sweep.hpp"
+#include "iga/material.hpp"
+#include "iga/patch_space.hpp"
+
+namespace isopatch::iga {
+
+/// Storage of one thread, used again from box to box.
+struct PatchOperatorScratch {
+  Sweep functions, geometry, results;
+};
+
+/// The stiffness of one patch as an operator, in boxes of elements.
+class PatchOperator {
+ public:
+  /// @param points  Gauss points per element of the functions and direction; 0: degree + 1
+  PatchOperator(int patch, const PatchSpace& space, const Material& material, int points);
+
+  /// Cuts the elements of a range of layers into boxes whose buffers fit a second-level cache. The cut
+  /// depends on nothing but the patch and the range.
+  std::vector<SweepBox> boxes(int first_layer, int last_layer) const;
+  /// First and last function of a box in each direction.
+  std::array<std::array<int, 2>, 3> functions_of(const SweepBox& box) const;
+
+  /// Adds K u of a box.
+  /// @param displacement  three numbers per function of the patch
+  /// @param forces        three numbers per function of the patch
+  /// @throws Error fold_over
+  void add_forces(const SweepBox& box, const double* displacement, double* forces,
+                  PatchOperatorScratch& scratch) const;
+  /// Adds the integrals of grad N grad N^T of each function over a box: entries 00, 11, 22, 01, 02, 12.
+  /// @throws Error fold_over
+  void add_squares(const SweepBox& box, double* squares, PatchOperatorScratch& scratch) const;
+
+  std::int64_t bytes() const;
+
+ private:
+  // The functions or the geometry: tables in three directions, the first one in bands.
+  struct Group {
+    std::array<LineTable, 3> tables;
+    std::vector<LaneBand> bands;
+    std::array<int, 2> sizes = {0, 0};  // functions of directions 1 and 2
+  };
+  // What is expanded with the functions of a group.
+  struct Fields {
+    const double* displacement = nullptr;
+    const geometry::NurbsVolume* places = nullptr;
+    const Eigen::VectorXd* weights = nullptr;  // to multiply the others, and a field themselves
+    int count() const { return (displacement ? 3 : 0) + (places ? 3 : 0) + (weights ? 1 : 0); }
+  };
+  using Evaluate = std::function<Lanes(const PointLine&, Lanes*)>;
+
+  static Group group(const std::array<geometry::KnotVector, 3>& knots, std::array<LineTable, 3> tables);
+  template <int F>
+  static void spread_fields(const Group& group, const Fields& fields, const LaneBand& band, Sweep& sweep);
+  static void spread(const Group& group, const Fields& fields, const LaneBand& band, Sweep& sweep);
+  template <class Collect>
+  void integrate(const SweepBox& box, const double* displacement, const Group& result_group,
+                 const SweepStages& result_stages, const Evaluate& evaluate, PatchOperatorScratch& scratch,
+                 Collect collect) const;
+  [[noreturn]] void refuse_folded(const SweepBox& box) const;
+
+  int patch_;
+  const PatchSpace* space_;
+  Material material_;
+  std::array<DirectionTable, 3> elements_;
+  std::array<std::vector<double>, 3> quadrature_;  // weights of all points
+  std::vector<Lanes> lane_weights_;                // of direction 1
+  bool together_ = false;                          // functions and geometry are the same functions
+  Denominators denominators_ = Denominators::none;
+  Group functions_;
+  Group geometry_;  // empty if together
+  Group squares_;   // of the functions
+};
+
+}  // namespace isopatch::iga
