@@ -4,9 +4,10 @@
 #include "app/describe_model.hpp"
 #include "app/engineering_units.hpp"
 #include "app/internal/json_values.hpp"
-#include "app/run_study.hpp"
+#include "app/output_directory.hpp"
 #include "app/stored_results.hpp"
 #include "app/units.hpp"
+#include "app/write_results.hpp"
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/io/read_patches.hpp"
 #include "geometry/io/write_gismo_xml.hpp"
@@ -115,11 +116,11 @@ ExitCode probe_command(const ProbeCommand& command, const Console& console) {
 ExitCode fields_command(const FieldsCommand& command, const Console& console) {
   check_writable(command.output);
   ProgressDisplay display(console);
-  const auto files = field_files(iga::read_result(command.results).field, display.progress());
-  write_files(command.output, files);
+  const int files = write_fields(iga::read_result(command.results).field, FieldPrecision::automatic,
+                                 command.output, display.progress());
   display.clear();
   if (!console.quiet)
-    console.out << fmt::format("{} files in {}; open results.vtm in ParaView\n", files.size(),
+    console.out << fmt::format("{} files in {}; open results.vtm in ParaView\n", files,
                                command.output.string());
   return ExitCode::ok;
 }

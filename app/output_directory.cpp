@@ -1,3 +1,5 @@
+#include "app/output_directory.hpp"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -5,8 +7,9 @@
 #include <cerrno>
 #include <cstring>
 
-#include "app/run_study.hpp"
 #include "geometry/base/atomic_file.hpp"
+#include "geometry/base/atomic_writer.hpp"
+#include "geometry/base/error.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -63,27 +66,35 @@ void check_writable(const fs::path& directory) {
   if (descriptor < 0) refuse(directory, std::strerror(reason));
 }
 
-void remove_earlier_results(const fs::path& directory, const std::vector<OutputFile>& files) {
+void remove_earlier_fields(const fs::path& directory) {
   std::error_code ignored;
-  fs::remove(directory / "summary.json", ignored);
-  std::vector<fs::path> earlier = {"results.h5", "results.vtm"};
+  fs::remove(directory / "results.vtm", ignored);
+  std::vector<fs::path> earlier;
   for (const auto& entry : fs::directory_iterator(directory / "fields", ignored))
-    if (is_field_file(entry.path().filename().string()))
-      earlier.push_back("fields" / entry.path().filename());
-  for (const fs::path& path : earlier) {
-    const bool replaced =
-        std::any_of(files.begin(), files.end(), [&](const OutputFile& file) { return file.path == path; });
-    if (!replaced) fs::remove(directory / path, ignored);
-  }
+    if (is_field_file(entry.path().filename().string())) earlier.push_back(entry.path());
+  for (const fs::path& path : earlier) fs::remove(path, ignored);
   // Only goes if it is empty.
   fs::remove(directory / "fields", ignored);
 }
 
-void write_files(const fs::path& directory, const std::vector<OutputFile>& files) {
-  for (const OutputFile& file : files) {
-    make_directories((directory / file.path).parent_path());
-    write_file(directory / file.path, file.bytes);
-  }
+void remove_earlier_results(const fs::path& directory) {
+  std::error_code ignored;
+  fs::remove(directory / "summary.json", ignored);
+  fs::remove(directory / "results.h5", ignored);
+  remove_earlier_fields(directory);
+}
+
+void write_in(const fs::path& directory, const fs::path& file, std::string_view bytes) {
+  make_directories((directory / file).parent_path());
+  write_file(directory / file, bytes);
+}
+
+void write_in(const fs::path& directory, const fs::path& file,
+              const std::function<void(const geometry::ByteSink&)>& content) {
+  make_directories((directory / file).parent_path());
+  AtomicWriter writer(directory / file);
+  content([&](std::string_view bytes) { writer.write(bytes); });
+  writer.finish();
 }
 
 }  // namespace isopatch::app

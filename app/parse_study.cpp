@@ -212,7 +212,8 @@ void read_options(const StudyKeys& top, Study& study) {
       read_table<solvers::SolverOptions>(solver.table, solver.place, "[solver]", solver_keys());
   const Section output = section(top.output, "output", study.source);
   const auto files = read_table<OutputKeys>(output.table, output.place, "[output]", output_keys());
-  study.output = {resolved(files.directory, output.place, study.source), files.fields, files.hdf5};
+  study.output = {resolved(files.directory, output.place, study.source), files.fields, files.precision,
+                  files.hdf5};
 }
 
 }  // namespace

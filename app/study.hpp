@@ -70,10 +70,14 @@ struct ProbeInput {
   Place place;
 };
 
+/// Digits of the numbers in fields/*.vtu; automatic takes single where full would need more than 1 GB.
+enum class FieldPrecision { automatic, full, single };
+
 /// What is written, and where.
 struct OutputInput {
   std::filesystem::path directory = "results";  ///< resolved against the study's folder
   bool fields = true;
+  FieldPrecision precision = FieldPrecision::automatic;
   bool hdf5 = true;
 };
 

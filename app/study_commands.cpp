@@ -1,10 +1,12 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/commands.hpp"
 #include "app/compare_couplings.hpp"
-#include "app/run_study.hpp"
+#include "app/output_directory.hpp"
 #include "app/study_keys.hpp"
 #include "app/summary.hpp"
+#include "app/write_results.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -15,13 +17,6 @@ Study read(const StudyCommand& command) {
   return study;
 }
 
-std::string listed(const std::vector<OutputFile>& files) {
-  std::string text;
-  for (const OutputFile& file : files)
-    if (!file.path.has_parent_path()) text += (text.empty() ? "" : ", ") + file.path.string();
-  return text;
-}
-
 }  // namespace
 
 ExitCode run_command(const StudyCommand& command, const Console& console) {
@@ -29,15 +24,13 @@ ExitCode run_command(const StudyCommand& command, const Console& console) {
   check_writable(study.output.directory);
   ProgressDisplay display(console);
   StudyRun run = run_study(study, display.progress());
-  const std::vector<OutputFile> files = output_files(study, run, display.progress());
-  remove_earlier_results(study.output.directory, files);
-  write_files(study.output.directory, files);
+  const std::vector<std::string> files = write_results(study, run, display.progress());
   display.clear();
   for (const std::string& warning : run.built.warnings) console.warn(warning);
   if (!console.quiet)
     console.out << summary_text(study, run)
                 << fmt::format("  results in        {}: {}\n", study.output.directory.string(),
-                               listed(files));
+                               fmt::join(files, ", "));
   return ExitCode::ok;
 }
 
@@ -46,7 +39,7 @@ ExitCode compare_command(const StudyCommand& command, const Console& console) {
   check_writable(study.output.directory);
   ProgressDisplay display(console);
   const CouplingComparison comparison = compare_couplings(study, display.progress());
-  write_files(study.output.directory, {{"compare.json", comparison_json(study, comparison)}});
+  write_in(study.output.directory, "compare.json", comparison_json(study, comparison));
   display.clear();
   for (const std::string& warning : comparison.warnings) console.warn(warning);
   if (!console.quiet)

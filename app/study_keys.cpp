@@ -186,6 +186,7 @@ const Keys<ProbeKeys>& probe_keys() {
 
 const Keys<OutputKeys>& output_keys() {
   using O = OutputKeys;
+  static const std::vector<std::string> precisions = {"auto", "full", "single"};
   static const Keys<O> keys = {
       text_key<O>("directory", &O::directory,
                   "Folder of the results, made where absent; relative paths count from the study's folder. "
@@ -193,6 +194,14 @@ const Keys<OutputKeys>& output_keys() {
                   "--output DIR replaces it."),
       flag_key<O>("fields", &O::fields,
                   "Whether fields are written for ParaView: results.vtm and fields/*.vtu."),
+      custom_key<O>(
+          "precision", "\"auto\", \"full\" or \"single\"",
+          "Of the numbers in fields/*.vtu: 8 bytes each, or 4 with a relative error of 6e-8. auto takes "
+          "single where full would need more than 1 GB. results.h5 always has all digits.",
+          [](O& target, const ConfigValue& value) {
+            target.precision = FieldPrecision(read_choice(value, "precision", precisions));
+          })
+          .with_default("\"auto\""),
       flag_key<O>("hdf5", &O::hdf5,
                   "Whether results.h5 is written, for `isopatch probe`, `fields` and `info`."),
   };

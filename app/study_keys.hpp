@@ -66,6 +66,7 @@ struct ProbeKeys {
 struct OutputKeys {
   std::string directory = "results";
   bool fields = true;
+  FieldPrecision precision = FieldPrecision::automatic;
   bool hdf5 = true;
 };
 

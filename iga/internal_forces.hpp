@@ -16,7 +16,8 @@ struct InternalForces {
 };
 
 /// @param displacement  coefficients per node, (3, nodes), m
-/// @cost  O(n q) per element of n functions and q points
+/// @throws Error fold_over  a Gauss point with det J <= 0, naming patch, parameter (the input's names) and place
+/// @cost  O((degree + 1)^4) per element, in parallel; the same for any number of threads
 InternalForces internal_forces(const Discretization& discretization, const std::vector<Material>& materials,
                                const Eigen::Matrix3Xd& displacement, int points = 0,
                                const Progress& progress = {});

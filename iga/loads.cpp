@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "geometry/base/error.hpp"
-#include "iga/element.hpp"
+#include "iga/internal/element_batches.hpp"
+#include "iga/internal/element_tensors.hpp"
+#include "iga/internal/point_fields.hpp"
 
 namespace isopatch::iga {
 
@@ -125,28 +127,71 @@ void add_surface_load(const ElasticityProblem& problem, const SurfaceLoad& surfa
   }
 }
 
+// Forces of three components for each function of an element.
+using ElementLoad = std::vector<double>;
+
+// One patch under a force per volume, element by element: the force at the points, then the sums of it times
+// each function N = w B / W.
+class PatchWeight {
+ public:
+  PatchWeight(const Discretization& d, int patch, const VolumeLoad& load, int points)
+      : index_(patch),
+        patch_(d.patches[static_cast<std::size_t>(patch)]),
+        load_(load),
+        tensors_(patch_, points) {}
+
+  const ElementTensors& tensors() const { return tensors_; }
+
+  void compute(std::int64_t element, TensorBuffers<4>& buffers, ElementLoad& out) const {
+    gather(tensors_, element, patch_.control_points(), patch_.weights(), buffers.coefficients);
+    tensors_.gradients(element, buffers);
+    tensors_.for_each_point(element, [&](Eigen::Index point, double weight) {
+      const auto q = static_cast<std::size_t>(point);
+      const RationalPoint place = rational_point(buffers, q);
+      const double jacobian = place.derivatives.determinant();
+      const Eigen::Vector3d force = weight * jacobian * load_.force(place.value);
+      if (!force.allFinite())
+        throw Error(ErrorCode::invalid_argument,
+                    fmt::format("'{}': the force in patch {} is not finite", load_.name, index_));
+      buffers.at[0][q].head<3>() = force.array() / buffers.at[0][q][3];
+    });
+    tensors_.test_with_values(element, buffers);
+    out.resize(static_cast<std::size_t>(3 * tensors_.function_count()));
+    tensors_.for_each_function(element, [&](Eigen::Index a, Eigen::Index i) {
+      Eigen::Map<Eigen::Vector3d>{&out[static_cast<std::size_t>(3 * a)]} =
+          patch_.weights()[i] * buffers.coefficients[static_cast<std::size_t>(a)].head<3>().matrix();
+    });
+  }
+
+ private:
+  int index_;
+  const geometry::NurbsVolume& patch_;
+  const VolumeLoad& load_;
+  ElementTensors tensors_;
+};
+
 void add_volume_load(const ElasticityProblem& problem, const VolumeLoad& volume_load, int points,
                      Eigen::Matrix3Xd& load) {
+  constexpr std::int64_t elements_per_batch = 8192;
   const Discretization& d = problem.discretization;
-  ElementValues values;
   for (const PatchId patch : volume_load.patches) {
     if (patch.value < 0 || patch.value >= d.patch_count())
       throw Error(ErrorCode::invalid_argument, fmt::format("'{}': there is no patch {}; the model has {}",
                                                            volume_load.name, patch.value, d.patch_count()));
-    const auto p = static_cast<std::size_t>(patch.value);
-    const ElementEvaluator evaluator(d.patches[p], points);
-    for (std::int64_t e = 0; e < evaluator.element_count(); ++e) {
-      evaluator.evaluate(e, values);
-      for (Eigen::Index q = 0; q < values.measures.size(); ++q) {
-        const Eigen::Vector3d force = values.measures[q] * volume_load.force(values.places.col(q));
-        if (!force.allFinite())
-          throw Error(ErrorCode::invalid_argument, fmt::format("'{}': the force in patch {} is not finite",
-                                                               volume_load.name, patch.value));
-        for (std::size_t a = 0; a < values.functions.size(); ++a)
-          load.col(d.first_node[p] + values.functions[a]) +=
-              values.values(static_cast<Eigen::Index>(a), q) * force;
-      }
-    }
+    const PatchWeight weight(d, patch.value, volume_load, points);
+    double* const sums = load.data() + 3 * d.first_node[static_cast<std::size_t>(patch.value)];
+    in_batches<TensorBuffers<4>, ElementLoad>(
+        weight.tensors().element_count(), elements_per_batch,
+        [&](std::int64_t element, TensorBuffers<4>& buffers, ElementLoad& out) {
+          weight.compute(element, buffers, out);
+        },
+        [&](std::int64_t element, std::span<const ElementLoad> loads) {
+          for (const ElementLoad& of_element : loads)
+            weight.tensors().for_each_function(element++, [&](Eigen::Index a, Eigen::Index i) {
+              Eigen::Map<Eigen::Vector3d>(sums + 3 * i) +=
+                  Eigen::Map<const Eigen::Vector3d>(&of_element[static_cast<std::size_t>(3 * a)]);
+            });
+        });
   }
 }
 

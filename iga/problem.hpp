@@ -50,6 +50,7 @@ SurfaceLoad total_force(std::string name, std::vector<geometry::PatchFace> faces
 struct VolumeLoad {
   std::string name;
   std::vector<PatchId> patches;
+  /// May be called by several threads at once.
   std::function<Eigen::Vector3d(const Eigen::Vector3d& place)> force;
 };
 /// Weight of patches with the given acceleration (m/s^2); one load per patch, because densities differ.

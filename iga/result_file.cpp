@@ -27,9 +27,9 @@ void write_patch(Hdf5Writer& file, const ElasticField& field, std::size_t p) {
     file.write(fmt::format("{}/degree_{}", group, d), std::int64_t{patch.degree(d)});
     file.write(fmt::format("{}/knots_{}", group, d), patch.knots(d).knots());
   }
-  file.write(group + "/control_points", Eigen::MatrixXd(patch.control_points()));
+  file.write(group + "/control_points", patch.control_points());
   file.write(group + "/weights", patch.weights());
-  file.write(group + "/displacement", Eigen::MatrixXd(field.displacement[p]));
+  file.write(group + "/displacement", field.displacement[p]);
   const Material& material = field.materials[p];
   file.write(group + "/material/name", material.name);
   file.write(group + "/material/lambda", material.lambda);
@@ -59,23 +59,32 @@ void read_patch(const Hdf5Reader& file, const std::string& group, ElasticField& 
 
 }  // namespace
 
-std::string to_hdf5(const StoredResult& result) {
+void write_hdf5(const ElasticField& field, const std::vector<Multiplier>& multipliers,
+                const std::string& study, const std::string& summary, const geometry::ByteSink& sink) {
   Hdf5Writer file;
   file.write("/format", format_name);
   file.write("/version", format_version);
-  file.write("/study", result.study);
-  file.write("/summary", result.summary);
-  for (std::size_t p = 0; p < result.field.patches.size(); ++p) write_patch(file, result.field, p);
+  file.write("/study", study);
+  file.write("/summary", summary);
+  for (std::size_t p = 0; p < field.patches.size(); ++p) write_patch(file, field, p);
   std::vector<std::int64_t> nodes;
-  Eigen::MatrixXd forces(3, static_cast<Eigen::Index>(result.multipliers.size()));
-  for (std::size_t i = 0; i < result.multipliers.size(); ++i) {
-    nodes.push_back(result.multipliers[i].first_node);
-    nodes.push_back(result.multipliers[i].second_node);
-    forces.col(static_cast<Eigen::Index>(i)) = result.multipliers[i].force;
+  nodes.reserve(2 * multipliers.size());
+  Eigen::Matrix3Xd forces(3, static_cast<Eigen::Index>(multipliers.size()));
+  for (std::size_t i = 0; i < multipliers.size(); ++i) {
+    nodes.push_back(multipliers[i].first_node);
+    nodes.push_back(multipliers[i].second_node);
+    forces.col(static_cast<Eigen::Index>(i)) = multipliers[i].force;
   }
   file.write("/multipliers/nodes", nodes);
   file.write("/multipliers/forces", forces);
-  return file.image();
+  sink(file.view());
+}
+
+std::string to_hdf5(const StoredResult& result) {
+  std::string bytes;
+  write_hdf5(result.field, result.multipliers, result.study, result.summary,
+             [&](std::string_view all) { bytes = all; });
+  return bytes;
 }
 
 StoredResult read_result(const std::filesystem::path& path) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "geometry/io/vtk_bezier.hpp"
 #include "iga/solve_elasticity.hpp"
 
 namespace isopatch::iga {
@@ -17,6 +18,10 @@ struct StoredResult {
 
 /// The bytes of an HDF5 file; place them with isopatch::write_file.
 std::string to_hdf5(const StoredResult& result);
+
+/// The same without a copy of the results: the bytes go to a sink, for example of an isopatch::AtomicWriter.
+void write_hdf5(const ElasticField& field, const std::vector<Multiplier>& multipliers,
+                const std::string& study, const std::string& summary, const geometry::ByteSink& sink);
 
 /// @throws Error io, bad_format, naming the file and what is missing or wrong
 StoredResult read_result(const std::filesystem::path& path);

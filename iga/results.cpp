@@ -1,41 +1,70 @@
 #include "iga/results.hpp"
 
-#include <Eigen/Geometry>
+#include <omp.h>
 
-#include "geometry/splines/grid.hpp"
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "iga/internal/element_tensors.hpp"
+#include "iga/internal/parallel_for.hpp"
 
 namespace isopatch::iga {
 namespace {
 
-// Every element's ends and `degree` - 1 parameters evenly between them.
-std::vector<double> grid_parameters(const geometry::KnotVector& knots) {
-  const std::vector<double> breaks = knots.breaks();
-  std::vector<double> result = {knots.first()};
-  for (std::size_t e = 0; e + 1 < breaks.size(); ++e)
-    for (int k = 1; k <= knots.degree(); ++k)
-      result.push_back(breaks[e] + (breaks[e + 1] - breaks[e]) * k / knots.degree());
+// The ends of the unit interval and `degree` - 1 parameters evenly between them.
+geometry::QuadratureRule even_points(int degree) {
+  const Eigen::VectorXd weights = Eigen::VectorXd::Ones(degree + 1);
+  return {Eigen::VectorXd::LinSpaced(degree + 1, 0, 1), weights};
+}
+
+// Largest length squared in some elements, and where.
+struct Longest {
+  double squared = -1;
+  std::int64_t element = 0;
+  Eigen::Index point = 0;
+};
+
+Longest longest_in(const ElementTensors& tensors, const geometry::NurbsVolume& patch,
+                   const Eigen::Matrix3Xd& displacement, std::int64_t first, std::int64_t last,
+                   TensorBuffers<4>& buffers) {
+  Longest result;
+  for (std::int64_t element = first; element < last; ++element) {
+    gather(tensors, element, displacement, patch.weights(), buffers.coefficients);
+    tensors.values(element, buffers);
+    for (std::size_t q = 0; q < buffers.at[0].size(); ++q) {
+      const Packet<4>& u = buffers.at[0][q];
+      const double squared = u.head<3>().matrix().squaredNorm() / (u[3] * u[3]);
+      if (squared > result.squared) result = {squared, element, static_cast<Eigen::Index>(q)};
+    }
+  }
   return result;
 }
 
 }  // namespace
 
 Extremum max_displacement(const ElasticField& field) {
+  constexpr std::int64_t per_task = 64;
   Extremum result;
   result.value = -1;
+  std::vector<TensorBuffers<4>> buffers(static_cast<std::size_t>(omp_get_max_threads()));
   for (std::size_t p = 0; p < field.patches.size(); ++p) {
     const geometry::NurbsVolume& patch = field.patches[p];
-    const geometry::GridParameters<3> grid = {
-        grid_parameters(patch.knots(0)), grid_parameters(patch.knots(1)), grid_parameters(patch.knots(2))};
-    const geometry::NurbsVolume moved(patch.knots(), field.displacement[p], patch.weights());
-    Eigen::Index at = 0;
-    const double longest = geometry::points_on_grid(moved, grid).colwise().norm().maxCoeff(&at);
-    if (longest <= result.value) continue;
-    const auto m = static_cast<Eigen::Index>(grid[0].size());
-    const auto n = static_cast<Eigen::Index>(grid[1].size());
-    const geometry::Parameter<3> parameter(grid[0][static_cast<std::size_t>(at % m)],
-                                           grid[1][static_cast<std::size_t>(at / m % n)],
-                                           grid[2][static_cast<std::size_t>(at / m / n)]);
-    result = {longest, patch.point(parameter), static_cast<int>(p), parameter};
+    const ElementTensors tensors(
+        patch, {even_points(patch.degree(0)), even_points(patch.degree(1)), even_points(patch.degree(2))});
+    const std::int64_t count = tensors.element_count();
+    std::vector<Longest> found(static_cast<std::size_t>((count + per_task - 1) / per_task));
+    parallel_for(static_cast<std::int64_t>(found.size()), [&](std::int64_t task, int thread) {
+      found[static_cast<std::size_t>(task)] =
+          longest_in(tensors, patch, field.displacement[p], task * per_task,
+                     std::min(count, (task + 1) * per_task), buffers[static_cast<std::size_t>(thread)]);
+    });
+    // The first of equal ones, for any number of threads.
+    const Longest& longest = *std::max_element(
+        found.begin(), found.end(), [](const Longest& a, const Longest& b) { return a.squared < b.squared; });
+    if (std::sqrt(longest.squared) <= result.value) continue;
+    const geometry::Parameter<3> parameter = tensors.parameter(longest.element, longest.point);
+    result = {std::sqrt(longest.squared), patch.point(parameter), static_cast<int>(p), parameter};
   }
   return result;
 }

@@ -14,6 +14,7 @@
 #include <sstream>
 #include <string>
 
+#include "geometry/base/atomic_writer.hpp"
 #include "geometry/base/error.hpp"
 
 namespace isopatch {
@@ -87,11 +88,30 @@ class TemporaryFile {
 
 }  // namespace
 
-void write_file(const std::filesystem::path& path, std::string_view bytes) {
-  const std::lock_guard lock(writing);
+struct AtomicWriter::State {
+  explicit State(const std::filesystem::path& path) : lock(writing), file(path) {}
+  std::lock_guard<std::mutex> lock;
+  TemporaryFile file;
+};
+
+AtomicWriter::AtomicWriter(const std::filesystem::path& path) {
   // A file-size limit then shows as an error of write() instead of ending the process.
   std::signal(SIGXFSZ, SIG_IGN);
-  TemporaryFile file(path);
+  state_ = std::make_unique<State>(path);
+}
+
+AtomicWriter::~AtomicWriter() = default;
+
+void AtomicWriter::write(std::string_view bytes) {
+  state_->file.write(bytes);
+}
+
+void AtomicWriter::finish() {
+  state_->file.finish();
+}
+
+void write_file(const std::filesystem::path& path, std::string_view bytes) {
+  AtomicWriter file(path);
   file.write(bytes);
   file.finish();
 }

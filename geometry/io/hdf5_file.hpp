@@ -24,6 +24,7 @@ class Hdf5Writer {
 
   /// @throws Error invalid_argument  for a path that is empty, relative or taken
   void write(const std::string& path, const Eigen::MatrixXd& values);
+  void write(const std::string& path, const Eigen::Matrix3Xd& values);
   void write(const std::string& path, const Eigen::VectorXd& values);
   void write(const std::string& path, const std::vector<double>& values);
   void write(const std::string& path, const std::vector<std::int64_t>& values);
@@ -33,7 +34,9 @@ class Hdf5Writer {
   void write(const std::string& path, const char* text) { write(path, std::string(text)); }
 
   /// The file's content, for isopatch::write_file. The writer can go on afterwards.
-  std::string image() const;
+  std::string image() const { return std::string(view()); }
+  /// The same without a copy; valid until the next call of `write`.
+  std::string_view view() const;
 
  private:
   struct State;

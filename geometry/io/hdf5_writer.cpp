@@ -7,7 +7,7 @@
 namespace isopatch::geometry {
 namespace {
 
-constexpr std::size_t growth = 1 << 20;
+constexpr std::size_t growth = 1 << 24;
 
 Hdf5Handle file_in_memory() {
   const Hdf5Silence silence;
@@ -59,6 +59,10 @@ void Hdf5Writer::write(const std::string& path, const Eigen::MatrixXd& values) {
                 {static_cast<hsize_t>(values.cols()), static_cast<hsize_t>(values.rows())}, values.data());
 }
 
+void Hdf5Writer::write(const std::string& path, const Eigen::Matrix3Xd& values) {
+  state_->write(path, H5T_NATIVE_DOUBLE, {static_cast<hsize_t>(values.cols()), 3}, values.data());
+}
+
 void Hdf5Writer::write(const std::string& path, const Eigen::VectorXd& values) {
   state_->write(path, H5T_NATIVE_DOUBLE, {static_cast<hsize_t>(values.size())}, values.data());
 }
@@ -87,15 +91,15 @@ void Hdf5Writer::write(const std::string& path, const std::string& text) {
   state_->write(path, type, {}, text.c_str());
 }
 
-std::string Hdf5Writer::image() const {
+std::string_view Hdf5Writer::view() const {
   const Hdf5Silence silence;
   const ssize_t size =
       H5Fflush(state_->file, H5F_SCOPE_GLOBAL) < 0 ? -1 : H5Fget_file_image(state_->file, nullptr, 0);
-  if (size < 0) throw Error(ErrorCode::internal, "HDF5: the file in memory cannot be read");
-  std::string result(static_cast<std::size_t>(size), '\0');
-  if (H5Fget_file_image(state_->file, result.data(), result.size()) != size)
+  // The handle of the core driver is the address of the memory that it keeps the file in.
+  void** memory = nullptr;
+  if (size < 0 || H5Fget_vfd_handle(state_->file, H5P_DEFAULT, reinterpret_cast<void**>(&memory)) < 0)
     throw Error(ErrorCode::internal, "HDF5: the file in memory cannot be read");
-  return result;
+  return {static_cast<const char*>(*memory), static_cast<std::size_t>(size)};
 }
 
 }  // namespace isopatch::geometry

@@ -13,7 +13,7 @@ template <class Body>
 void parallel_for(std::int64_t count, Body body) {
   std::exception_ptr failure;
   std::int64_t failed = count;
-#pragma omp parallel for schedule(dynamic, 1)
+#pragma omp parallel for schedule(dynamic, 1) if (count > 1)
   for (std::int64_t i = 0; i < count; ++i) {
     try {
       body(i, omp_get_thread_num());
