@@ -10,6 +10,7 @@
 #include "geometry/models/box.hpp"
 #include "geometry/models/cylinder.hpp"
 #include "iga/assembly.hpp"
+#include "iga/stiffness_operator.hpp"
 
 namespace isopatch::verification {
 namespace {
@@ -46,7 +47,7 @@ void count(benchmark::State& state, const Model& model, int threads, std::int64_
   state.counters["p"] = model.patch.degree;
   state.counters["spans"] = model.patch.spans;
   state.counters["rational"] = model.patch.rational;
-  state.counters["threads"] = threads;
+  state.counters["omp_threads"] = threads;
   state.counters["dofs"] = 3.0 * model.numbering.rows;
   state.counters["elements"] = static_cast<double>(model.discretization.element_count());
   state.counters["bytes"] = static_cast<double>(bytes);
@@ -71,6 +72,20 @@ void product(benchmark::State& state, const Model& model, int threads) {
   count(state, model, threads, matrix.bytes());
 }
 
+void apply(benchmark::State& state, const Model& model, int threads) {
+  omp_set_num_threads(threads);
+  const std::vector<iga::PatchSpace> spaces = iga::isoparametric_spaces(model.discretization);
+  const iga::StiffnessOperator stiffness(spaces, iga::whole_patches(spaces), model.materials);
+  const Eigen::Matrix3Xd x = Eigen::Matrix3Xd::Random(3, stiffness.node_count());
+  for ([[maybe_unused]] auto _ : state) {
+    const Eigen::Matrix3Xd y = stiffness.apply(x);
+    benchmark::DoNotOptimize(y.data());
+  }
+  // The least traffic: read the vector, the control points and their weights, read and write the result.
+  const int numbers_per_node = 3 + 3 + (model.patch.rational ? 1 : 0) + 6;
+  count(state, model, threads, std::int64_t{8} * numbers_per_node * model.numbering.rows);
+}
+
 }  // namespace
 
 void register_kernels(const CurvedPatch& patch, const std::vector<int>& thread_counts, bool with_matrix) {
@@ -88,6 +103,7 @@ void register_kernels(const CurvedPatch& patch, const std::vector<int>& thread_c
     measure("formation", formation);
     measure("product", product);
   }
+  measure("apply", apply);
 }
 
 }  // namespace isopatch::verification

@@ -12,8 +12,9 @@ struct CurvedPatch {
 };
 
 /// Registers what is measured on one patch: `formation` (pattern and values of the stiffness matrix),
-/// `product` (matrix times vector). Counters: p, spans, rational, threads, dofs, elements, and bytes of the
-/// matrix.
+/// `product` (matrix times vector), `apply` (the same without a matrix). Counters: p, spans, rational,
+/// omp_threads, dofs, elements, and the bytes of the matrix, or those that `apply` must read and write at
+/// least.
 /// @param thread_counts  of OpenMP, each measured by itself
 /// @param with_matrix     whether the matrix is formed at all; else only what does without it is measured
 void register_kernels(const CurvedPatch& patch, const std::vector<int>& thread_counts, bool with_matrix);

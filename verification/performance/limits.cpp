@@ -42,7 +42,7 @@ void dgemm(benchmark::State& state, int threads) {
     }
     benchmark::ClobberMemory();
   }
-  state.counters["threads"] = threads;
+  state.counters["omp_threads"] = threads;
   state.counters["flops"] = 2.0 * dgemm_size * dgemm_size * dgemm_size * threads;
 }
 
@@ -58,7 +58,7 @@ void triad(benchmark::State& state, int threads) {
     for (std::int64_t i = 0; i < stream_length; ++i) a[i] = b[i] + 3.0 * c[i];
     benchmark::ClobberMemory();
   }
-  state.counters["threads"] = threads;
+  state.counters["omp_threads"] = threads;
   // As STREAM counts: without the line that a store first reads.
   state.counters["bytes"] = 3.0 * sizeof(double) * stream_length;
 }
@@ -73,7 +73,7 @@ void read(benchmark::State& state, int threads) {
     for (std::int64_t i = 0; i < stream_length; ++i) sum += a[i];
     benchmark::DoNotOptimize(sum);
   }
-  state.counters["threads"] = threads;
+  state.counters["omp_threads"] = threads;
   state.counters["bytes"] = 1.0 * sizeof(double) * stream_length;
 }
 

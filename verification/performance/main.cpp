@@ -1,6 +1,7 @@
 // Measures the kernels and the machine's limits in one run; scripts/bench calls it and reads its JSON.
 
 #include <benchmark/benchmark.h>
+#include <cblas.h>
 #include <omp.h>
 
 #include "solvers/blas_threads.hpp"
@@ -29,6 +30,8 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   isopatch::solvers::set_blas_threads(1);
+  benchmark::AddCustomContext("blas", openblas_get_config());
+  benchmark::AddCustomContext("compiler", "GCC " __VERSION__);
   isopatch::verification::register_all();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
