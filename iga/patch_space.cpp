@@ -4,8 +4,11 @@ namespace isopatch::iga {
 
 std::vector<PatchSpace> isoparametric_spaces(const Discretization& discretization) {
   std::vector<PatchSpace> spaces;
-  for (const geometry::NurbsVolume& patch : discretization.patches)
-    spaces.push_back({&patch, patch.knots(), patch.is_rational() ? patch.weights() : Eigen::VectorXd()});
+  for (std::size_t p = 0; p < discretization.patches.size(); ++p) {
+    const geometry::NurbsVolume& patch = discretization.patches[p];
+    spaces.push_back({&patch, patch.knots(), patch.is_rational() ? patch.weights() : Eigen::VectorXd(),
+                      discretization.model.was_reversed(PatchId(static_cast<int>(p)))});
+  }
   return spaces;
 }
 

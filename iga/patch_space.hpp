@@ -18,6 +18,7 @@ struct PatchSpace {
   const geometry::NurbsVolume* geometry = nullptr;  ///< must outlive the space
   std::array<geometry::KnotVector, 3> knots;        ///< of the functions
   Eigen::VectorXd weights;                          ///< w, one per function; empty: polynomial
+  bool reversed = false;  ///< whether the input has the first direction the other way round; for messages
 
   std::array<int, 3> sizes() const { return {knots[0].size(), knots[1].size(), knots[2].size()}; }
   int size() const { return knots[0].size() * knots[1].size() * knots[2].size(); }

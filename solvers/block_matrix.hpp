@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "solvers/zeroed_allocator.hpp"
+
 namespace isopatch::solvers {
 
 /// Symmetric sparse matrix of 3x3 blocks; only the blocks on and above the diagonal are stored.
@@ -14,7 +16,7 @@ struct SymmetricBlockMatrix {
   static constexpr int block_size = 3;
   std::vector<std::int64_t> row_start = {0};
   std::vector<int> columns;
-  std::vector<double> values;  ///< 9 per block, row by row
+  ZeroedVector<double> values;  ///< 9 per block, row by row
 
   /// Number of block rows.
   int block_rows() const { return static_cast<int>(row_start.size()) - 1; }

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "iga/internal/stiffness_tables.hpp"
+#include "solvers/block_matrix.hpp"
+
+namespace isopatch::iga {
+
+/// The rows of a patch's nodes.
+struct PatchRows {
+  const int* row_of_node = nullptr;  ///< of this patch's first node on
+  std::vector<char> shared;          ///< whether another node of the patch has the same row
+};
+PatchRows patch_rows(const StiffnessTables& tables, const int* row_of_node);
+
+/// What one task works on: functions a with one index in direction 3, some in direction 1, over some element
+/// layers of direction 2, paired with all functions b whose index in direction 3 is not smaller.
+struct StiffnessTask {
+  int third = 0;
+  int first_begin = 0;
+  int first_end = 0;
+  int layer_begin = 0;
+  int layer_end = 0;
+};
+
+/// Where the blocks of a task's pairs (a, b) go.
+///
+/// A block goes straight to its place if a's row is the smaller one and no other node of the patch has it:
+/// then no other task writes there. All other blocks are collected by the task and added later, task by task,
+/// so that sums do not depend on who is first.
+class BlockTargets {
+ public:
+  static constexpr std::int32_t nowhere = -1;  ///< the pair comes again as (b, a) in the same task
+
+  void prepare(const StiffnessTask& task, const StiffnessTables& tables, const PatchRows& rows,
+               const solvers::SymmetricBlockMatrix& matrix);
+
+  /// Targets of a line of pairs, b running along direction 1 from the first that overlaps a. At least 0:
+  /// position in a's row; nowhere; below: the collected block -2 - target.
+  /// @param b  indices in directions 2 and 3
+  const std::int32_t* line(int a_first, int a_second, int b_second, int b_third) const;
+  double* collected() { return collected_.data(); }
+
+  /// Adds the collected blocks to those rows whose number divided by 64 is `share` modulo `shares`.
+  void flush(int share, int shares, solvers::SymmetricBlockMatrix& matrix) const;
+
+ private:
+  struct Collected {
+    int row_a;
+    int row_b;
+    bool both;  // for equal rows: the pair comes once, so its transpose counts too
+  };
+  std::int32_t target_of(int a, int b, bool comes_twice, const PatchRows& rows,
+                         const solvers::SymmetricBlockMatrix& matrix, std::int32_t& guess);
+
+  StiffnessTask task_;
+  const StiffnessTables* tables_ = nullptr;
+  int second_begin_ = 0;  // first function of direction 2
+  int seconds_ = 0;       // functions of direction 2
+  int width_second_ = 0, width_first_ = 0, thirds_ = 0;
+  std::vector<std::int32_t> targets_;
+  std::vector<Collected> pairs_;
+  std::vector<double> collected_;
+};
+
+}  // namespace isopatch::iga

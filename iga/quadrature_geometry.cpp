@@ -1,0 +1,258 @@
+#include "iga/quadrature_geometry.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "geometry/base/error.hpp"
+#include "geometry/splines/basis.hpp"
+#include "iga/internal/registers.hpp"
+
+namespace isopatch::iga {
+namespace {
+
+using Lane = Eigen::Array<double, register_size, 1>;
+using Packet = Eigen::Array<double, 8, 1>;
+
+Eigen::Map<const Lane, Eigen::Unaligned> at(const double* from) {
+  return Eigen::Map<const Lane, Eigen::Unaligned>(from);
+}
+
+// Sum over the functions of direction 3 of factor times line.
+inline Lane along_third(const double* line, int plane_step, const double* factors, int count) {
+  Lane sum = factors[0] * at(line);
+  for (int k = 1; k < count; ++k) sum += factors[k] * at(line + k * plane_step);
+  return sum;
+}
+
+}  // namespace
+
+const int QuadratureGeometry::block_size = register_size;
+
+QuadratureGeometry::QuadratureGeometry(const PatchSpace& space, int points) : space_(&space) {
+  for (int d = 0; d < 3; ++d) {
+    const auto k = static_cast<std::size_t>(d);
+    const int count = points > 0 ? points : space.knots[k].degree() + 1;
+    tables_[k] = direction_table(space.knots[k], geometry::gauss_legendre(count));
+    for (const DirectionTable::Element& element : tables_[k].elements) {
+      nodes_[k].insert(nodes_[k].end(), element.nodes.begin(), element.nodes.end());
+      weights_[k].insert(weights_[k].end(), element.weights.begin(), element.weights.end());
+    }
+    geometry_at_[k] = tabulate(space.geometry->knots()[k], d);
+    if (space.is_rational()) functions_at_[k] = tabulate_own(d);
+  }
+  homogeneous_ = space.geometry->homogeneous();
+  if (space.is_rational()) {
+    function_weights_.setZero(4, space.weights.size());
+    function_weights_.row(0) = space.weights.transpose();
+  }
+}
+
+int QuadratureGeometry::points_per_element(int d) const {
+  return static_cast<int>(table(d).elements.front().nodes.size());
+}
+
+int QuadratureGeometry::points(int d) const {
+  return static_cast<int>(nodes_[static_cast<std::size_t>(d)].size());
+}
+
+// The span of the geometry at a point of an element of the functions never lies outside that element, even
+// where rounding puts the point on the element's end.
+QuadratureGeometry::AtPoints QuadratureGeometry::tabulate(const geometry::KnotVector& knots, int d) const {
+  const std::vector<double> breaks = space_->knots[static_cast<std::size_t>(d)].breaks();
+  const std::vector<double> own_breaks = knots.breaks();
+  AtPoints result;
+  result.functions = knots.degree() + 1;
+  const DirectionTable& table = tables_[static_cast<std::size_t>(d)];
+  for (std::size_t e = 0; e < table.elements.size(); ++e) {
+    const auto above = std::lower_bound(own_breaks.begin(), own_breaks.end(), breaks[e + 1]);
+    const double last_break = std::max(breaks[e], above == own_breaks.begin() ? breaks[e] : *(above - 1));
+    const int low = knots.span(breaks[e]);
+    const int high = std::max(low, knots.span(0.5 * (last_break + breaks[e + 1])));
+    for (const double node : table.elements[e].nodes) {
+      const int span = std::clamp(knots.span(node), low, high);
+      const Eigen::MatrixXd rows = geometry::basis_on_span(knots, span, node, 1);
+      result.first.push_back(span - knots.degree());
+      for (Eigen::Index k = 0; k < rows.cols(); ++k) {
+        result.values.push_back(rows(0, k));
+        result.derivatives.push_back(rows(1, k));
+      }
+    }
+  }
+  return result;
+}
+
+QuadratureGeometry::AtPoints QuadratureGeometry::tabulate_own(int d) const {
+  AtPoints result;
+  result.functions = space_->knots[static_cast<std::size_t>(d)].degree() + 1;
+  for (const DirectionTable::Element& element : table(d).elements) {
+    for (Eigen::Index q = 0; q < element.values.rows(); ++q) {
+      result.first.push_back(element.first);
+      for (Eigen::Index k = 0; k < element.values.cols(); ++k) {
+        result.values.push_back(element.values(q, k));
+        result.derivatives.push_back(element.derivatives(q, k));
+      }
+    }
+  }
+  return result;
+}
+
+// Directions 2 and 1 of a spline with up to four components, for the planes that the points begin .. end - 1
+// of direction 3 need.
+QuadratureGeometry::Lines QuadratureGeometry::lines(const Eigen::Matrix4Xd& coefficients,
+                                                    const std::array<AtPoints, 3>& at_points,
+                                                    const std::array<int, 2>& sizes, int components,
+                                                    int second, int begin, int end) const {
+  const auto& [u, v, w] = at_points;
+  Lines result;
+  result.first_plane = w.first[static_cast<std::size_t>(begin)];
+  result.fields = 3 * components;
+  const int planes = w.first[static_cast<std::size_t>(end - 1)] + w.functions - result.first_plane;
+  const int width = blocks() * block_size;
+  result.values.assign(static_cast<std::size_t>(planes) * static_cast<std::size_t>(result.fields * width),
+                       0.0);
+  std::vector<Packet> line(static_cast<std::size_t>(sizes[0]));  // values, then derivatives along direction 2
+  const double* const value2 = &v.values[static_cast<std::size_t>(second * v.functions)];
+  const double* const derivative2 = &v.derivatives[static_cast<std::size_t>(second * v.functions)];
+  for (int plane = 0; plane < planes; ++plane) {
+    const Eigen::Index row = static_cast<Eigen::Index>(sizes[1]) * (result.first_plane + plane) +
+                             v.first[static_cast<std::size_t>(second)];
+    for (int i = 0; i < sizes[0]; ++i) {
+      Packet& here = line[static_cast<std::size_t>(i)];
+      here.setZero();
+      for (int k = 0; k < v.functions; ++k) {
+        const auto c = coefficients.col(sizes[0] * (row + k) + i).array();
+        here.head<4>() += value2[k] * c;
+        here.tail<4>() += derivative2[k] * c;
+      }
+    }
+    double* out =
+        &result.values[static_cast<std::size_t>(plane) * static_cast<std::size_t>(result.fields * width)];
+    for (int q = 0; q < points(0); ++q, ++out) {
+      const auto point = static_cast<std::size_t>(q);
+      const double* const value1 = &u.values[point * static_cast<std::size_t>(u.functions)];
+      const double* const derivative1 = &u.derivatives[point * static_cast<std::size_t>(u.functions)];
+      const Packet* const from = &line[static_cast<std::size_t>(u.first[point])];
+      Packet plain = value1[0] * from[0];
+      Eigen::Array4d along = derivative1[0] * from[0].head<4>();
+      for (int k = 1; k < u.functions; ++k) {
+        plain += value1[k] * from[k];
+        along += derivative1[k] * from[k].head<4>();
+      }
+      for (int c = 0; c < components; ++c) {
+        out[c * width] = plain[c];
+        out[(components + c) * width] = along[c];
+        out[(2 * components + c) * width] = plain[4 + c];
+      }
+    }
+  }
+  return result;
+}
+
+void QuadratureGeometry::evaluate(int second, int begin, int end, double* out, int stride, int patch) const {
+  const geometry::NurbsVolume& volume = *space_->geometry;
+  const int of_place = volume.is_rational() ? 4 : 3;
+  const Lines places =
+      lines(homogeneous_, geometry_at_, {volume.size(0), volume.size(1)}, of_place, second, begin, end);
+  const bool rational = space_->is_rational();
+  Lines weights;
+  if (rational)
+    weights = lines(function_weights_, functions_at_, {space_->knots[0].size(), space_->knots[1].size()}, 1,
+                    second, begin, end);
+  const int width = blocks() * block_size;
+  bool folded = false;
+  for (int block = 0; block < blocks(); ++block) {
+    const int column = block * block_size;
+    const int used = std::min(block_size, points(0) - column);
+    Lane weight1 = Lane::Zero();
+    for (int lane = 0; lane < used; ++lane)
+      weight1[lane] = weights_[0][static_cast<std::size_t>(column + lane)];
+    double* to = out + static_cast<std::ptrdiff_t>(block) * stride * components() * block_size;
+    for (int q = begin; q < end; ++q) {
+      // Values and the three derivatives of one component of a spline, from V V, D V, V D of directions 1
+      // and 2.
+      const auto derive = [&](const Lines& spline, const AtPoints& w, int component,
+                              std::array<Lane, 4>& result) {
+        const auto point = static_cast<std::size_t>(q);
+        const double* const value3 = &w.values[point * static_cast<std::size_t>(w.functions)];
+        const double* const derivative3 = &w.derivatives[point * static_cast<std::size_t>(w.functions)];
+        const int step = spline.fields * width;
+        const int components_here = spline.fields / 3;
+        const double* const from = spline.values.data() +
+                                   static_cast<std::ptrdiff_t>(w.first[point] - spline.first_plane) * step +
+                                   component * width + column;
+        result[0] = along_third(from, step, value3, w.functions);
+        result[1] = along_third(from + components_here * width, step, value3, w.functions);
+        result[2] = along_third(from + 2 * components_here * width, step, value3, w.functions);
+        result[3] = along_third(from, step, derivative3, w.functions);
+      };
+      std::array<std::array<Lane, 4>, 3> x;  // [coordinate][value, derivatives]
+      for (int c = 0; c < 3; ++c) derive(places, geometry_at_[2], c, x[static_cast<std::size_t>(c)]);
+      if (of_place == 4) {
+        std::array<Lane, 4> total;
+        derive(places, geometry_at_[2], 3, total);
+        for (int lane = used; lane < block_size; ++lane) total[0][lane] = 1;
+        const Lane inverse = 1 / total[0];
+        for (auto& coordinate : x) {
+          coordinate[0] *= inverse;
+          for (std::size_t d = 1; d < 4; ++d)
+            coordinate[d] = inverse * (coordinate[d] - coordinate[0] * total[d]);
+        }
+      }
+      std::array<Lane, 9> g;  // cofactors
+      for (std::size_t d = 0; d < 3; ++d)
+        for (std::size_t c = 0; c < 3; ++c) {
+          const std::size_t c1 = (c + 1) % 3, c2 = (c + 2) % 3, d1 = (d + 1) % 3 + 1, d2 = (d + 2) % 3 + 1;
+          g[3 * d + c] = x[c1][d1] * x[c2][d2] - x[c1][d2] * x[c2][d1];
+        }
+      Lane determinant = x[0][1] * g[0] + x[1][1] * g[1] + x[2][1] * g[2];
+      for (int lane = used; lane < block_size; ++lane) determinant[lane] = 1;
+      folded = folded || !(determinant > 0).all();
+      const double weight23 =
+          weights_[1][static_cast<std::size_t>(second)] * weights_[2][static_cast<std::size_t>(q)];
+      Lane scale = (weight1 * weight23 / determinant).sqrt();
+      if (rational) {
+        std::array<Lane, 4> total;
+        derive(weights, functions_at_[2], 0, total);
+        for (int lane = used; lane < block_size; ++lane) total[0][lane] = 1;
+        const Lane inverse = 1 / total[0];
+        scale *= inverse;
+        for (std::size_t c = 0; c < 3; ++c) {
+          const Lane h = -scale * inverse * (g[c] * total[1] + g[3 + c] * total[2] + g[6 + c] * total[3]);
+          Eigen::Map<Lane, Eigen::Unaligned>(to + (9 + static_cast<int>(c)) * block_size) = h;
+        }
+      }
+      for (int k = 0; k < 9; ++k)
+        Eigen::Map<Lane, Eigen::Unaligned>(to + k * block_size) = scale * g[static_cast<std::size_t>(k)];
+      to += components() * block_size;
+    }
+  }
+  if (folded) require_positive(second, begin, end, patch);
+}
+
+void QuadratureGeometry::require_positive(int second, int begin, int end, int patch) const {
+  const geometry::NurbsVolume& volume = *space_->geometry;
+  double smallest = std::numeric_limits<double>::infinity();
+  geometry::Parameter<3> worst;
+  for (int k = begin; k < end; ++k) {
+    for (const double first : nodes_[0]) {
+      const geometry::Parameter<3> here(first, nodes_[1][static_cast<std::size_t>(second)],
+                                        nodes_[2][static_cast<std::size_t>(k)]);
+      const double determinant = volume.jacobian(here).determinant();
+      if (determinant < smallest) {
+        smallest = determinant;
+        worst = here;
+      }
+    }
+  }
+  const Eigen::Vector3d place = volume.point(worst);
+  if (space_->reversed) worst[0] = volume.knots(0).first() + (volume.knots(0).last() - worst[0]);
+  throw Error(
+      ErrorCode::fold_over,
+      fmt::format("patch {} is folded: det J = {:.3g} m^3 at the Gauss point with parameter ({:.6g}, {:.6g}, "
+                  "{:.6g}), place ({:.6g}, {:.6g}, {:.6g}) m; mend the patch's inner control points there",
+                  patch, smallest, worst[0], worst[1], worst[2], place[0], place[1], place[2]));
+}
+
+}  // namespace isopatch::iga
