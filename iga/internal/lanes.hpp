@@ -15,13 +15,11 @@ inline double sum(const Lanes& v) {
   return (halves[0] + halves[1]) + (halves[2] + halves[3]);
 }
 
-/// A small dense matrix inside a table: entry (o, i) lies at data[o * outer_step + i * inner_step].
-struct SmallMatrix {
-  const double* data;
-  int outer;
-  int inner;
-  std::ptrdiff_t outer_step;
-  std::ptrdiff_t inner_step;
+/// A small matrix of the values of functions at points: table[point * functions + function].
+struct FunctionTable {
+  const double* table;
+  int points;
+  int functions;
 };
 
 /// Groups of vectors at equal distances.
@@ -31,47 +29,57 @@ struct Strided {
   std::ptrdiff_t step;
 };
 
-/// out[o][v] = sum_i m(o, i) in[i][v], or += with Add, for v below `count`; Inner = 0 stands for any inner
-/// size.
-template <int Inner, bool Add>
-void contract_sized(const SmallMatrix& m, Strided<const Lanes> in, Strided<Lanes> out, int count) {
-  const int inner = Inner > 0 ? Inner : m.inner;
+/// From functions to points, out[q][v] = sum_a table(q, a) in[a][v], or with Transposed from points to
+/// functions, out[a][v] += sum_q table(q, a) in[q][v], for v below `count`. Size > 0: as many points as
+/// functions, Size.
+template <int Size, bool Transposed>
+void contract_sized(const FunctionTable& m, Strided<const Lanes> in, Strided<Lanes> out, int count) {
+  const int points = Size > 0 ? Size : m.points;
+  const int functions = Size > 0 ? Size : m.functions;
+  const int outer = Transposed ? functions : points;
+  const int inner = Transposed ? points : functions;
+  const auto entry = [&](int o, int i) {
+    return m.table[Transposed ? i * functions + o : o * functions + i];
+  };
   for (int v = 0; v < count; ++v) {
     const Lanes* const from = in.data + v;
-    Lanes* const to = out.data + v;
-    Lanes x[Inner > 0 ? Inner : 1];
-    for (int i = 0; i < Inner; ++i) x[i] = from[i * in.step];
-    for (int o = 0; o < m.outer; ++o) {
-      const double* const row = m.data + o * m.outer_step;
-      Lanes total{};
-      if constexpr (Add) total = to[o * out.step];
-      for (int i = 0; i < inner; ++i) {
-        if constexpr (Inner > 0)
-          total += row[i * m.inner_step] * x[i];
+    Lanes* const __restrict to = out.data + v;
+    Lanes x[Size > 0 ? Size : 1];
+    for (int i = 0; i < Size; ++i) x[i] = from[i * in.step];
+#pragma GCC unroll 8
+    for (int o = 0; o < outer; ++o) {
+      Lanes total = entry(o, 0) * from[0];
+      for (int i = 1; i < inner; ++i) {
+        if constexpr (Size > 0)
+          total += entry(o, i) * x[i];
         else
-          total += row[i * m.inner_step] * from[i * in.step];
+          total += entry(o, i) * from[i * in.step];
       }
-      to[o * out.step] = total;
+      if constexpr (Transposed)
+        to[o * out.step] += total;
+      else
+        to[o * out.step] = total;
     }
   }
 }
 
-/// contract_sized for the matrix at hand.
-template <bool Add>
-void contract(const SmallMatrix& m, Strided<const Lanes> in, Strided<Lanes> out, int count) {
-  switch (m.inner) {
+/// contract_sized for the table at hand.
+template <bool Transposed>
+void contract(const FunctionTable& m, Strided<const Lanes> in, Strided<Lanes> out, int count) {
+  if (m.points != m.functions) return contract_sized<0, Transposed>(m, in, out, count);
+  switch (m.points) {
     case 2:
-      return contract_sized<2, Add>(m, in, out, count);
+      return contract_sized<2, Transposed>(m, in, out, count);
     case 3:
-      return contract_sized<3, Add>(m, in, out, count);
+      return contract_sized<3, Transposed>(m, in, out, count);
     case 4:
-      return contract_sized<4, Add>(m, in, out, count);
+      return contract_sized<4, Transposed>(m, in, out, count);
     case 5:
-      return contract_sized<5, Add>(m, in, out, count);
+      return contract_sized<5, Transposed>(m, in, out, count);
     case 6:
-      return contract_sized<6, Add>(m, in, out, count);
+      return contract_sized<6, Transposed>(m, in, out, count);
     default:
-      return contract_sized<0, Add>(m, in, out, count);
+      return contract_sized<0, Transposed>(m, in, out, count);
   }
 }
 

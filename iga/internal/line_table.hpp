@@ -28,18 +28,9 @@ struct LineTable {
 
   int points() const { return static_cast<int>(first.size()); }
   int kind_count() const { return static_cast<int>(kinds.size()); }
-  /// The points of a run by the functions there.
-  SmallMatrix expansion(const PointRun& run, int kind) const {
-    return {entry(run, kind), run.end - run.begin, functions, functions, 1};
-  }
-  /// Its transpose.
-  SmallMatrix collection(const PointRun& run, int kind) const {
-    return {entry(run, kind), functions, run.end - run.begin, 1, functions};
-  }
-
- private:
-  const double* entry(const PointRun& run, int kind) const {
-    return kinds[static_cast<std::size_t>(kind)].data() + static_cast<std::ptrdiff_t>(run.begin) * functions;
+  FunctionTable at(const PointRun& run, int kind) const {
+    return {kinds[static_cast<std::size_t>(kind)].data() + static_cast<std::ptrdiff_t>(run.begin) * functions,
+            run.end - run.begin, functions};
   }
 };
 

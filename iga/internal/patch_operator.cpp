@@ -247,10 +247,10 @@ void PatchOperator::integrate(const SweepBox& box, const double* displacement, c
       if (own_fields > 0) scratch.functions.expand_layer(e3);
       if (geometry_fields > 0) scratch.geometry.expand_layer(e3);
       scratch.results.clear_rows();
-      for (int e2 = box.begin[1]; e2 < box.end[1]; ++e2) {
-        line.weights2 = &quadrature_[1][static_cast<std::size_t>(e2 * points2)];
-        for (int q3 = 0; q3 < points3; ++q3) {
-          line.weight3 = quadrature_[2][static_cast<std::size_t>(e3 * points3 + q3)];
+      for (int q3 = 0; q3 < points3; ++q3) {
+        line.weight3 = quadrature_[2][static_cast<std::size_t>(e3 * points3 + q3)];
+        for (int e2 = box.begin[1]; e2 < box.end[1]; ++e2) {
+          line.weights2 = &quadrature_[1][static_cast<std::size_t>(e2 * points2)];
           if (own_fields > 0) scratch.functions.expand_points(e2, q3);
           if (geometry_fields > 0) scratch.geometry.expand_points(e2, q3);
           const Lanes determinants = evaluate(line, scratch.results.point(0));
@@ -348,6 +348,8 @@ void PatchOperator::refuse_folded(const SweepBox& box) const {
         parameter = at;
       }
   const Eigen::Vector3d place = volume.point(parameter);
+  const geometry::KnotVector& knots = volume.knots(0);
+  if (space_->reversed) parameter[0] = knots.first() + knots.last() - parameter[0];  // the input's name
   throw Error(
       ErrorCode::fold_over,
       fmt::format("patch {} is folded: det J = {:.3g} m^3 at the Gauss point with parameter ({:.6g}, {:.6g}, "

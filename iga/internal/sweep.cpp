@@ -102,40 +102,40 @@ void Sweep::start(const LineTable& second, const LineTable& third, const SweepSt
 }
 
 void Sweep::expand_layer(int element3) {
-  const std::ptrdiff_t step = static_cast<std::ptrdiff_t>(rows_) * stages_->plane;
+  const std::ptrdiff_t plane_step = static_cast<std::ptrdiff_t>(rows_) * stages_->plane;
+  const std::ptrdiff_t row_step = static_cast<std::ptrdiff_t>(rows_) * stages_->row;
   for_each_run(*third_, element3, [&](const PointRun& run, int q3) {
     for (int r = 0; r < rows_; ++r)
       for (const SweepStep& s : stages_->middle)
-        contract<false>(third_->expansion(run, s.kind), {plane(r, run.first - first_plane_) + s.from, step},
-                        {row(r, q3) + s.to, stages_->row}, s.count);
+        contract<false>(third_->at(run, s.kind), {plane(r, run.first - first_plane_) + s.from, plane_step},
+                        {row(r, q3) + s.to, row_step}, s.count);
   });
 }
 
 void Sweep::expand_points(int element2, int q3) {
-  const std::ptrdiff_t step = static_cast<std::ptrdiff_t>(points3_) * stages_->row;
   for_each_run(*second_, element2, [&](const PointRun& run, int q2) {
     for (const SweepStep& s : stages_->last)
-      contract<false>(second_->expansion(run, s.kind), {row(run.first - first_row_, q3) + s.from, step},
+      contract<false>(second_->at(run, s.kind), {row(run.first - first_row_, q3) + s.from, stages_->row},
                       {point(q2) + s.to, stages_->point}, s.count);
   });
 }
 
 void Sweep::collect_points(int element2, int q3) {
-  const std::ptrdiff_t step = static_cast<std::ptrdiff_t>(points3_) * stages_->row;
   for_each_run(*second_, element2, [&](const PointRun& run, int q2) {
     for (const SweepStep& s : stages_->last)
-      contract<true>(second_->collection(run, s.kind), {point(q2) + s.from, stages_->point},
-                     {row(run.first - first_row_, q3) + s.to, step}, s.count);
+      contract<true>(second_->at(run, s.kind), {point(q2) + s.from, stages_->point},
+                     {row(run.first - first_row_, q3) + s.to, stages_->row}, s.count);
   });
 }
 
 void Sweep::collect_layer(int element3) {
-  const std::ptrdiff_t step = static_cast<std::ptrdiff_t>(rows_) * stages_->plane;
+  const std::ptrdiff_t plane_step = static_cast<std::ptrdiff_t>(rows_) * stages_->plane;
+  const std::ptrdiff_t row_step = static_cast<std::ptrdiff_t>(rows_) * stages_->row;
   for_each_run(*third_, element3, [&](const PointRun& run, int q3) {
     for (int r = 0; r < rows_; ++r)
       for (const SweepStep& s : stages_->middle)
-        contract<true>(third_->collection(run, s.kind), {row(r, q3) + s.from, stages_->row},
-                       {plane(r, run.first - first_plane_) + s.to, step}, s.count);
+        contract<true>(third_->at(run, s.kind), {row(r, q3) + s.from, row_step},
+                       {plane(r, run.first - first_plane_) + s.to, plane_step}, s.count);
   });
 }
 

@@ -84,7 +84,7 @@ class Sweep {
 
  private:
   Lanes* row(int row, int q3) {
-    return rows_buffer_.data() + (static_cast<std::ptrdiff_t>(row) * points3_ + q3) * stages_->row;
+    return rows_buffer_.data() + (static_cast<std::ptrdiff_t>(q3) * rows_ + row) * stages_->row;
   }
   const LineTable* second_ = nullptr;
   const LineTable* third_ = nullptr;
