@@ -45,7 +45,6 @@ def fastest(measured):
         entry = entries.setdefault(run["run_name"], {"kernel": run["run_name"].split("/")[0], "threads": threads,
                                                  "seconds": seconds})
         entry["seconds"] = min(entry["seconds"], seconds)
-        entry["busy"] = min(entry.get("busy", float("inf")), run["real_time"] / max(run["cpu_time"], 1e-9))
         for counter in ("flops", "bytes", "dofs", "elements", "p", "spans", "rational"):
             if counter in run:
                 entry[counter] = round(run[counter])
@@ -60,7 +59,7 @@ def limits(entries):
         name = {"dgemm": "dgemm_gflops", "triad": "triad_gbs", "read": "read_gbs"}.get(entry["kernel"])
         if name:
             found.setdefault(entry["threads"], {"threads": entry["threads"]})[name] = rate
-    return found
+    return dict(sorted(found.items()))
 
 
 def bandwidth(limit):
@@ -91,7 +90,7 @@ def figures(entries):
         if entry["kernel"] == "apply":
             flops = 1e3 * APPLY_KFLOP[entry["p"]] * dofs
             entry["gflops"] = flops / seconds / 1e9
-            entry["to_dgemm"] = entry["gflops"] and limit["dgemm_gflops"] / entry["gflops"]
+            entry["to_dgemm"] = limit["dgemm_gflops"] / entry["gflops"]
             product = products.get(key(entry, "p", "rational", "threads"))
             entry["to_product"] = seconds / dofs / product if product else None
     return kernels
@@ -117,8 +116,6 @@ def report(entries):
                           [[str(l["threads"]), number(l["dgemm_gflops"]), number(l["triad_gbs"]), number(l["read_gbs"])]
                            for l in limits(entries).values()])
     kernels = figures(entries)
-    if any(entry["threads"] == 1 and entry["busy"] > 1.2 for entry in entries):
-        lines += ["", "Others kept the processor busy: figures of more than one thread are worse than they would be."]
 
     def patch(e):
         return f"p = {e['p']}, {e['spans']}^3 spans{', rational' if e['rational'] else ''}"

@@ -75,6 +75,7 @@ def provenance(root, program):
         "version": version(program),
         "commit": commit(root),
         "machine": describe(),
+        "load_average": round(os.getloadavg()[0], 1),  # before the measurement: what others did
     }
 
 
@@ -86,4 +87,7 @@ def title(record):
              + ", ".join(f"{name} {size}" for name, size in made_with["caches"].items())
              + f", {(made_with['memory_bytes'] or 0) / 2**30:.0f} GiB, {made_with['system']}"]
     lines += [f"{made_with['compiler']}; {made_with['blas']}"] if "blas" in made_with else []
+    if record["load_average"] > 0.3:
+        lines += [f"Load average {record['load_average']:g} before the measurement: others used the machine, so figures "
+                  "of more than", "one thread and of whole runs are worse than they would be."]
     return lines + [""]

@@ -2,7 +2,7 @@
 
 import subprocess
 
-from . import finite_elements, growth, runs, tables
+from . import finite_elements, growth, tables
 
 # Internal energy of examples/link, J. isopatch gives 0.579475 and 0.579476 at degrees 3 and 4 with 12 elements per
 # direction and patch, 0.579475 at degree 4 with 8; CalculiX comes nearer from below with every finer mesh.
