@@ -349,7 +349,7 @@ void PatchOperator::refuse_folded(const SweepBox& box) const {
       }
   const Eigen::Vector3d place = volume.point(parameter);
   const geometry::KnotVector& knots = volume.knots(0);
-  if (space_->reversed) parameter[0] = knots.first() + knots.last() - parameter[0];  // the input's name
+  if (space_->reversed) parameter[0] = knots.first() + (knots.last() - parameter[0]);  // as the input has it
   throw Error(
       ErrorCode::fold_over,
       fmt::format("patch {} is folded: det J = {:.3g} m^3 at the Gauss point with parameter ({:.6g}, {:.6g}, "
