@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <string>
 #include <utility>
 
 #include "geometry/base/error.hpp"
+#include "solvers/internal/mpi_session.hpp"
 #include "solvers/internal/petsc_objects.hpp"
 
 namespace isopatch::solvers {
@@ -21,12 +21,6 @@ PetscErrorCode remember_message(MPI_Comm, int, const char* function, const char*
   return code;
 }
 
-// Without mpiexec, Open MPI starts a helper process that only spawning more processes would need; leaving it
-// out saves 0.15 s. Whoever sets the variable himself has his way.
-void start_without_daemon() {
-  if (!std::getenv("OMPI_COMM_WORLD_SIZE")) ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
-}
-
 // Lives from the first use of PETSc to the end of the process.
 class Session {
  public:
@@ -35,7 +29,6 @@ class Session {
     PetscInitialized(&running);
     if (running) return;
     PetscOptionsSetValue(nullptr, "-no_signal_handler", "true");
-    start_without_daemon();
     petsc::check(PetscInitializeNoArguments(), "start PETSc");
     PetscPushErrorHandler(remember_message, nullptr);
     started_ = true;
@@ -57,15 +50,8 @@ class Session {
 }  // namespace
 
 void start_petsc() {
+  start_mpi();
   static const Session session;
-  int processes = 1;
-  MPI_Comm_size(PETSC_COMM_WORLD, &processes);
-  if (processes > 1)
-    throw Error(
-        ErrorCode::unsupported,
-        fmt::format("{} processes were started, but this version solves with one; start it without mpiexec, "
-                    "threads are used by themselves",
-                    processes));
 }
 
 namespace petsc {

@@ -7,7 +7,7 @@ namespace isopatch::solvers {
 /// Signal handlers stay the program's own. What was started here is finished when the process exits, what
 /// somebody else started is left alone. PETSC_OPTIONS in the environment is honoured.
 ///
-/// @throws Error unsupported  under mpiexec with more than one process
+/// @throws Error internal
 /// @cost   0.1 s or so once; nothing in isopatch that works without PETSc calls it
 void start_petsc();
 
