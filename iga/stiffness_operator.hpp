@@ -33,14 +33,14 @@ class StiffnessOperator {
   /// @return              (3, nodes), N
   /// @throws Error fold_over         a Gauss point with det J <= 0, naming patch, parameter and place
   /// @throws Error invalid_argument  another number of nodes
-  /// @cost   at degree p about 36 (p + 1)^4 + 190 (p + 1)^3 flops per control point for polynomials, a fifth
-  /// more
-  ///         if rational; memory traffic of a few vectors
+  /// @cost   at degree p about 54 (p + 1)^4 + 172 (p + 1)^3 flops per control point, 1.4 times that if
+  /// rational
+  ///         (9 and 13 kflop per unknown for p = 3); memory is read and written a few times
   Eigen::Matrix3Xd apply(const Eigen::Matrix3Xd& displacement) const;
 
   /// The 3 x 3 diagonal block of every node, with the same quadrature; 0 for nodes outside the parts.
   /// @throws Error fold_over
-  /// @cost   about three products
+  /// @cost   about two products
   std::vector<Eigen::Matrix3d> diagonal_blocks() const;
 
   int node_count() const;
