@@ -43,12 +43,20 @@ struct DirectionTable {
 template <int D>
 Eigen::Matrix4Xd slab(const Eigen::Matrix4Xd& homogeneous, std::array<int, D> sizes,
                       const std::array<DirectionTable, D>& tables, int last, int differentiated) {
-  Eigen::Matrix4Xd values = homogeneous;
-  for (int d = D - 1; d >= 0; --d) {
+  const auto& through = tables[D - 1].basis[differentiated == D - 1 ? 1 : 0];
+  // The control points behind the node: without this every node would look at all of them.
+  const Eigen::Index row_end = through.outerIndexPtr()[last + 1];
+  const Eigen::Index low = through.innerIndexPtr()[through.outerIndexPtr()[last]];
+  const Eigen::Index count = through.innerIndexPtr()[row_end - 1] + 1 - low;
+  const Eigen::Index layer = homogeneous.cols() / sizes[D - 1];
+  const Eigen::RowVectorXd row = through.row(last);
+  Eigen::Matrix4Xd values = Eigen::Matrix4Xd::Zero(4, layer);
+  for (Eigen::Index k = low; k < low + count; ++k)
+    values += row[k] * homogeneous.middleCols(k * layer, layer);
+  sizes[D - 1] = 1;
+  for (int d = D - 2; d >= 0; --d) {
     const auto k = static_cast<std::size_t>(d);
-    const auto& all = tables[k].basis[d == differentiated ? 1 : 0];
-    const Eigen::SparseMatrix<double, Eigen::RowMajor> rows =
-        d == D - 1 ? all.middleRows(last, 1) : all.middleRows(0, all.rows());
+    const auto& rows = tables[k].basis[d == differentiated ? 1 : 0];
     values = apply_along<D>(values, sizes, d, rows);
     sizes[k] = static_cast<int>(rows.rows());
   }

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "app/tests/program_fixture.hpp"
 #include "solvers/blas_threads.hpp"
 
@@ -53,6 +55,27 @@ TEST_F(Program, AFailedRunLeavesEarlierResultsAlone) {
   EXPECT_NE(run({"run", study(), "-q", "--set", "load.0.faces=[\"x_min\", \"0:east\"]"}), 0);
   EXPECT_EQ(read_file(results() / "summary.json"), before);
   EXPECT_TRUE(fs::exists(results() / "fields/patch_001.vtu"));
+}
+
+TEST_F(Program, AFullDiskInTheMiddleLeavesNothingOfAnEarlierRun) {
+  ASSERT_EQ(run({"run", study(), "-q", "--set", "model.patches=[3,1,1]"}), 0) << err_;
+  // Single precision fits the shell's limit, 8 blocks of 512 bytes, results.h5 does not.
+  EXPECT_EQ(shell(fmt::format("(ulimit -f 8; exec {} run {} -q --set output.precision=single) 2>/dev/null",
+                              ISOPATCH_PROGRAM, study())),
+            3);
+  EXPECT_THAT(files_below(results()),
+              testing::UnorderedElementsAre("fields/patch_000.vtu", "fields/patch_001.vtu", "results.vtm"));
+}
+
+TEST_F(Program, FieldsInSinglePrecisionAreSmaller) {
+  ASSERT_EQ(run({"run", study(), "-q", "--set", "discretization.refine=2"}), 0) << err_;
+  const auto full = fs::file_size(results() / "fields/patch_000.vtu");
+  ASSERT_EQ(
+      run({"run", study(), "-q", "--set", "discretization.refine=2", "--set", "output.precision=single"}), 0);
+  EXPECT_LT(static_cast<double>(fs::file_size(results() / "fields/patch_000.vtu")),
+            0.65 * static_cast<double>(full));
+  EXPECT_EQ(run({"run", study(), "-q", "--set", "output.precision=singel"}), 2);
+  EXPECT_THAT(err_, HasSubstr("single"));
 }
 
 TEST_F(Program, ReadsStudiesWrittenByWindowsEditors) {

@@ -13,6 +13,7 @@
 #include <string>
 #include <thread>
 
+#include "geometry/base/atomic_writer.hpp"
 #include "geometry/base/error.hpp"
 
 namespace isopatch {
@@ -158,6 +159,31 @@ TEST_F(AtomicFile, ReadingAMissingFileNamesIt) {
 
 TEST_F(AtomicFile, ReadingADirectorySaysSo) {
   EXPECT_THAT(io_error([&] { read_file(directory_); }), HasSubstr("Is a directory"));
+}
+
+TEST_F(AtomicFile, WrittenInPiecesAppearsWhenFinished) {
+  write_file(path_, "before");
+  {
+    AtomicWriter writer(path_);
+    writer.write("one, ");
+    EXPECT_EQ(read_file(path_), "before");
+    writer.write("two");
+    writer.finish();
+  }
+  EXPECT_EQ(read_file(path_), "one, two");
+  EXPECT_EQ(files().size(), 1u);
+}
+
+TEST_F(AtomicFile, LeftUnfinishedChangesNothing) {
+  write_file(path_, "before");
+  try {
+    AtomicWriter writer(path_);
+    writer.write("half");
+    throw std::runtime_error("in between");
+  } catch (const std::runtime_error&) {
+  }
+  EXPECT_EQ(read_file(path_), "before");
+  EXPECT_EQ(files().size(), 1u);
 }
 
 }  // namespace

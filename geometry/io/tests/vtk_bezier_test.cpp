@@ -141,6 +141,51 @@ TEST(VtkBezier, WeightsAndDegreesAreTheActiveAttributes) {
   EXPECT_EQ(degrees->GetComponent(0, 2), 3);
 }
 
+TEST(VtkBezier, PiecesAreReadAsOneGrid) {
+  const std::vector<NurbsVolume> pieces = bezier_pieces(quarter_ring({2, 3, 2}));
+  std::string bytes;
+  const std::vector<std::vector<NurbsVolume>> parts = {{pieces[0]}, {pieces[1], pieces[2]}, {pieces[3]}};
+  write_vtu(
+      {1, 2, 1}, [&](std::size_t i) { return cells_of(parts[i]); },
+      [&](std::string_view more) { bytes += more; });
+  const auto grid = read_back(bytes);
+  ASSERT_EQ(grid->GetNumberOfCells(), 4);
+  ASSERT_EQ(grid->GetNumberOfPoints(), 4 * 36);
+  ASSERT_NE(grid->GetPointData()->GetRationalWeights(), nullptr);
+  for (vtkIdType c = 0; c < 4; ++c) {
+    const NurbsVolume& piece = pieces[static_cast<std::size_t>(c)];
+    const Eigen::Vector3d t(0.3, 0.6, 0.8);
+    const Eigen::Vector3d inside = piece.low().array() + t.array() * (piece.high() - piece.low()).array();
+    EXPECT_LT((evaluate(grid, c, t).head(3) - piece.point(inside)).norm(), 1e-13);
+  }
+  const auto other = [&](std::size_t i) {
+    return cells_of(bezier_pieces(quarter_ring({2, 3, i == 0 ? 2 : 3})));
+  };
+  EXPECT_THROW(write_vtu({4, 4}, other, [](std::string_view) {}), Error);
+  EXPECT_THROW(write_vtu({3}, other, [](std::string_view) {}), Error);
+}
+
+TEST(VtkBezier, SinglePrecisionHalvesTheNumbersAndKeepsSevenDigits) {
+  const BezierCells cells = cells_of(bezier_pieces(quarter_ring({3, 3, 3})));
+  const std::string full = to_vtu(cells);
+  const std::string single = to_vtu(cells, Precision::single);
+  // Per point: 3 + 1 + 2 numbers at 8 bytes or 4, and the connectivity's 8.
+  EXPECT_NEAR(static_cast<double>(full.size() - single.size()), 256 * 6 * 4 + 4 * 4, 64);
+  const auto exact = read_back(full);
+  const auto grid = read_back(single);
+  for (vtkIdType c = 0; c < 4; ++c)
+    EXPECT_LT((evaluate(grid, c, {0.2, 0.5, 0.9}) - evaluate(exact, c, {0.2, 0.5, 0.9})).norm(), 2e-5);
+}
+
+TEST(VtkBezier, NeedsNoWeightsWhereAllAreEqual) {
+  const NurbsVolume cube = elevate_degree(elevate_degree(NurbsVolume(), 0, 1), 2, 2);
+  BezierCells cells = cells_of({cube});
+  cells.weights.resize(0);
+  const auto grid = read_back(to_vtu(cells));
+  EXPECT_EQ(grid->GetPointData()->GetRationalWeights(), nullptr);
+  EXPECT_LT((evaluate(grid, 0, {0.2, 0.5, 0.9}).head(3) - Eigen::Vector3d(0.2, 0.5, 0.9)).norm(), 1e-14);
+}
+
 std::string message_of(const BezierCells& cells) {
   try {
     to_vtu(cells);
