@@ -30,6 +30,8 @@ function(isopatch_library name)
   set_property(GLOBAL APPEND PROPERTY ISOPATCH_LIBRARIES isopatch_${name})
 endfunction()
 
+set(ISOPATCH_TEST_ENVIRONMENT OPENBLAS_NUM_THREADS=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1)
+
 # isopatch_tests(NAME targets... [LABELS labels...]): program test_NAME from tests/*.cpp, one CTest
 # entry for each TEST.
 function(isopatch_tests name)
@@ -50,5 +52,30 @@ function(isopatch_tests name)
     set(arg_LABELS quick)
   endif()
   gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60
-    PROPERTIES LABELS "${arg_LABELS}" ENVIRONMENT "OPENBLAS_NUM_THREADS=1;OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1")
+    PROPERTIES LABELS "${arg_LABELS}" ENVIRONMENT "${ISOPATCH_TEST_ENVIRONMENT}")
+endfunction()
+
+# isopatch_process_tests(NAME COUNTS counts... COMMAND command...): CTest entries NAME.COUNT that start the command
+# as COUNT processes.
+function(isopatch_process_tests name)
+  cmake_parse_arguments(arg "" "" "COUNTS;COMMAND" ${ARGN})
+  foreach(count ${arg_COUNTS})
+    add_test(NAME ${name}.${count} COMMAND
+      ${MPIEXEC_EXECUTABLE} --oversubscribe ${MPIEXEC_NUMPROC_FLAG} ${count} ${arg_COMMAND})
+    set_tests_properties(${name}.${count} PROPERTIES LABELS quick TIMEOUT 120 PROCESSORS ${count}
+      ENVIRONMENT "${ISOPATCH_TEST_ENVIRONMENT}")
+  endforeach()
+endfunction()
+
+# isopatch_parallel_tests(NAME targets...): program test_NAME_parallel from tests/parallel/*.cpp, started as 1, 2 and 3
+# processes.
+function(isopatch_parallel_tests name)
+  if(NOT ISOPATCH_TESTS)
+    return()
+  endif()
+  file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/tests/parallel/*.cpp")
+  add_executable(test_${name}_parallel ${sources})
+  target_link_libraries(test_${name}_parallel PRIVATE ${ARGN} GTest::gtest GTest::gmock GTest::gtest_main)
+  target_compile_options(test_${name}_parallel PRIVATE ${ISOPATCH_WARNINGS} -O1)
+  isopatch_process_tests(${name}.parallel COUNTS 1 2 3 COMMAND test_${name}_parallel --gtest_brief=1)
 endfunction()

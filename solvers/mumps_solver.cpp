@@ -1,11 +1,11 @@
 #include "solvers/mumps_solver.hpp"
 
+#include <dmumps_c.h>
 #include <fmt/format.h>
 
 #include "geometry/base/error.hpp"
 #include "solvers/blas_threads.hpp"
-#include "solvers/internal/petsc_objects.hpp"
-#include "solvers/internal/petsc_session.hpp"
+#include "solvers/internal/mpi_session.hpp"
 #include "solvers/pivot_check.hpp"
 #include "solvers/refinement.hpp"
 #include "solvers/stopwatch.hpp"
@@ -14,8 +14,13 @@ namespace isopatch::solvers {
 namespace {
 
 // Numbers of the MUMPS users' guide.
+namespace job {
+constexpr int start = -1, end = -2, analysis = 1, factorization = 2, solution = 3;
+}
 namespace icntl {
-constexpr int root_parallelism = 13, extra_workspace = 14, null_pivots = 24;
+constexpr int error_stream = 1, warning_stream = 2, information_stream = 3, printing = 4,
+              root_parallelism = 13, extra_workspace = 14, distribution = 18, null_pivots = 24,
+              analysis_parallelism = 28;
 }
 namespace infog {
 constexpr int status = 1, detail = 2, memory_megabytes = 19, factor_entries = 29, negative_pivots = 12,
@@ -27,30 +32,39 @@ constexpr int integer_workspace = -8, workspace = -9, singular = -10, allocation
 
 class SymmetricFactorization {
  public:
-  // `upper` must outlive the factorization.
-  SymmetricFactorization(MPI_Comm communicator, CompressedRows<PetscInt>& upper)
-      : communicator_(communicator), rows_(static_cast<PetscInt>(upper.row_start.size()) - 1) {
-    petsc::check(MatCreateSeqSBAIJWithArrays(communicator, 1, rows_, rows_, upper.row_start.data(),
-                                             upper.columns.data(), upper.values.data(), matrix_.receive()),
-                 "take over the matrix");
-    petsc::check(MatGetFactor(matrix_.get(), MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, factor_.receive()),
-                 "prepare MUMPS");
+  // `entries` counted from 1; must outlive the factorization. The same on all processes: `rows`, which is
+  // that of the whole system.
+  SymmetricFactorization(const Processes& processes, std::int64_t rows, MatrixEntries& entries)
+      : processes_(processes), rows_(rows) {
+    mumps_.comm_fortran = processes.fortran_communicator();
+    constexpr int general_symmetric = 2;
+    mumps_.sym = general_symmetric;
+    mumps_.par = 1;  // the first process works, too
+    run(job::start);
+    mumps_.n = static_cast<MUMPS_INT>(rows);
+    mumps_.nnz_loc = static_cast<MUMPS_INT8>(entries.values.size());
+    mumps_.irn_loc = entries.rows.data();
+    mumps_.jcn_loc = entries.columns.data();
+    mumps_.a_loc = entries.values.data();
+    for (const int stream : {icntl::error_stream, icntl::warning_stream, icntl::information_stream})
+      set(stream, -1);
+    set(icntl::printing, 0);
+    constexpr int by_processes = 3, sequential = 1;
+    set(icntl::distribution, by_processes);
+    set(icntl::analysis_parallelism, sequential);
     // A root node left to one process: ScaLAPACK would not count its negative pivots.
     set(icntl::root_parallelism, 1);
     set(icntl::extra_workspace, workspace_percent_);
     set(icntl::null_pivots, 1);
     constexpr int null_pivot_threshold = 3;
-    petsc::check(MatMumpsSetCntl(factor_.get(), null_pivot_threshold, smallest_pivot_ratio(rows_)),
-                 "set an option of MUMPS");
+    mumps_.cntl[null_pivot_threshold - 1] = smallest_pivot_ratio(rows_);
   }
+  ~SymmetricFactorization() { run(job::end); }
+  SymmetricFactorization(const SymmetricFactorization&) = delete;
+  SymmetricFactorization& operator=(const SymmetricFactorization&) = delete;
 
   void analyze() {
-    petsc::IndexSet natural;
-    petsc::check(ISCreateStride(PETSC_COMM_SELF, rows_, 0, 1, natural.receive()), "number the rows");
-    MatFactorInfo info;
-    petsc::check(MatFactorInfoInitialize(&info), "prepare the analysis");
-    petsc::check(MatCholeskyFactorSymbolic(factor_.get(), matrix_.get(), natural.get(), &info),
-                 "run MUMPS' analysis");
+    run(job::analysis);
     if (get(infog::status) < 0) fail("analysis");
   }
 
@@ -58,10 +72,8 @@ class SymmetricFactorization {
   void factorize() {
     constexpr int most_workspace_percent = 3200;
     const BlasThreads threads;
-    MatFactorInfo info;
-    petsc::check(MatFactorInfoInitialize(&info), "prepare the factorization");
     while (true) {
-      petsc::check(MatCholeskyFactorNumeric(factor_.get(), matrix_.get(), &info), "run MUMPS' factorization");
+      run(job::factorization);
       const int code = get(infog::status);
       if (code >= 0) return;
       const bool too_small = code == status::workspace || code == status::integer_workspace;
@@ -72,7 +84,7 @@ class SymmetricFactorization {
   }
 
   // Checks that the matrix has `negative` negative eigenvalues and no zero one.
-  void check_inertia(int negative) const {
+  void check_inertia(std::int64_t negative) const {
     const int zero = get(infog::null_pivots), found = get(infog::negative_pivots);
     if (zero > 0)
       throw Error(
@@ -88,13 +100,17 @@ class SymmetricFactorization {
                       rows_, found, negative));
   }
 
-  Eigen::VectorXd solve(const Eigen::VectorXd& b) const {
+  // Right side and solution of the whole system, on all processes. MUMPS wants the one and gives the other on
+  // the first.
+  Eigen::VectorXd solve(Eigen::VectorXd b) {
     const BlasThreads threads;
-    Eigen::VectorXd x(b.size());
-    const petsc::Vector right_side = petsc::view(communicator_, b, 1),
-                        solution = petsc::view(communicator_, x, 1);
-    petsc::check(MatSolve(factor_.get(), right_side.get(), solution.get()), "solve with MUMPS' factors");
-    return x;
+    mumps_.rhs = b.data();
+    mumps_.nrhs = 1;
+    mumps_.lrhs = mumps_.n;
+    run(job::solution);
+    if (get(infog::status) < 0) fail("solution");
+    processes_.broadcast(b, 0);
+    return b;
   }
 
   std::int64_t factor_entries() const {
@@ -103,21 +119,17 @@ class SymmetricFactorization {
   }
   double flops() const {
     constexpr int during_factorization = 3;
-    PetscReal value = 0;
-    petsc::check(MatMumpsGetRinfog(factor_.get(), during_factorization, &value), "ask MUMPS for its work");
-    return value;
+    return mumps_.rinfog[during_factorization - 1];
   }
   std::int64_t peak_bytes() const { return std::int64_t{1'000'000} * get(infog::memory_megabytes); }
 
  private:
-  void set(int option, int value) {
-    petsc::check(MatMumpsSetIcntl(factor_.get(), option, value), "set an option of MUMPS");
+  void run(int what) {
+    mumps_.job = what;
+    dmumps_c(&mumps_);
   }
-  int get(int number) const {
-    PetscInt value = 0;
-    petsc::check(MatMumpsGetInfog(factor_.get(), number, &value), "ask MUMPS for its state");
-    return value;
-  }
+  void set(int option, int value) { mumps_.icntl[option - 1] = value; }
+  int get(int number) const { return mumps_.infog[number - 1]; }
 
   [[noreturn]] void fail(std::string_view phase) const {
     const int code = get(infog::status), detail = get(infog::detail);
@@ -137,40 +149,55 @@ class SymmetricFactorization {
                 fmt::format("MUMPS failed in its {} with INFOG(1) = {}, INFOG(2) = {}", phase, code, detail));
   }
 
-  MPI_Comm communicator_;
-  PetscInt rows_;
+  Processes processes_;
+  std::int64_t rows_;
   int workspace_percent_ = 50;
-  petsc::Matrix matrix_;
-  petsc::Matrix factor_;
+  DMUMPS_STRUC_C mumps_ = {};
 };
+
+// The inverse for local vectors.
+Eigen::VectorXd solve_local(SymmetricFactorization& factorization, const ScaledSystem& scaled,
+                            const Eigen::VectorXd& b) {
+  const LinearSystem& system = scaled.system();
+  if (!system.rows.is_distributed()) return factorization.solve(b);
+  Eigen::VectorXd whole(global_rows(scaled));
+  whole << system.rows.whole(scaled.unknowns(b)),
+      system.multiplier_rows.whole(b.tail(system.constraints.rows()));
+  const Eigen::VectorXd z = factorization.solve(std::move(whole));
+  const Eigen::Index unknowns = 3 * Eigen::Index{system.rows.global_rows()};
+  Eigen::VectorXd result(scaled.rows());
+  result << system.rows.part(z.head(unknowns)), system.multiplier_rows.part(z.tail(z.size() - unknowns));
+  return result;
+}
 
 }  // namespace
 
 LinearSolution solve_with_mumps(const LinearSystem& system, const SolverOptions& options,
                                 const Progress& progress) {
-  start_petsc();
+  start_mpi();
   Stopwatch watch;
   SolveReport report;
   report.method = Method::mumps;
   progress("ordering", 0);
   const ScaledSystem scaled(system);
-  CompressedRows<PetscInt> upper = upper_triangle<PetscInt>(scaled);
-  SymmetricFactorization factorization(PETSC_COMM_WORLD, upper);
+  MatrixEntries entries = upper_entries(scaled, 1);
+  SymmetricFactorization factorization(system.rows.processes(), global_rows(scaled), entries);
   factorization.analyze();
   report.analysis_seconds = watch.lap();
   progress("factorization", 0);
   factorization.factorize();
-  factorization.check_inertia(static_cast<int>(system.constraints.rows()));
+  factorization.check_inertia(system.constraint_count());
   report.factorization_seconds = watch.lap();
   progress("solution", 0);
   RefinedSolution refined = solve_and_refine(
-      scaled, [&](const Eigen::VectorXd& b) { return factorization.solve(b); }, options.tolerance);
+      scaled, [&](const Eigen::VectorXd& b) { return solve_local(factorization, scaled, b); },
+      options.tolerance);
   report.solve_seconds = watch.lap();
   report.residual_history = std::move(refined.history);
   report.iterations = static_cast<int>(report.residual_history.size()) - 1;
   report.factor_nonzeros = factorization.factor_entries();
   report.factor_flops = factorization.flops();
-  report.memory_bytes = factorization.peak_bytes() + upper.bytes();
+  report.memory_bytes = factorization.peak_bytes() + system.rows.processes().sum(entries.bytes());
   return {scaled.unknowns(refined.z), scaled.multipliers(refined.z), std::move(report)};
 }
 

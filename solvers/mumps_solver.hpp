@@ -12,8 +12,11 @@ namespace isopatch::solvers {
 ///
 /// @throws Error singular_system  with the number of zero and negative pivots
 /// @throws Error out_of_memory    with the megabytes that MUMPS asked for
-/// @throws Error unsupported      for more than 2^31 - 1 entries above the diagonal
-/// @source Amestoy, Duff, L'Excellent, Koster 2001 (MUMPS), through PETSc; inertia: Gould 1985
+/// @throws Error unsupported      for more than 2^31 - 2 unknowns and multipliers
+/// @cost   spread over processes, each keeps its own entries and its share of the factor; ordering, right
+/// side
+///         and solution are the first one's
+/// @source Amestoy, Duff, L'Excellent, Koster 2001 (MUMPS); inertia: Gould 1985
 LinearSolution solve_with_mumps(const LinearSystem& system, const SolverOptions& options,
                                 const Progress& progress);
 

@@ -19,18 +19,18 @@ void check_finite(const Eigen::VectorXd& z) {
 
 RefinedSolution solve_and_refine(const ScaledSystem& system, const ApplyInverse& inverse, double tolerance) {
   constexpr int most_steps = 10;
-  const double load_norm = system.system().load.stableNorm();
+  const double load_norm = system.load_norm();
   RefinedSolution best{inverse(system.right_side()), {}};
   check_finite(best.z);
   Eigen::VectorXd residual = system.residual(best.z);
-  best.history.push_back(residual.stableNorm() / load_norm);
+  best.history.push_back(system.norm(residual) / load_norm);
   for (int step = 1; step <= most_steps; ++step) {
     const double before = best.history.back();
     if (step > 1 && before <= tolerance) break;
     const Eigen::VectorXd z = best.z + inverse(residual);
     check_finite(z);
     residual = system.residual(z);
-    const double after = residual.stableNorm() / load_norm;
+    const double after = system.norm(residual) / load_norm;
     // At the round-off level residuals waver, while the error of z may still shrink.
     if (after > before && after > tolerance) break;
     best.z = z;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "geometry/base/error.hpp"
 #include "solvers/block_product.hpp"
@@ -34,19 +35,35 @@ template <class Entry>
 Extended product(const ScaledSystem& scaled, const Eigen::VectorXd& z, const Entry& entry) {
   const LinearSystem& system = scaled.system();
   const Eigen::VectorXd x = scaled.unknowns(z);
-  return with_constraints(block_product<long double>(system.stiffness, x, entry), system.constraints,
-                          scaled.scale(), z, entry);
+  Extended result = with_constraints(block_product<long double>(system.stiffness, x, entry),
+                                     system.constraints, scaled.scale(), z, entry);
+  if (!system.rows.is_distributed()) return result;
+  Extended head = result.head(x.size()), tail = result.tail(result.size() - x.size());
+  system.rows.sum(head);
+  system.multiplier_rows.sum(tail);
+  result << head, tail;
+  return result;
 }
 
 }  // namespace
 
 ScaledSystem::ScaledSystem(const LinearSystem& system) : system_(system) {
-  const double mean = system.has_constraints() ? mean_diagonal(system.stiffness) : 1;
+  const double mean = system.has_constraints() ? mean_diagonal(system.stiffness, system.rows) : 1;
   if (mean > 0) scale_ = mean;
 }
 
 int ScaledSystem::rows() const {
   return system_.stiffness.rows() + static_cast<int>(system_.constraints.rows());
+}
+
+double ScaledSystem::norm(const Eigen::VectorXd& z) const {
+  if (!system_.rows.is_distributed()) return z.stableNorm();
+  return std::hypot(system_.rows.norm(unknowns(z)),
+                    system_.multiplier_rows.norm(z.tail(system_.constraints.rows())));
+}
+
+double ScaledSystem::load_norm() const {
+  return system_.rows.norm(system_.load);
 }
 
 Eigen::VectorXd ScaledSystem::right_side() const {
@@ -62,15 +79,14 @@ Eigen::VectorXd ScaledSystem::residual(const Eigen::VectorXd& z) const {
 }
 
 double ScaledSystem::relative_residual(const Eigen::VectorXd& z) const {
-  const double residual_norm = residual(z).stableNorm();
-  return residual_norm == 0 ? 0 : residual_norm / system_.load.stableNorm();
+  const double residual_norm = norm(residual(z));
+  return residual_norm == 0 ? 0 : residual_norm / load_norm();
 }
 
 double ScaledSystem::rounding_level(const Eigen::VectorXd& z) const {
   Extended size = product(*this, z.cwiseAbs(), [](double value) { return std::abs(value); });
   size.head(system_.load.size()) += system_.load.cwiseAbs().cast<long double>();
-  return std::numeric_limits<double>::epsilon() * static_cast<double>(size.norm()) /
-         system_.load.stableNorm();
+  return std::numeric_limits<double>::epsilon() * norm(size.cast<double>()) / load_norm();
 }
 
 Eigen::VectorXd ScaledSystem::unknowns(const Eigen::VectorXd& z) const {
@@ -87,28 +103,83 @@ Eigen::VectorXd ScaledSystem::join(const Eigen::VectorXd& x, const Eigen::Vector
   return z;
 }
 
-template <class Index>
-CompressedRows<Index> upper_triangle(const ScaledSystem& scaled) {
+std::int64_t global_rows(const ScaledSystem& scaled) {
+  const LinearSystem& system = scaled.system();
+  const std::int64_t block_rows =
+      system.rows.is_distributed() ? system.rows.global_rows() : system.stiffness.block_rows();
+  return 3 * block_rows + system.constraint_count();
+}
+
+namespace {
+
+// Place of every row of this process in the whole system, counted from `first`.
+std::vector<int> places(const ScaledSystem& scaled, int first) {
+  const LinearSystem& system = scaled.system();
+  if (global_rows(scaled) >= std::numeric_limits<int>::max())
+    throw Error(
+        ErrorCode::unsupported,
+        fmt::format("{} unknowns and multipliers are more than this solver's 32-bit numbers can count; "
+                    "use method 'cholmod' with eliminated interfaces, or 'umfpack'",
+                    global_rows(scaled)));
+  std::vector<int> result(static_cast<std::size_t>(scaled.rows()));
+  if (!system.rows.is_distributed()) {
+    std::iota(result.begin(), result.end(), first);
+    return result;
+  }
+  std::size_t next = 0;
+  for (const int row : system.rows.global_of_local())
+    for (int i = 0; i < 3; ++i) result[next++] = first + 3 * row + i;
+  for (const int row : system.multiplier_rows.global_of_local())
+    result[next++] = first + 3 * system.rows.global_rows() + row;
+  return result;
+}
+
+}  // namespace
+
+MatrixEntries upper_entries(const ScaledSystem& scaled, int first) {
+  const SymmetricBlockMatrix& stiffness = scaled.system().stiffness;
+  const ConstraintMatrix& constraints = scaled.system().constraints;
+  const std::vector<int> place = places(scaled, first);
+  MatrixEntries entries;
+  const auto count =
+      static_cast<std::size_t>(9 * stiffness.blocks() - 3 * stiffness.block_rows() + constraints.nonZeros());
+  entries.rows.reserve(count);
+  entries.columns.reserve(count);
+  entries.values.reserve(count);
+  const auto append = [&](Eigen::Index row, Eigen::Index column, double value) {
+    entries.rows.push_back(place[static_cast<std::size_t>(row)]);
+    entries.columns.push_back(place[static_cast<std::size_t>(column)]);
+    entries.values.push_back(value);
+  };
+  for (int row = 0; row < stiffness.rows(); ++row) {
+    const int block_row = row / 3, i = row % 3;
+    for (std::int64_t k = stiffness.row_start[block_row]; k < stiffness.row_start[block_row + 1]; ++k)
+      for (int j = stiffness.columns[k] == block_row ? i : 0; j < 3; ++j)
+        append(row, 3 * Eigen::Index{stiffness.columns[k]} + j, stiffness.values[9 * k + 3 * i + j]);
+  }
+  for (Eigen::Index row = 0; row < constraints.rows(); ++row)
+    for (ConstraintMatrix::InnerIterator it(constraints, row); it; ++it)
+      append(it.col(), stiffness.rows() + row, scaled.scale() * it.value());
+  return entries;
+}
+
+namespace {
+
+// Entries on and above the diagonal, on one process.
+CompressedRows<std::int64_t> upper_triangle(const ScaledSystem& scaled) {
   const SymmetricBlockMatrix& stiffness = scaled.system().stiffness;
   // Rows of B^T, so columns of B, stand to the right of K.
   const Eigen::SparseMatrix<double, Eigen::RowMajor> transposed = scaled.system().constraints.transpose();
   const std::int64_t constraint_rows = scaled.system().constraints.rows();
   const std::int64_t entries =
       9 * stiffness.blocks() - 3 * stiffness.block_rows() + transposed.nonZeros() + constraint_rows;
-  if (entries > std::numeric_limits<Index>::max())
-    throw Error(
-        ErrorCode::unsupported,
-        fmt::format(
-            "the matrix has {} entries above its diagonal, more than this solver's {}-bit indices can "
-            "count; use method 'cholmod' with eliminated interfaces, or 'umfpack'",
-            entries, 8 * sizeof(Index)));
-  CompressedRows<Index> upper;
+  CompressedRows<std::int64_t> upper;
   upper.columns.reserve(entries);
   upper.values.reserve(entries);
   upper.row_start.reserve(scaled.rows() + 1);
   upper.row_start.push_back(0);
   const auto append = [&](std::int64_t column, double value) {
-    upper.columns.push_back(static_cast<Index>(column));
+    upper.columns.push_back(column);
     upper.values.push_back(value);
   };
   for (int row = 0; row < stiffness.rows(); ++row) {
@@ -119,20 +190,19 @@ CompressedRows<Index> upper_triangle(const ScaledSystem& scaled) {
     if (constraint_rows > 0)
       for (ConstraintMatrix::InnerIterator it(transposed, row); it; ++it)
         append(stiffness.rows() + it.col(), scaled.scale() * it.value());
-    upper.row_start.push_back(static_cast<Index>(upper.columns.size()));
+    upper.row_start.push_back(static_cast<std::int64_t>(upper.columns.size()));
   }
   for (std::int64_t row = 0; row < constraint_rows; ++row) {
     append(stiffness.rows() + row, 0);  // solvers want every diagonal entry, also the zero ones
-    upper.row_start.push_back(static_cast<Index>(upper.columns.size()));
+    upper.row_start.push_back(static_cast<std::int64_t>(upper.columns.size()));
   }
   return upper;
 }
 
-template CompressedRows<std::int32_t> upper_triangle(const ScaledSystem& system);
-template CompressedRows<std::int64_t> upper_triangle(const ScaledSystem& system);
+}  // namespace
 
 CompressedRows<std::int64_t> full_matrix(const ScaledSystem& system) {
-  const CompressedRows<std::int64_t> upper = upper_triangle<std::int64_t>(system);
+  const CompressedRows<std::int64_t> upper = upper_triangle(system);
   const std::int64_t n = system.rows();
   CompressedRows<std::int64_t> full;
   full.row_start.assign(n + 1, 0);

@@ -7,6 +7,17 @@
 
 namespace isopatch::solvers {
 
+/// Entries of a scalar matrix, or one process' share of them: entries of one place are summed.
+struct MatrixEntries {
+  std::vector<int> rows;
+  std::vector<int> columns;
+  std::vector<double> values;
+  std::int64_t bytes() const {
+    return static_cast<std::int64_t>((rows.size() + columns.size()) * sizeof(int) +
+                                     values.size() * sizeof(double));
+  }
+};
+
 /// Compressed rows of a scalar matrix, columns increasing.
 template <class Index>
 struct CompressedRows {
@@ -23,14 +34,20 @@ struct CompressedRows {
 /// [[K, s B^T], [s B, 0]] (x, y / s) = (f, 0) with s the mean of |diag K|.
 ///
 /// Without s, K of 1e11 beside B of 1 would leave no correct digit in the residual of the constraints.
-/// Holds a reference: the system must outlive it.
+/// Spread over processes, all vectors z are consistent local ones, (local K rows, then local multipliers),
+/// and all processes must call the same functions. Holds a reference: the system must outlive it.
 class ScaledSystem {
  public:
   explicit ScaledSystem(const LinearSystem& system);
 
   const LinearSystem& system() const { return system_; }
+  /// Of this process: K's scalar rows and multipliers.
   int rows() const;
   double scale() const { return scale_; }
+
+  /// Length of a vector of the whole system.
+  double norm(const Eigen::VectorXd& z) const;
+  double load_norm() const;
 
   /// (f, 0).
   Eigen::VectorXd right_side() const;
@@ -52,12 +69,14 @@ class ScaledSystem {
   double scale_ = 1;
 };
 
-/// Entries on and above the diagonal.
-/// @throws Error unsupported  if Index cannot count them
-template <class Index>
-CompressedRows<Index> upper_triangle(const ScaledSystem& system);
+/// Rows of the whole system, K's and then the multipliers'.
+std::int64_t global_rows(const ScaledSystem& system);
 
-/// All entries.
+/// This process' entries on and above the diagonal in the rows of the whole system, counted from `first`.
+/// @throws Error unsupported  for more than 2^31 - 2 rows
+MatrixEntries upper_entries(const ScaledSystem& system, int first);
+
+/// All entries, on one process.
 CompressedRows<std::int64_t> full_matrix(const ScaledSystem& system);
 
 }  // namespace isopatch::solvers

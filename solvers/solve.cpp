@@ -67,7 +67,17 @@ void check_method(const LinearSystem& system, Method method) {
     refuse(fmt::format(
         "method '{}' cannot treat the {} constraints; use 'auto', 'mumps' or 'umfpack', or eliminate "
         "the interfaces",
-        name(method), system.constraints.rows()));
+        name(method), system.constraint_count()));
+  if (system.rows.is_distributed() && (method == Method::cholmod || method == Method::umfpack))
+    refuse(
+        fmt::format("method '{}' works on one process, and there are {}; use 'auto' or 'mumps', or start "
+                    "one process with more threads",
+                    name(method), system.rows.processes().count()));
+}
+
+std::int64_t matrix_nonzeros(const LinearSystem& system) {
+  return system.rows.processes().sum(system.stiffness.nonzeros() +
+                                     std::int64_t{2} * system.constraints.nonZeros());
 }
 
 LinearSolution solve_with(Method method, const LinearSystem& system, const SolverOptions& options,
@@ -90,7 +100,7 @@ LinearSolution solve_with(Method method, const LinearSystem& system, const Solve
 // Computes the residual afresh and insists on it.
 LinearSolution verified(LinearSolution solution, const LinearSystem& system, const SolverOptions& options) {
   SolveReport& report = solution.report;
-  report.matrix_nonzeros = system.stiffness.nonzeros() + 2 * system.constraints.nonZeros();
+  report.matrix_nonzeros = matrix_nonzeros(system);
   const ScaledSystem scaled(system);
   const Eigen::VectorXd z = scaled.join(solution.x, solution.multipliers);
   report.relative_residual = scaled.relative_residual(z);
@@ -122,15 +132,20 @@ LinearSolution zero_solution(const LinearSystem& system, Method method, std::str
   solution.report.method = method;
   solution.report.reason = std::move(reason);
   solution.report.residual_history = {0};
-  solution.report.matrix_nonzeros = system.stiffness.nonzeros() + 2 * system.constraints.nonZeros();
+  solution.report.matrix_nonzeros = matrix_nonzeros(system);
   return solution;
 }
 
 LinearSolution solve_by_choice(const LinearSystem& system, const SolverOptions& options,
                                const Progress& progress) {
-  if (!system.has_constraints()) {
+  if (!system.has_constraints() && !system.rows.is_distributed()) {
     LinearSolution solution = solve_with(Method::cholmod, system, options, progress);
     solution.report.reason = "no constraints, so the matrix is positive definite: supernodal Cholesky";
+    return verified(std::move(solution), system, options);
+  }
+  if (system.rows.is_distributed()) {
+    LinearSolution solution = solve_with(Method::mumps, system, options, progress);
+    solution.report.reason = "several processes, over which LDL^T is spread";
     return verified(std::move(solution), system, options);
   }
   try {
@@ -162,8 +177,9 @@ LinearSolution solve(const LinearSystem& system, const SolverOptions& options, c
   check_columns(system.stiffness);
   check_values(system);
   check_method(system, options.method);
-  if (system.load.isZero(0)) {
-    const Method fallback = system.has_constraints() ? Method::mumps : Method::cholmod;
+  if (system.rows.norm(system.load) == 0) {
+    const Method fallback =
+        system.has_constraints() || system.rows.is_distributed() ? Method::mumps : Method::cholmod;
     return zero_solution(system, options.method == Method::automatic ? fallback : options.method,
                          "nothing to solve: the load is zero");
   }

@@ -1,0 +1,16 @@
+#include "solvers/linear_system.hpp"
+
+namespace isopatch::solvers {
+
+double mean_diagonal(const SymmetricBlockMatrix& stiffness, const SharedRows& rows) {
+  if (!rows.is_distributed()) return mean_diagonal(stiffness);
+  Eigen::VectorXd diagonal(stiffness.rows());
+  for (int row = 0; row < stiffness.block_rows(); ++row)
+    for (int i = 0; i < 3; ++i)
+      diagonal[3 * row + i] = stiffness.values[9 * stiffness.row_start[row] + 4 * i];
+  rows.sum(diagonal);
+  const double sum = rows.dot(diagonal.cwiseAbs(), Eigen::VectorXd::Ones(diagonal.size()));
+  return rows.global_rows() == 0 ? 0 : sum / (3.0 * rows.global_rows());
+}
+
+}  // namespace isopatch::solvers
