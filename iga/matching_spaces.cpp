@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <numeric>
 
 #include "geometry/base/error.hpp"
@@ -109,22 +110,38 @@ std::vector<int> tied_directions(const geometry::MultiPatch& model) {
 
 DirectionKnots matched(const geometry::MultiPatch& model, DirectionKnots knots) {
   raise_degrees(tied_directions(model), knots);
-  // Knots wander from neighbour to neighbour until nothing is missing. Each round carries them at least one
-  // interface further, so as many rounds as directions are enough for any model.
+  // Knots wander from neighbour to neighbour until nothing is missing: a pair of directions is looked at
+  // again when one of the two has got more knots. Each look carries them one interface further, so that as
+  // many looks at each pair as there are directions are enough for any model.
   const double tolerance = model.tolerance().same_knot;
-  for (std::size_t round = 0; round <= knots.size(); ++round) {
-    bool changed = false;
-    for (const Interface& interface : model.interfaces()) {
-      for (const TiedPair& pair : tied_pairs(interface)) {
-        KnotVector second = with_knots_of(knots[pair.second], knots[pair.first], pair.flipped, tolerance);
-        KnotVector first = with_knots_of(knots[pair.first], second, pair.flipped, tolerance);
-        changed =
-            changed || second.size() != knots[pair.second].size() || first.size() != knots[pair.first].size();
-        knots[pair.second] = std::move(second);
-        knots[pair.first] = std::move(first);
-      }
+  std::vector<TiedPair> pairs;
+  for (const Interface& interface : model.interfaces())
+    for (const TiedPair& pair : tied_pairs(interface)) pairs.push_back(pair);
+  std::vector<std::vector<std::size_t>> pairs_of(knots.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    pairs_of[pairs[i].first].push_back(i);
+    if (pairs[i].second != pairs[i].first) pairs_of[pairs[i].second].push_back(i);
+  }
+  std::deque<std::size_t> waiting(pairs.size());
+  std::iota(waiting.begin(), waiting.end(), 0);
+  std::vector<bool> waits(pairs.size(), true);
+  const auto replace = [&](std::size_t direction, KnotVector more) {
+    const bool changed = more.size() != knots[direction].size();
+    knots[direction] = std::move(more);
+    for (const std::size_t i : changed ? pairs_of[direction] : std::vector<std::size_t>{}) {
+      if (!waits[i]) waiting.push_back(i);
+      waits[i] = true;
     }
-    if (!changed) return knots;
+  };
+  for (std::size_t looks = 0; looks <= (knots.size() + 1) * pairs.size(); ++looks) {
+    if (waiting.empty()) return knots;
+    const TiedPair& pair = pairs[waiting.front()];
+    waits[waiting.front()] = false;
+    waiting.pop_front();
+    KnotVector second = with_knots_of(knots[pair.second], knots[pair.first], pair.flipped, tolerance);
+    KnotVector first = with_knots_of(knots[pair.first], second, pair.flipped, tolerance);
+    replace(pair.second, std::move(second));
+    replace(pair.first, std::move(first));
   }
   throw Error(ErrorCode::not_conforming,
               "the knots of neighbouring patches cannot be matched: a patch meets itself with knots that no "
