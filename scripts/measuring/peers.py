@@ -19,13 +19,13 @@ def error_of(energy):
 
 
 def next_size(meshes, target):
-    """Element size that the last two meshes promise to reach the target, at most 0.7 of the last one."""
+    """Element size that the last two meshes promise to reach the target, between 0.5 and 0.85 of the last one."""
     last = meshes[-1]
     order = 2.0
     if len(meshes) > 1:
         order = finite_elements.order(meshes[-2], last)
     needed = last["size_mm"] * (0.9 * target / last["error"]) ** (1 / order)
-    return min(0.7 * last["size_mm"], max(needed, 0.5 * last["size_mm"]))
+    return min(0.85 * last["size_mm"], max(needed, 0.5 * last["size_mm"]))
 
 
 def refine(link, target, meshes, *, threads, folder):
