@@ -75,16 +75,15 @@ void raise_degrees(const std::vector<int>& classes, DirectionKnots& knots) {
 
 // Calls visit(local index on the first face, local index on the second) for all points of two matching faces.
 template <class Visit>
-void for_each_pair(const Interface& interface, const std::vector<geometry::NurbsVolume>& patches,
-                   Visit visit) {
-  const auto& a = patches[static_cast<std::size_t>(interface.first.patch.value)];
-  const auto& b = patches[static_cast<std::size_t>(interface.second.patch.value)];
+void for_each_pair(const Interface& interface, const std::vector<std::array<int, 3>>& sizes, Visit visit) {
+  const auto& a = sizes[static_cast<std::size_t>(interface.first.patch.value)];
+  const auto& b = sizes[static_cast<std::size_t>(interface.second.patch.value)];
   const auto directions_a = geometry::tangents(interface.first.side);
   const auto directions_b = geometry::tangents(interface.second.side);
-  const int m = a.size(directions_a[0]);
-  const int n = a.size(directions_a[1]);
-  const int m_b = b.size(directions_b[0]);
-  const int n_b = b.size(directions_b[1]);
+  const int m = a[static_cast<std::size_t>(directions_a[0])];
+  const int n = a[static_cast<std::size_t>(directions_a[1])];
+  const int m_b = b[static_cast<std::size_t>(directions_b[0])];
+  const int n_b = b[static_cast<std::size_t>(directions_b[1])];
   for (int j = 0; j < n; ++j) {
     for (int i = 0; i < m; ++i) {
       int s = interface.orientation.swapped ? j : i;
@@ -149,6 +148,7 @@ DirectionKnots matched(const geometry::MultiPatch& model, DirectionKnots knots) 
 }
 
 void check_traces(const geometry::MultiPatch& model, const std::vector<geometry::NurbsVolume>& patches) {
+  const std::vector<std::array<int, 3>> sizes = sizes_of(patches);
   for (const Interface& interface : model.interfaces()) {
     const auto& a = patches[static_cast<std::size_t>(interface.first.patch.value)];
     const auto& b = patches[static_cast<std::size_t>(interface.second.patch.value)];
@@ -160,7 +160,7 @@ void check_traces(const geometry::MultiPatch& model, const std::vector<geometry:
                                                          points_a.size(), points_b.size()));
     double low = 1e300;
     double high = 0;
-    for_each_pair(interface, patches, [&](int i, int j) {
+    for_each_pair(interface, sizes, [&](int i, int j) {
       const int pa = points_a[static_cast<std::size_t>(i)];
       const int pb = points_b[static_cast<std::size_t>(j)];
       const double ratio = a.weights()[pa] / b.weights()[pb];
@@ -176,17 +176,23 @@ void check_traces(const geometry::MultiPatch& model, const std::vector<geometry:
 }
 
 std::vector<std::pair<int, int>> matching_control_points(const Interface& interface,
-                                                         const std::vector<geometry::NurbsVolume>& patches) {
+                                                         const std::vector<std::array<int, 3>>& sizes) {
   const auto points_a = geometry::face_control_points(
-      patches[static_cast<std::size_t>(interface.first.patch.value)].sizes(), interface.first.side);
+      sizes[static_cast<std::size_t>(interface.first.patch.value)], interface.first.side);
   const auto points_b = geometry::face_control_points(
-      patches[static_cast<std::size_t>(interface.second.patch.value)].sizes(), interface.second.side);
+      sizes[static_cast<std::size_t>(interface.second.patch.value)], interface.second.side);
   std::vector<std::pair<int, int>> pairs;
   pairs.reserve(points_a.size());
-  for_each_pair(interface, patches, [&](int i, int j) {
+  for_each_pair(interface, sizes, [&](int i, int j) {
     pairs.emplace_back(points_a[static_cast<std::size_t>(i)], points_b[static_cast<std::size_t>(j)]);
   });
   return pairs;
+}
+
+std::vector<std::array<int, 3>> sizes_of(const std::vector<geometry::NurbsVolume>& patches) {
+  std::vector<std::array<int, 3>> sizes;
+  for (const geometry::NurbsVolume& patch : patches) sizes.push_back(patch.sizes());
+  return sizes;
 }
 
 }  // namespace isopatch::iga

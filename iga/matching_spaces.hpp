@@ -23,7 +23,11 @@ DirectionKnots matched(const geometry::MultiPatch& model, DirectionKnots knots);
 void check_traces(const geometry::MultiPatch& model, const std::vector<geometry::NurbsVolume>& patches);
 
 /// Control points that an interface identifies: pairs of local indices in the first and in the second patch.
+/// @param sizes  functions per direction of every patch
 std::vector<std::pair<int, int>> matching_control_points(const geometry::Interface& interface,
-                                                         const std::vector<geometry::NurbsVolume>& patches);
+                                                         const std::vector<std::array<int, 3>>& sizes);
+
+/// Functions per direction of every patch.
+std::vector<std::array<int, 3>> sizes_of(const std::vector<geometry::NurbsVolume>& patches);
 
 }  // namespace isopatch::iga

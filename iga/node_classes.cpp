@@ -10,11 +10,10 @@ namespace isopatch::iga {
 namespace {
 
 // Control points of collapsed edges, and of each line of a side along a direction in which it is collapsed.
-void unite_collapsed(const Discretization& d, int patch, UnionFind& nodes) {
-  const auto& original = d.model.patches()[static_cast<std::size_t>(patch)];
-  const std::array<int, 3> sizes = d.patches[static_cast<std::size_t>(patch)].sizes();
-  const double tolerance = d.model.tolerance().same_point * d.model.size();
-  const int offset = d.first_node[static_cast<std::size_t>(patch)];
+void unite_collapsed(const geometry::MultiPatch& model, int patch, const std::array<int, 3>& sizes,
+                     int offset, UnionFind& nodes) {
+  const auto& original = model.patches()[static_cast<std::size_t>(patch)];
+  const double tolerance = model.tolerance().same_point * model.size();
   for (const geometry::PatchEdge& edge : geometry::all_edges()) {
     if (!geometry::is_collapsed(original, edge, tolerance)) continue;
     const std::vector<int> points = geometry::edge_control_points(sizes, edge);
@@ -36,19 +35,26 @@ void unite_collapsed(const Discretization& d, int patch, UnionFind& nodes) {
 }  // namespace
 
 NodeClasses node_classes(const Discretization& d) {
-  UnionFind nodes(d.node_count());
-  for (const geometry::Interface& interface : d.model.interfaces()) {
-    const int first = d.first_node[static_cast<std::size_t>(interface.first.patch.value)];
-    const int second = d.first_node[static_cast<std::size_t>(interface.second.patch.value)];
-    for (const auto& [i, j] : matching_control_points(interface, d.patches))
-      nodes.unite(first + i, second + j);
+  return node_classes(d.model, sizes_of(d.patches));
+}
+
+NodeClasses node_classes(const geometry::MultiPatch& model, const std::vector<std::array<int, 3>>& sizes) {
+  std::vector<int> first_node = {0};
+  for (const auto& n : sizes) first_node.push_back(first_node.back() + n[0] * n[1] * n[2]);
+  UnionFind nodes(first_node.back());
+  for (const geometry::Interface& interface : model.interfaces()) {
+    const int first = first_node[static_cast<std::size_t>(interface.first.patch.value)];
+    const int second = first_node[static_cast<std::size_t>(interface.second.patch.value)];
+    for (const auto& [i, j] : matching_control_points(interface, sizes)) nodes.unite(first + i, second + j);
   }
-  for (int patch = 0; patch < d.patch_count(); ++patch) unite_collapsed(d, patch, nodes);
+  for (int patch = 0; patch < model.patch_count(); ++patch)
+    unite_collapsed(model, patch, sizes[static_cast<std::size_t>(patch)],
+                    first_node[static_cast<std::size_t>(patch)], nodes);
 
   NodeClasses result;
-  result.class_of.resize(static_cast<std::size_t>(d.node_count()));
+  result.class_of.resize(static_cast<std::size_t>(first_node.back()));
   int count = 0;
-  for (int node = 0; node < d.node_count(); ++node) {
+  for (int node = 0; node < first_node.back(); ++node) {
     const int root = nodes.find(node);
     result.class_of[static_cast<std::size_t>(node)] =
         root == node ? count++ : result.class_of[static_cast<std::size_t>(root)];
@@ -58,7 +64,7 @@ NodeClasses node_classes(const Discretization& d) {
   std::partial_sum(result.first_member.begin(), result.first_member.end(), result.first_member.begin());
   result.members.resize(result.class_of.size());
   std::vector<int> next = result.first_member;
-  for (int node = 0; node < d.node_count(); ++node)
+  for (int node = 0; node < first_node.back(); ++node)
     result.members[static_cast<std::size_t>(
         next[static_cast<std::size_t>(result.class_of[static_cast<std::size_t>(node)])]++)] = node;
   return result;

@@ -24,5 +24,8 @@ struct NodeClasses {
 
 /// @cost O(nodes), union-find
 NodeClasses node_classes(const Discretization& discretization);
+/// The same for spaces of the given sizes on the patches of a model, whose traces match.
+/// @param sizes  functions per direction of every patch
+NodeClasses node_classes(const geometry::MultiPatch& model, const std::vector<std::array<int, 3>>& sizes);
 
 }  // namespace isopatch::iga

@@ -25,7 +25,12 @@ Block turned(const Block& block, const Frame& row, const Frame& column) {
 void apply_supports(solvers::LinearSystem& system, const std::vector<const Frame*>& frame_of_row) {
   solvers::SymmetricBlockMatrix& k = system.stiffness;
   Eigen::VectorXd& load = system.load;
-  const double diagonal = solvers::mean_diagonal(k);
+  const double diagonal = solvers::mean_diagonal(k, system.rows);
+  // Entries of the processes are summed, so only a row's owner has what must be there once.
+  std::vector<bool> is_owned(static_cast<std::size_t>(k.block_rows()), !system.rows.is_distributed());
+  if (system.rows.is_distributed())
+    for (const int row : system.rows.owned()) is_owned[static_cast<std::size_t>(row)] = true;
+  Eigen::VectorXd moved = Eigen::VectorXd::Zero(load.size());
   for (int row = 0; row < k.block_rows(); ++row) {
     const Frame& of_row = *frame_of_row[static_cast<std::size_t>(row)];
     for (std::int64_t position = k.row_start[static_cast<std::size_t>(row)];
@@ -34,13 +39,15 @@ void apply_supports(solvers::LinearSystem& system, const std::vector<const Frame
       const Frame& of_column = *frame_of_row[static_cast<std::size_t>(column)];
       if (is_identity(of_row) && is_identity(of_column)) continue;
       Eigen::Map<Block> block(&k.values[static_cast<std::size_t>(9 * position)]);
-      load.segment<3>(3 * row) -= block * of_column.prescribed;
-      if (column != row) load.segment<3>(3 * column) -= block.transpose() * of_row.prescribed;
+      moved.segment<3>(3 * row) += block * of_column.prescribed;
+      if (column != row) moved.segment<3>(3 * column) += block.transpose() * of_row.prescribed;
       block = turned(block, of_row, of_column);
-      if (column == row)
+      if (column == row && is_owned[static_cast<std::size_t>(row)])
         for (int i = of_row.free; i < 3; ++i) block(i, i) = diagonal;
     }
   }
+  system.rows.sum(moved);
+  load -= moved;
   for (int row = 0; row < k.block_rows(); ++row) {
     const Frame& frame = *frame_of_row[static_cast<std::size_t>(row)];
     if (is_identity(frame)) continue;
@@ -48,6 +55,17 @@ void apply_supports(solvers::LinearSystem& system, const std::vector<const Frame
     in_axes.tail(3 - frame.free).setZero();
     load.segment<3>(3 * row) = in_axes;
   }
+}
+
+void apply_supports(solvers::SymmetricBlockMatrix& stiffness, const FreeDirections& free) {
+  const std::vector<Frame> frames = free.frames(stiffness.block_rows());
+  std::vector<const Frame*> of_rows;
+  for (const Frame& frame : frames) of_rows.push_back(&frame);
+  solvers::LinearSystem system;
+  system.load = Eigen::VectorXd::Zero(stiffness.rows());
+  system.stiffness = std::move(stiffness);
+  apply_supports(system, of_rows);
+  stiffness = std::move(system.stiffness);
 }
 
 Eigen::Matrix3Xd displacement_of_rows(const Eigen::VectorXd& x,

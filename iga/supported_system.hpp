@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "iga/free_directions.hpp"
 #include "iga/node_classes.hpp"
 #include "iga/support_frames.hpp"
 #include "solvers/linear_system.hpp"
@@ -15,6 +16,9 @@ namespace isopatch::iga {
 /// The unknowns become x with u = prescribed + axes * x; the block size stays 3 and the matrix symmetric.
 /// @param frame_of_row  one frame per block row
 void apply_supports(solvers::LinearSystem& system, const std::vector<const Frame*>& frame_of_row);
+
+/// The same for a matrix alone, where nothing is prescribed.
+void apply_supports(solvers::SymmetricBlockMatrix& stiffness, const FreeDirections& free);
 
 /// u = prescribed + axes * x for every block row. (3, block rows)
 Eigen::Matrix3Xd displacement_of_rows(const Eigen::VectorXd& x,

@@ -4,9 +4,8 @@
 
 #include "geometry/base/error.hpp"
 #include "solvers/block_jacobi.hpp"
-#include "solvers/internal/conjugate_gradients.hpp"
+#include "solvers/internal/krylov.hpp"
 #include "solvers/internal/petsc_session.hpp"
-#include "solvers/internal/petsc_shell.hpp"
 #include "solvers/scaled_system.hpp"
 #include "solvers/stopwatch.hpp"
 
@@ -24,7 +23,7 @@ void check_reason(KSPConvergedReason reason, int iterations) {
 }
 
 // Iterates, and starts again from the true residual as long as that helps. Fills in the report.
-Eigen::VectorXd iterate(const petsc::Matrix& matrix, const ConfigurePreconditioner& configure,
+Eigen::VectorXd iterate(const LinearOperator& product, const LinearOperator& precondition,
                         const LinearSystem& system, const SolverOptions& options, const Progress& progress,
                         SolveReport& report) {
   constexpr int most_restarts = 5;
@@ -37,11 +36,14 @@ Eigen::VectorXd iterate(const petsc::Matrix& matrix, const ConfigurePrecondition
   report.residual_history.push_back(relative);
   for (int restart = 0; restart <= most_restarts && relative > options.tolerance; ++restart) {
     // A little below the tolerance, for the true residual is not quite the updated one.
-    const KrylovOptions krylov{0.5 * options.tolerance, options.max_iterations - report.iterations};
+    const KrylovOptions krylov{Krylov::conjugate_gradients, ErrorNorm::residual,
+                               0.5 * options.tolerance / relative,
+                               options.max_iterations - report.iterations};
     if (krylov.max_iterations <= 0) break;
-    const KrylovSolution step = conjugate_gradients(matrix, configure, residual, krylov, progress);
-    report.residual_history.insert(report.residual_history.end(), step.residual_norms.begin() + 1,
-                                   step.residual_norms.end());
+    const KrylovSolution step = solvers::iterate(SharedRows(system.stiffness.block_rows()), product,
+                                                 precondition, residual, krylov, progress);
+    for (std::size_t k = 1; k < step.errors.size(); ++k)
+      report.residual_history.push_back(step.errors[k] * relative);
     report.iterations = static_cast<int>(report.residual_history.size()) - 1;
     check_reason(step.reason, report.iterations);
     x += load_norm * step.x;
@@ -65,13 +67,11 @@ LinearSolution solve_with_cg(const LinearSystem& system, const SolverOptions& op
   const BlockJacobi jacobi(system.stiffness);
   const LinearOperator product = [&](const Eigen::VectorXd& x) { return multiply(system.stiffness, x); };
   const LinearOperator precondition = [&](const Eigen::VectorXd& r) { return jacobi.apply(r); };
-  const petsc::Matrix matrix = petsc::shell_matrix(PETSC_COMM_WORLD, system.stiffness.rows(), product);
-  const ConfigurePreconditioner configure = [&](PC pc) { petsc::use_shell(pc, precondition); };
   constexpr int vectors = 12;  // of PETSc, of the restarts, and 3 for the inverted blocks
   report.memory_bytes = 8 * std::int64_t{vectors} * system.stiffness.rows();
   report.analysis_seconds = watch.lap();
 
-  Eigen::VectorXd x = iterate(matrix, configure, system, options, progress, report);
+  Eigen::VectorXd x = iterate(product, precondition, system, options, progress, report);
   report.solve_seconds = watch.lap();
   return {std::move(x), {}, std::move(report)};
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <memory>
+
 #include "geometry/base/error.hpp"
 #include "solvers/blas_threads.hpp"
 #include "solvers/block_ordering.hpp"
@@ -205,6 +207,19 @@ LinearSolution solve_with_cholmod(const LinearSystem& system, const SolverOption
   }
   Cholesky<std::int64_t> cholesky(system.stiffness, ordering);
   return factorize_and_solve(cholesky, system, options, progress, watch, std::move(report));
+}
+
+LinearOperator cholmod_inverse(SymmetricBlockMatrix matrix) {
+  struct Inverse {
+    explicit Inverse(SymmetricBlockMatrix m)
+        : matrix(std::move(m)), ordering(fill_reducing_ordering(matrix)), cholesky(matrix, ordering) {}
+    SymmetricBlockMatrix matrix;
+    BlockOrdering ordering;
+    Cholesky<std::int64_t> cholesky;
+  };
+  const auto inverse = std::make_shared<Inverse>(std::move(matrix));
+  inverse->cholesky.factorize();
+  return [inverse](const Eigen::VectorXd& b) { return inverse->cholesky.solve(b); };
 }
 
 }  // namespace isopatch::solvers

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solvers/linear_operator.hpp"
 #include "solvers/solve.hpp"
 
 namespace isopatch::solvers {
@@ -17,5 +18,9 @@ namespace isopatch::solvers {
 /// @source Chen, Davis, Hager, Rajamanickam 2008 (CHOLMOD)
 LinearSolution solve_with_cholmod(const LinearSystem& system, const SolverOptions& options,
                                   const Progress& progress);
+
+/// A factorization to be used many times, without refinement: the coarsest level of a multigrid.
+/// @throws Error singular_system, out_of_memory  as solve_with_cholmod
+LinearOperator cholmod_inverse(SymmetricBlockMatrix matrix);
 
 }  // namespace isopatch::solvers

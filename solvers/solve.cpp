@@ -93,6 +93,8 @@ LinearSolution solve_with(Method method, const LinearSystem& system, const Solve
       return solve_with_umfpack(system, options, progress);
     case Method::cg:
       return solve_with_cg(system, options, progress);
+    case Method::minres:
+      refuse("method 'minres' needs a multigrid, which a matrix alone does not give");
   }
   throw Error(ErrorCode::internal, "no method was chosen");
 }

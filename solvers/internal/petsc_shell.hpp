@@ -1,15 +1,7 @@
 #pragma once
 
-#include <functional>
-
 #include "solvers/internal/petsc_objects.hpp"
-
-namespace isopatch::solvers {
-
-/// A linear map of vectors, for example the product with a matrix that is never assembled.
-using LinearOperator = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
-
-}  // namespace isopatch::solvers
+#include "solvers/linear_operator.hpp"
 
 namespace isopatch::solvers::petsc {
 

@@ -1,0 +1,113 @@
+#include "iga/elasticity_multigrid.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <numeric>
+
+#include "iga/assembly.hpp"
+#include "iga/fast_diagonalization.hpp"
+#include "iga/level_operator.hpp"
+#include "iga/level_transfer.hpp"
+#include "iga/supported_system.hpp"
+#include "solvers/cholmod_solver.hpp"
+
+namespace isopatch::iga {
+namespace {
+
+// Every process has all of every patch.
+ProcessesOfPatch everywhere(const ProcessesOfPatch& processes) {
+  int count = 0;
+  for (const auto& sharing : processes) count = std::max(count, sharing.back() + 1);
+  std::vector<int> all(static_cast<std::size_t>(count));
+  std::iota(all.begin(), all.end(), 0);
+  return ProcessesOfPatch(processes.size(), all);
+}
+
+// The coarsest level's matrix, the same on every process, which has all rows there.
+solvers::LinearOperator coarse_inverse(const Level& level, const std::vector<Material>& materials,
+                                       int points) {
+  const RowNumbering numbering{level.class_of, level.rows.global_rows()};
+  solvers::SymmetricBlockMatrix stiffness =
+      assemble_stiffness(level.spaces, whole_patches(level.spaces), materials, numbering, points);
+  apply_supports(stiffness, level.free);
+  return solvers::cholmod_inverse(std::move(stiffness));
+}
+
+}  // namespace
+
+// Levels, operators and transfers refer to each other, so they stay where they are.
+struct ElasticityMultigrid::State {
+  std::deque<Level> coarser;
+  std::deque<LevelOperator> operators;
+  std::deque<FastDiagonalization> smoothers;
+  std::deque<LevelTransfer> transfers;
+  std::unique_ptr<solvers::Multigrid> multigrid;
+};
+
+ElasticityMultigrid::ElasticityMultigrid(const ElasticityProblem& problem, const Level& finest,
+                                         const std::vector<Frame>& frames, const ProcessesOfPatch& processes,
+                                         int process, solvers::LinearOperator product,
+                                         const ElasticityMultigridOptions& options, const Progress& progress)
+    : state_(std::make_unique<State>()) {
+  const geometry::MultiPatch& model = problem.discretization.model;
+  progress("multigrid", 0);
+  const auto is_small = [&](const Level& level) {
+    return 3 * level.rows.global_rows() <= options.coarsest_dofs;
+  };
+  std::vector<const Level*> levels = {&finest};
+  // A level that is spread over processes cannot be the coarsest.
+  while (!is_small(*levels.back()) || (levels.size() == 1 && finest.rows.is_distributed())) {
+    std::optional<Level> next = coarser_level(model, *levels.back(), finest, frames, processes, process);
+    if (!next) break;
+    levels.push_back(&state_->coarser.emplace_back(std::move(*next)));
+  }
+  // The coarsest level is factorized by every process, so each needs all of it.
+  if (levels.size() > 1) {
+    levels.pop_back();
+    state_->coarser.pop_back();
+    levels.push_back(&state_->coarser.emplace_back(
+        *coarser_level(model, *levels.back(), finest, frames, everywhere(processes), process)));
+  }
+  std::vector<solvers::MultigridLevel> described;
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    const Level& level = *levels[l];
+    solvers::MultigridLevel& made = described.emplace_back();
+    made.rows = level.rows;
+    if (l > 0) {
+      const LevelTransfer& transfer = state_->transfers.emplace_back(level, *levels[l - 1]);
+      made.to_finer = [&transfer](const Eigen::VectorXd& x) { return transfer.to_finer(x); };
+      made.from_finer = [&transfer](const Eigen::VectorXd& f) { return transfer.from_finer(f); };
+    }
+    if (l + 1 == levels.size()) break;
+    const LevelOperator& stiffness = state_->operators.emplace_back(level, problem.materials, options.points);
+    const FastDiagonalization& smoother =
+        state_->smoothers.emplace_back(model, level, problem.materials, stiffness.diagonal());
+    made.product = l == 0 ? product : [&stiffness](const Eigen::VectorXd& x) { return stiffness.apply(x); };
+    made.smoother = [&smoother](const Eigen::VectorXd& r) { return smoother.apply(r); };
+    progress("multigrid", static_cast<double>(l + 1) / static_cast<double>(levels.size()));
+  }
+  state_->multigrid = std::make_unique<solvers::Multigrid>(
+      std::move(described), coarse_inverse(*levels.back(), problem.materials, options.points),
+      options.smoothing);
+}
+
+ElasticityMultigrid::~ElasticityMultigrid() = default;
+ElasticityMultigrid::ElasticityMultigrid(ElasticityMultigrid&&) noexcept = default;
+
+Eigen::VectorXd ElasticityMultigrid::apply(const Eigen::VectorXd& residual) const {
+  return state_->multigrid->apply(residual);
+}
+
+int ElasticityMultigrid::levels() const {
+  return state_->multigrid->levels();
+}
+
+std::int64_t ElasticityMultigrid::bytes() const {
+  std::int64_t total = 0;
+  for (const FastDiagonalization& smoother : state_->smoothers) total += smoother.bytes();
+  for (const Level& level : state_->coarser)
+    total += static_cast<std::int64_t>(4 * (level.row_of_node.size() + level.class_of.size()));
+  return total;
+}
+
+}  // namespace isopatch::iga

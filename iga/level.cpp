@@ -1,0 +1,149 @@
+#include "iga/level.hpp"
+
+#include <algorithm>
+
+namespace isopatch::iga {
+namespace {
+
+using geometry::KnotVector;
+
+std::vector<PatchPart> parts_of(const std::vector<PatchSpace>& spaces, const ProcessesOfPatch& processes,
+                                int process) {
+  std::vector<PatchPart> parts;
+  for (std::size_t p = 0; p < spaces.size(); ++p) {
+    const auto& sharing = processes[p];
+    const auto found = std::find(sharing.begin(), sharing.end(), process);
+    if (found == sharing.end()) continue;
+    const int layers = spaces[p].knots[2].element_count();
+    const auto count = static_cast<int>(sharing.size());
+    const auto mine = static_cast<int>(found - sharing.begin());
+    parts.push_back({static_cast<int>(p), mine * layers / count, (mine + 1) * layers / count});
+  }
+  return parts;
+}
+
+solvers::SharedRows shared_rows(const std::vector<int>& class_of, int classes,
+                                const std::vector<int>& first_node, const ProcessesOfPatch& processes) {
+  const bool alone = std::all_of(processes.begin(), processes.end(), [](const auto& sharing) {
+    return sharing.size() == 1 && sharing.front() == 0;
+  });
+  if (alone) return solvers::SharedRows(classes);
+  std::vector<std::vector<int>> of_row(static_cast<std::size_t>(classes));
+  for (std::size_t p = 0; p + 1 < first_node.size(); ++p)
+    for (int node = first_node[p]; node < first_node[p + 1]; ++node) {
+      auto& row = of_row[static_cast<std::size_t>(class_of[static_cast<std::size_t>(node)])];
+      row.insert(row.end(), processes[p].begin(), processes[p].end());
+    }
+  for (auto& row : of_row) {
+    std::sort(row.begin(), row.end());
+    row.erase(std::unique(row.begin(), row.end()), row.end());
+  }
+  return solvers::SharedRows(of_row);
+}
+
+// Fills in all but spaces and first_node.
+void number_rows(Level& level, const std::vector<int>& class_of,
+                 const std::vector<const Frame*>& frame_of_class, const ProcessesOfPatch& processes,
+                 int process) {
+  level.class_of = class_of;
+  level.rows = shared_rows(class_of, static_cast<int>(frame_of_class.size()), level.first_node, processes);
+  std::vector<int> local(frame_of_class.size(), -1);
+  std::vector<const Frame*> frame_of_row;
+  for (const int c : level.rows.global_of_local()) {
+    local[static_cast<std::size_t>(c)] = static_cast<int>(frame_of_row.size());
+    frame_of_row.push_back(frame_of_class[static_cast<std::size_t>(c)]);
+  }
+  level.row_of_node.reserve(class_of.size());
+  for (const int c : class_of) level.row_of_node.push_back(local[static_cast<std::size_t>(c)]);
+  level.free = FreeDirections(frame_of_row);
+  level.parts = parts_of(level.spaces, processes, process);
+  for (const auto& sharing : processes) level.is_primary.push_back(sharing.front() == process);
+}
+
+// The function of the finest space at the same end, or between the ends, along one direction.
+int representative(int i, int count, int fine_count) {
+  if (i == 0) return 0;
+  if (i == count - 1) return fine_count - 1;
+  return std::clamp(static_cast<int>(std::int64_t{i} * (fine_count - 1) / (count - 1)), 1, fine_count - 2);
+}
+
+// Supports hold whole faces, so a coarse function has the frame of any fine one on the same faces.
+std::vector<const Frame*> coarse_frames(const Level& coarse, const NodeClasses& classes, const Level& finest,
+                                        const std::vector<Frame>& frames) {
+  std::vector<const Frame*> result(static_cast<std::size_t>(classes.count()));
+  for (std::size_t p = 0; p < coarse.spaces.size(); ++p) {
+    const auto n = coarse.spaces[p].sizes();
+    const auto m = finest.spaces[p].sizes();
+    int node = coarse.first_node[p];
+    for (int k = 0; k < n[2]; ++k)
+      for (int j = 0; j < n[1]; ++j)
+        for (int i = 0; i < n[0]; ++i, ++node) {
+          const int fine = representative(i, n[0], m[0]) +
+                           m[0] * (representative(j, n[1], m[1]) + m[1] * representative(k, n[2], m[2]));
+          const int c = finest.class_of[static_cast<std::size_t>(finest.first_node[p] + fine)];
+          result[static_cast<std::size_t>(classes.class_of[static_cast<std::size_t>(node)])] =
+              &frames[static_cast<std::size_t>(c)];
+        }
+  }
+  return result;
+}
+
+bool has_one_element(const PatchSpace& space) {
+  return std::all_of(space.knots.begin(), space.knots.end(),
+                     [](const KnotVector& knots) { return knots.element_count() == 1; });
+}
+
+}  // namespace
+
+KnotVector coarser_knots(const KnotVector& knots) {
+  const std::vector<double> breaks = knots.breaks();
+  const std::vector<int> multiplicities = knots.multiplicities();
+  const int elements = knots.element_count();
+  std::vector<double> kept;
+  for (int i = 0; i <= elements; ++i) {
+    // With an odd number, pairs of elements from both ends leave one or three in the middle.
+    const bool keep = elements % 2 == 0 || 2 * i < elements ? i % 2 == 0 : (elements - i) % 2 == 0;
+    if (!keep) continue;
+    kept.insert(kept.end(), static_cast<std::size_t>(multiplicities[static_cast<std::size_t>(i)]),
+                breaks[static_cast<std::size_t>(i)]);
+  }
+  return KnotVector(knots.degree(), kept);
+}
+
+Level finest_level(const Discretization& d, const NodeClasses& classes, const std::vector<Frame>& frames,
+                   const ProcessesOfPatch& processes, int process) {
+  Level level;
+  level.spaces = isoparametric_spaces(d);
+  level.first_node = d.first_node;
+  std::vector<const Frame*> of_class;
+  for (const Frame& frame : frames) of_class.push_back(&frame);
+  number_rows(level, classes.class_of, of_class, processes, process);
+  return level;
+}
+
+std::optional<Level> coarser_level(const geometry::MultiPatch& model, const Level& level, const Level& finest,
+                                   const std::vector<Frame>& frames, const ProcessesOfPatch& processes,
+                                   int process) {
+  const bool lower_degree = std::all_of(level.spaces.begin(), level.spaces.end(), has_one_element);
+  Level coarse;
+  bool changed = false;
+  std::vector<std::array<int, 3>> sizes;
+  coarse.first_node = {0};
+  for (const PatchSpace& space : level.spaces) {
+    PatchSpace next{space.geometry, space.knots, {}, space.reversed};
+    for (KnotVector& knots : next.knots) {
+      const int before = knots.size();
+      knots = lower_degree ? KnotVector::bezier(1, knots.first(), knots.last()) : coarser_knots(knots);
+      changed = changed || knots.size() != before;
+    }
+    sizes.push_back(next.sizes());
+    coarse.first_node.push_back(coarse.first_node.back() + next.size());
+    coarse.spaces.push_back(std::move(next));
+  }
+  if (!changed) return std::nullopt;
+  const NodeClasses classes = node_classes(model, sizes);
+  number_rows(coarse, classes.class_of, coarse_frames(coarse, classes, finest, frames), processes, process);
+  return coarse;
+}
+
+}  // namespace isopatch::iga

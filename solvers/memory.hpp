@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstdint>
+
+namespace isopatch::solvers {
+
+/// Bytes that this process can still take without swapping: what the machine has to spare, or less where a
+/// control group or `ulimit -v` allows less. 0 if nothing is known.
+std::int64_t available_memory();
+
+/// Bytes that this process holds now.
+std::int64_t resident_memory();
+
+}  // namespace isopatch::solvers

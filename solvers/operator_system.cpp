@@ -1,0 +1,85 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "geometry/base/error.hpp"
+#include "solvers/internal/krylov.hpp"
+#include "solvers/internal/petsc_session.hpp"
+#include "solvers/operator_system.hpp"
+#include "solvers/stopwatch.hpp"
+
+namespace isopatch::solvers {
+namespace {
+
+void check_reason(KSPConvergedReason reason, int iterations) {
+  if (reason == KSP_DIVERGED_INDEFINITE_MAT || reason == KSP_DIVERGED_INDEFINITE_PC)
+    throw Error(
+        ErrorCode::singular_system,
+        fmt::format("the iteration met a direction without positive energy in step {}: the matrix is "
+                    "singular or indefinite; look for a part that can move freely and for folded patches",
+                    iterations));
+}
+
+double error_of(const OperatorSystem& system, const Eigen::VectorXd& residual) {
+  return std::sqrt(std::max(0.0, system.rows.dot(residual, system.preconditioner(residual))));
+}
+
+LinearSolution solve(const OperatorSystem& system, const SolverOptions& options, Krylov method,
+                     const Progress& progress) {
+  constexpr int most_restarts = 5;
+  start_petsc();
+  Stopwatch watch;
+  LinearSolution solution;
+  SolveReport& report = solution.report;
+  report.method = method == Krylov::conjugate_gradients ? Method::cg : Method::minres;
+  solution.x = Eigen::VectorXd::Zero(system.load.size());
+  const double first = error_of(system, system.load);
+  Eigen::VectorXd residual = system.load;
+  double relative = first > 0 ? 1 : 0;
+  report.residual_history.push_back(relative);
+  for (int restart = 0; restart <= most_restarts && relative > options.tolerance; ++restart) {
+    // A little below the tolerance, for the true error is not quite the updated one.
+    const KrylovOptions krylov{method, ErrorNorm::preconditioned, 0.8 * options.tolerance / relative,
+                               options.max_iterations - report.iterations};
+    if (krylov.max_iterations <= 0) break;
+    const KrylovSolution step =
+        iterate(system.rows, system.product, system.preconditioner, residual, krylov, progress);
+    for (std::size_t k = 1; k < step.errors.size(); ++k)
+      report.residual_history.push_back(step.errors[k] * relative);
+    report.iterations = static_cast<int>(report.residual_history.size()) - 1;
+    check_reason(step.reason, report.iterations);
+    solution.x += step.x;
+    residual = system.load - system.product(solution.x);
+    const double before = std::exchange(relative, error_of(system, residual) / first);
+    report.residual_history.back() = relative;
+    if (!(relative < 0.9 * before)) break;
+  }
+  report.energy_error = relative;
+  report.relative_residual =
+      first > 0 ? std::sqrt(system.rows.dot(residual, residual) / system.rows.dot(system.load, system.load))
+                : 0;
+  report.solve_seconds = watch.lap();
+  if (!(relative <= options.tolerance))
+    throw Error(
+        ErrorCode::not_converged,
+        fmt::format("method '{}' reached a relative error of {:.3e} instead of {:.3e} after {} iterations; "
+                    "raise max_iterations, loosen the tolerance, or use a direct method; look for parts "
+                    "that are hardly held and for badly shaped patches",
+                    name(report.method), relative, options.tolerance, report.iterations));
+  return solution;
+}
+
+}  // namespace
+
+LinearSolution solve_with_cg(const OperatorSystem& system, const SolverOptions& options,
+                             const Progress& progress) {
+  return solve(system, options, Krylov::conjugate_gradients, progress);
+}
+
+LinearSolution solve_with_minres(const OperatorSystem& system, const SolverOptions& options,
+                                 const Progress& progress) {
+  return solve(system, options, Krylov::minimal_residuals, progress);
+}
+
+}  // namespace isopatch::solvers

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "solvers/linear_operator.hpp"
+#include "solvers/shared_rows.hpp"
+#include "solvers/solve.hpp"
+
+namespace isopatch::solvers {
+
+/// A symmetric system that is known by its product alone, spread over processes. All vectors are consistent
+/// local ones.
+struct OperatorSystem {
+  SharedRows rows;
+  LinearOperator product;  ///< A
+  LinearOperator
+      preconditioner;    ///< symmetric positive definite, near the inverse of A (of |A| if indefinite)
+  Eigen::VectorXd load;  ///< b
+};
+
+/// Solves A x = b by preconditioned conjugate gradients (A positive definite).
+///
+/// The error is measured in the norm that the preconditioner M gives, sqrt(r.Mr / b.Mb), about the relative
+/// error in energy: unlike ||r|| / ||b|| it does not depend on units, nor on how badly single elements are
+/// shaped. Starts again from the true residual where the updated one has drifted from it.
+///
+/// @throws Error singular_system  a direction without positive energy
+/// @throws Error not_converged    with the error reached and advice
+/// @cost   one product and one preconditioner an iteration, five vectors
+/// @source Hestenes, Stiefel 1952, through PETSc's KSPCG
+LinearSolution solve_with_cg(const OperatorSystem& system, const SolverOptions& options,
+                             const Progress& progress);
+
+/// The same for a symmetric indefinite A, by minimal residuals.
+/// @source Paige, Saunders 1975, through PETSc's KSPMINRES
+LinearSolution solve_with_minres(const OperatorSystem& system, const SolverOptions& options,
+                                 const Progress& progress);
+
+}  // namespace isopatch::solvers
