@@ -7,6 +7,7 @@
 
 #include "app/console.hpp"
 #include "app/program.hpp"
+#include "solvers/processes.hpp"
 
 namespace isopatch::app {
 
@@ -15,6 +16,7 @@ struct StudyCommand {
   std::filesystem::path study;
   std::vector<std::string> overrides;           ///< --set key=value
   std::optional<std::filesystem::path> output;  ///< --output; relative to the current folder
+  solvers::Processes processes = {};  ///< that solve it together; all call the command, the first one writes
 };
 
 /// Solves a study, writes its files, prints the summary.

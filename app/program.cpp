@@ -14,6 +14,7 @@
 #include "geometry/base/error.hpp"
 #include "geometry/base/nearest_name.hpp"
 #include "solvers/blas_threads.hpp"
+#include "solvers/process_failure.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -36,6 +37,7 @@ constexpr const char* run_examples = R"(Examples:
   isopatch run study.toml
   isopatch run study.toml --output /tmp/fine --set discretization.refine=2
   isopatch run study.toml --set load.0.traction='["20 MPa", 0, 0]' --set coupling.method=lagrange
+  mpiexec -n 4 isopatch run study.toml               the same figures from four processes
   isopatch run study.toml --quiet && jq .results.internal_energy results/summary.json
 Writes summary.json, results.vtm with fields/ (ParaView) and results.h5 (isopatch probe, fields, info).
 Files appear whole or not at all, and only after everything has been computed.)";
@@ -184,46 +186,48 @@ std::unique_ptr<CLI::App> make_parser(CommandLine& line) {
   return app;
 }
 
-/// What an MPI launcher says in the environment; 1 process, rank 0 without one.
-struct LaunchedProcesses {
-  int count = 1;
-  int rank = 0;
-};
-
-LaunchedProcesses launched_processes() {
-  const auto number = [](const char* name, int otherwise) {
-    const char* text = std::getenv(name);
-    return text ? std::atoi(text) : otherwise;
-  };
-  const LaunchedProcesses open_mpi{number("OMPI_COMM_WORLD_SIZE", 1), number("OMPI_COMM_WORLD_RANK", 0)};
-  return open_mpi.count > 1 ? open_mpi : LaunchedProcesses{number("PMI_SIZE", 1), number("PMI_RANK", 0)};
+/// Says what went wrong, one process for all, and gives back the exit code.
+ExitCode fail(const solvers::Processes& processes, const Console& console, ExitCode code,
+              const std::string& message) {
+  solvers::ProcessFailure failure(processes);
+  if (failure.is_to_report()) console.fail(message);
+  failure.leave_or_abort(static_cast<int>(code));
+  return code;
 }
 
-ExitCode act(const CommandLine& line, const Console& console) {
+/// @param console  of this process, silent but on the first
+/// @param loud     for what ends the run
+ExitCode act(const CommandLine& line, const Console& console, const Console& loud) {
+  const solvers::Processes& processes = line.study.processes;
   try {
-    return line.action(console);
+    const ExitCode code = line.action(console);
+    processes.barrier();  // the first one may still fail to write
+    return code;
   } catch (const Error& error) {
-    console.fail(error.what());
-    return exit_code(error.code());
+    return fail(processes, loud, exit_code(error.code()), error.what());
   } catch (const std::bad_alloc&) {
-    console.fail("out of memory; refine less, lower the degree, or use a machine with more memory");
+    return fail(processes, loud, ExitCode::failed,
+                "out of memory; refine less, lower the degree, or use a machine with more memory");
   } catch (const std::exception& error) {
-    console.fail(fmt::format("this is a bug in isopatch, please report it with the input that caused it: {}",
-                             error.what()));
+    return fail(processes, loud, ExitCode::failed,
+                fmt::format("this is a bug in isopatch, please report it with the input that caused it: {}",
+                            error.what()));
   }
-  return ExitCode::failed;
 }
 
-}  // namespace
+/// As many as were asked for, else as the environment says, else an even share of the computer's cores.
+void set_threads(int asked, const solvers::Processes& processes) {
+  if (asked > 0)
+    omp_set_num_threads(asked);
+  else if (processes.count() > 1 && !std::getenv("OMP_NUM_THREADS"))
+    omp_set_num_threads(processes.fair_threads(omp_get_max_threads()));
+  // Threads of OpenMP regions would otherwise multiply with those of the BLAS; factorizations raise it again.
+  solvers::set_blas_threads(1);
+}
 
-int run_program(const std::vector<std::string>& arguments, const Console& console) {
-  const LaunchedProcesses launched = launched_processes();
-  if (launched.count > 1) {
-    if (launched.rank == 0)
-      console.fail(fmt::format(
-          "started as {} MPI processes; this version runs on one process; use --threads N", launched.count));
-    return static_cast<int>(ExitCode::wrong_input);
-  }
+/// The whole program on one of the launched processes.
+/// @param console  silent but on the first one
+int run_on_process(const std::vector<std::string>& arguments, const Console& console, const Console& loud) {
   CommandLine line;
   const auto app = make_parser(line);
   try {
@@ -245,12 +249,28 @@ int run_program(const std::vector<std::string>& arguments, const Console& consol
                              chosen.empty() ? "" : chosen.front()->get_name() + " "));
     return static_cast<int>(ExitCode::wrong_input);
   }
-  if (line.threads > 0) omp_set_num_threads(line.threads);
-  // Threads of OpenMP regions would otherwise multiply with those of the BLAS; factorizations raise it again.
-  solvers::set_blas_threads(1);
+  try {
+    // Only solving is spread.
+    if (!line.study.study.empty())
+      line.study.processes = solvers::Processes::launched();
+    else if (solvers::launch().rank > 0)
+      return static_cast<int>(ExitCode::ok);
+  } catch (const Error& error) {
+    console.fail(error.what());
+    return static_cast<int>(exit_code(error.code()));
+  }
+  set_threads(line.threads, line.study.processes);
   Console chosen = console;
   chosen.quiet = chosen.quiet || line.quiet;
-  return static_cast<int>(act(line, chosen));
+  return static_cast<int>(act(line, chosen, loud));
+}
+
+}  // namespace
+
+int run_program(const std::vector<std::string>& arguments, const Console& console) {
+  if (solvers::launch().rank == 0) return run_on_process(arguments, console, console);
+  std::ostream nowhere(nullptr);
+  return run_on_process(arguments, {nowhere, nowhere, false, false, true}, console);
 }
 
 }  // namespace isopatch::app

@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include "app/summary.hpp"
+
 namespace isopatch::app {
 namespace {
 
@@ -19,7 +21,7 @@ class Watch {
 
 StudyRun run_study(const Study& study, const Progress& progress) {
   const Watch building;
-  StudyRun run{build_problem(study, progress), {}, {}, {}};
+  StudyRun run{build_problem(study, progress), {}, {}, {}, 0};
   run.timings.push_back({"model", building.seconds()});
   run.solution = iga::solve_elasticity(run.built.problem, study.options, progress);
   for (const iga::PhaseTime& time : run.solution.timings) run.timings.push_back(time);
@@ -27,6 +29,8 @@ StudyRun run_study(const Study& study, const Progress& progress) {
   for (const LocatedProbe& probe : run.built.probes)
     run.probes.push_back({probe.name, probe.patch, model.renamed(PatchId(probe.patch), probe.parameter),
                           iga::evaluate(run.solution.field, probe.patch, probe.parameter)});
+  const std::int64_t own = peak_memory_bytes();
+  run.bytes_elsewhere = study.options.processes.sum(own) - own;
   return run;
 }
 

@@ -23,6 +23,8 @@ struct StudyRun {
   iga::ElasticitySolution solution;
   std::vector<ProbeValues> probes;
   std::vector<iga::PhaseTime> timings;  ///< of all phases so far, s
+  std::int64_t bytes_elsewhere =
+      0;  ///< most memory that the other processes held until the end of these phases
 };
 
 /// Builds and solves a study. Nothing is written.

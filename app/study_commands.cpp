@@ -14,6 +14,8 @@ namespace {
 Study read(const StudyCommand& command) {
   Study study = read_study(command.study, command.overrides);
   if (command.output) study.output.directory = *command.output;
+  study.options.processes = command.processes;
+  if (command.processes.is_first()) check_writable(study.output.directory);
   return study;
 }
 
@@ -21,9 +23,9 @@ Study read(const StudyCommand& command) {
 
 ExitCode run_command(const StudyCommand& command, const Console& console) {
   const Study study = read(command);
-  check_writable(study.output.directory);
   ProgressDisplay display(console);
   StudyRun run = run_study(study, display.progress());
+  if (!command.processes.is_first()) return ExitCode::ok;
   const std::vector<std::string> files = write_results(study, run, display.progress());
   display.clear();
   for (const std::string& warning : run.built.warnings) console.warn(warning);
@@ -36,9 +38,9 @@ ExitCode run_command(const StudyCommand& command, const Console& console) {
 
 ExitCode compare_command(const StudyCommand& command, const Console& console) {
   const Study study = read(command);
-  check_writable(study.output.directory);
   ProgressDisplay display(console);
   const CouplingComparison comparison = compare_couplings(study, display.progress());
+  if (!command.processes.is_first()) return comparison.agree() ? ExitCode::ok : ExitCode::failed;
   write_in(study.output.directory, "compare.json", comparison_json(study, comparison));
   display.clear();
   for (const std::string& warning : comparison.warnings) console.warn(warning);

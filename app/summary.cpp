@@ -1,6 +1,7 @@
 #include "app/summary.hpp"
 
 #include <fmt/format.h>
+#include <omp.h>
 #include <sys/resource.h>
 
 #include <numeric>
@@ -202,22 +203,24 @@ std::string probes_text(const StudyRun& run) {
 }  // namespace
 
 std::string summary_json(const Study& study, const StudyRun& run) {
-  const Json json = {{"schema_version", 1},
-                     {"program", {{"name", "isopatch"}, {"version", version()}}},
-                     {"title", study.title},
-                     {"study", study.source},
-                     {"model", model_json(run)},
-                     {"materials", materials_json(study, run)},
-                     {"supports", supports_json(run.built.supports)},
-                     {"loads", loads_json(run.built.loads)},
-                     {"discretization", discretization_json(run)},
-                     {"coupling", iga::name(study.options.coupling)},
-                     {"solver", solver_json(run.solution.solver)},
-                     {"results", results_json(run)},
-                     {"probes", probes_json(run)},
-                     {"warnings", run.built.warnings},
-                     {"timings", timings_json(run)},
-                     {"memory", {{"peak_bytes", peak_memory_bytes()}}}};
+  const Json json = {
+      {"schema_version", 1},
+      {"program", {{"name", "isopatch"}, {"version", version()}}},
+      {"title", study.title},
+      {"study", study.source},
+      {"model", model_json(run)},
+      {"materials", materials_json(study, run)},
+      {"supports", supports_json(run.built.supports)},
+      {"loads", loads_json(run.built.loads)},
+      {"discretization", discretization_json(run)},
+      {"coupling", iga::name(study.options.coupling)},
+      {"solver", solver_json(run.solution.solver)},
+      {"results", results_json(run)},
+      {"probes", probes_json(run)},
+      {"warnings", run.built.warnings},
+      {"timings", timings_json(run)},
+      {"parallel", {{"processes", study.options.processes.count()}, {"threads", omp_get_max_threads()}}},
+      {"memory", {{"peak_bytes", peak_memory_bytes() + run.bytes_elsewhere}}}};
   return file_text(json);
 }
 
@@ -244,7 +247,11 @@ std::string summary_text(const Study& study, const StudyRun& run) {
                       place_with_unit(results.max_von_mises.place, model.size()));
   text += fmt::format("  internal energy   {}\n", with_unit(results.internal_energy, "J"));
   text += reactions_text(run) + probes_text(run);
-  text += fmt::format("  time, memory      {}, {}\n", seconds_text(total), bytes_text(peak_memory_bytes()));
+  text += fmt::format("  time, memory      {}, {}{}\n", seconds_text(total),
+                      bytes_text(peak_memory_bytes() + run.bytes_elsewhere),
+                      study.options.processes.count() == 1
+                          ? ""
+                          : fmt::format(" in {} processes", study.options.processes.count()));
   return text;
 }
 

@@ -20,4 +20,7 @@ if(ISOPATCH_TESTS)
   include(GoogleTest)
   find_package(benchmark REQUIRED)
   find_library(OPENBLAS_LIBRARY openblas REQUIRED)
+  # The system's interpreter; one on the PATH may belong to an environment of the user.
+  find_program(ISOPATCH_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
+  find_program(ISOPATCH_PYTHON python3 REQUIRED)
 endif()

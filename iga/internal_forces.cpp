@@ -4,6 +4,7 @@
 #include "iga/internal/element_tensors.hpp"
 #include "iga/internal/folded_patch.hpp"
 #include "iga/internal/point_fields.hpp"
+#include "iga/results.hpp"
 
 namespace isopatch::iga {
 namespace {
@@ -90,41 +91,70 @@ class PatchForces {
   ElementTensors tensors_;
 };
 
+// The elements of a part, which follow each other: direction 3 is the slowest.
+struct ElementRange {
+  std::int64_t first;
+  std::int64_t count;
+};
+
+ElementRange elements_of(const Discretization& d, const PatchPart& part) {
+  const geometry::NurbsVolume& patch = d.patches[static_cast<std::size_t>(part.patch)];
+  const std::int64_t layer = std::int64_t{patch.knots(0).element_count()} * patch.knots(1).element_count();
+  return {layer * part.first_layer, layer * (part.last_layer - part.first_layer)};
+}
+
 }  // namespace
 
 InternalForces internal_forces(const Discretization& d, const std::vector<Material>& materials,
-                               const Eigen::Matrix3Xd& displacement, int points, const Progress& progress) {
+                               const Eigen::Matrix3Xd& displacement, const std::vector<PatchPart>& parts,
+                               int points, const Progress& progress) {
   InternalForces result;
   result.forces = Eigen::Matrix3Xd::Zero(3, d.node_count());
   result.max_von_mises.value = -1;
-  const auto total = static_cast<double>(d.element_count());
-  std::int64_t done = 0;
-  for (int p = 0; p < d.patch_count(); ++p) {
+  std::int64_t total = 0, done = 0;
+  for (const PatchPart& part : parts) total += elements_of(d, part).count;
+  for (const PatchPart& part : parts) {
+    const int p = part.patch;
     const auto patch = static_cast<std::size_t>(p);
     const PatchForces of_patch(d, p, materials[patch], displacement, points);
     double* const forces = result.forces.data() + 3 * d.first_node[patch];
+    const auto [begin, count] = elements_of(d, part);
     in_batches<Scratch, ElementForces>(
-        of_patch.tensors().element_count(), elements_per_batch,
+        count, elements_per_batch,
         [&](std::int64_t element, Scratch& scratch, ElementForces& out) {
-          of_patch.compute(element, scratch, out);
+          of_patch.compute(begin + element, scratch, out);
         },
         [&](std::int64_t first, std::span<const ElementForces> elements) {
           for (const ElementForces& element : elements) {
             result.energy += element.energy;
-            of_patch.tensors().for_each_function(first, [&](Eigen::Index a, Eigen::Index i) {
+            of_patch.tensors().for_each_function(begin + first, [&](Eigen::Index a, Eigen::Index i) {
               Eigen::Map<Eigen::Vector3d>(forces + 3 * i) +=
                   Eigen::Map<const Eigen::Vector3d>(&element.forces[static_cast<std::size_t>(3 * a)]);
             });
             if (element.max_von_mises > result.max_von_mises.value)
               result.max_von_mises = {element.max_von_mises, element.worst_place, p,
-                                      of_patch.tensors().parameter(first, element.worst_point)};
+                                      of_patch.tensors().parameter(begin + first, element.worst_point)};
             ++first;
           }
           done += static_cast<std::int64_t>(elements.size());
-          progress("stresses", static_cast<double>(done) / total);
+          progress("stresses", static_cast<double>(done) / static_cast<double>(total));
         });
   }
   return result;
+}
+
+InternalForces internal_forces(const Discretization& d, const std::vector<Material>& materials,
+                               const Eigen::Matrix3Xd& displacement, int points, const Progress& progress) {
+  return internal_forces(d, materials, displacement, whole_patches(isoparametric_spaces(d)), points,
+                         progress);
+}
+
+InternalForces summed(InternalForces share, const solvers::Processes& processes) {
+  if (processes.count() == 1) return share;
+  processes.sum(Eigen::Map<Eigen::VectorXd>(share.forces.data(), share.forces.size()));
+  share.energy = processes.sum(share.energy);
+  share.max_von_mises = largest(share.max_von_mises, processes);
+  return share;
 }
 
 }  // namespace isopatch::iga

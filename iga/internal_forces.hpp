@@ -3,7 +3,9 @@
 #include "geometry/base/progress.hpp"
 #include "iga/discretization.hpp"
 #include "iga/elastic_field.hpp"
+#include "iga/patch_space.hpp"
 #include "iga/solve_elasticity.hpp"
+#include "solvers/processes.hpp"
 
 namespace isopatch::iga {
 
@@ -16,10 +18,19 @@ struct InternalForces {
 };
 
 /// @param displacement  coefficients per node, (3, nodes), m
-/// @throws Error fold_over  a Gauss point with det J <= 0, naming patch, parameter (the input's names) and place
+/// @throws Error fold_over  a Gauss point with det J <= 0, naming patch, parameter (the input's names) and
+/// place
 /// @cost  O((degree + 1)^4) per element, in parallel; the same for any number of threads
 InternalForces internal_forces(const Discretization& discretization, const std::vector<Material>& materials,
                                const Eigen::Matrix3Xd& displacement, int points = 0,
                                const Progress& progress = {});
+
+/// The share of some parts: forces and energy are additive. Without elements, a value of -1 in no patch.
+InternalForces internal_forces(const Discretization& discretization, const std::vector<Material>& materials,
+                               const Eigen::Matrix3Xd& displacement, const std::vector<PatchPart>& parts,
+                               int points = 0, const Progress& progress = {});
+
+/// The shares of all processes together, on all of them.
+InternalForces summed(InternalForces share, const solvers::Processes& processes);
 
 }  // namespace isopatch::iga

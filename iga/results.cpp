@@ -43,30 +43,58 @@ Longest longest_in(const ElementTensors& tensors, const geometry::NurbsVolume& p
 
 }  // namespace
 
-Extremum max_displacement(const ElasticField& field) {
+Extremum max_displacement(const ElasticField& field, const std::vector<PatchPart>& parts) {
   constexpr std::int64_t per_task = 64;
   Extremum result;
   result.value = -1;
   std::vector<TensorBuffers<4>> buffers(static_cast<std::size_t>(omp_get_max_threads()));
-  for (std::size_t p = 0; p < field.patches.size(); ++p) {
+  for (const PatchPart& part : parts) {
+    if (part.first_layer == part.last_layer) continue;
+    const auto p = static_cast<std::size_t>(part.patch);
     const geometry::NurbsVolume& patch = field.patches[p];
     const ElementTensors tensors(
         patch, {even_points(patch.degree(0)), even_points(patch.degree(1)), even_points(patch.degree(2))});
-    const std::int64_t count = tensors.element_count();
-    std::vector<Longest> found(static_cast<std::size_t>((count + per_task - 1) / per_task));
+    const std::int64_t layer = tensors.element_count() / patch.knots(2).element_count();
+    const std::int64_t begin = layer * part.first_layer, end = layer * part.last_layer;
+    std::vector<Longest> found(static_cast<std::size_t>((end - begin + per_task - 1) / per_task));
     parallel_for(static_cast<std::int64_t>(found.size()), [&](std::int64_t task, int thread) {
+      const std::int64_t first = begin + task * per_task;
       found[static_cast<std::size_t>(task)] =
-          longest_in(tensors, patch, field.displacement[p], task * per_task,
-                     std::min(count, (task + 1) * per_task), buffers[static_cast<std::size_t>(thread)]);
+          longest_in(tensors, patch, field.displacement[p], first, std::min(end, first + per_task),
+                     buffers[static_cast<std::size_t>(thread)]);
     });
     // The first of equal ones, for any number of threads.
     const Longest& longest = *std::max_element(
         found.begin(), found.end(), [](const Longest& a, const Longest& b) { return a.squared < b.squared; });
     if (std::sqrt(longest.squared) <= result.value) continue;
     const geometry::Parameter<3> parameter = tensors.parameter(longest.element, longest.point);
-    result = {std::sqrt(longest.squared), patch.point(parameter), static_cast<int>(p), parameter};
+    result = {std::sqrt(longest.squared), patch.point(parameter), part.patch, parameter};
   }
   return result;
+}
+
+Extremum max_displacement(const ElasticField& field) {
+  std::vector<PatchPart> parts;
+  for (std::size_t p = 0; p < field.patches.size(); ++p)
+    parts.push_back({static_cast<int>(p), 0, field.patches[p].knots(2).element_count()});
+  return max_displacement(field, parts);
+}
+
+Extremum largest(const Extremum& extremum, const solvers::Processes& processes) {
+  struct Plain {
+    double value;
+    int patch;
+    double place[3], parameter[3];
+  };
+  const auto& [value, place, patch, parameter] = extremum;
+  const Plain mine{value, patch, {place[0], place[1], place[2]}, {parameter[0], parameter[1], parameter[2]}};
+  Plain best = processes.from(0, mine);
+  for (int rank = 1; rank < processes.count(); ++rank) {
+    const Plain other = processes.from(rank, mine);
+    if (other.value > best.value || (other.value == best.value && other.patch < best.patch)) best = other;
+  }
+  return {best.value, Eigen::Map<const Eigen::Vector3d>(best.place), best.patch,
+          Eigen::Map<const Eigen::Vector3d>(best.parameter)};
 }
 
 std::vector<Reaction> support_reactions(const ElasticityProblem& problem, const NodeClasses& classes,

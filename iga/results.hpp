@@ -1,13 +1,21 @@
 #pragma once
 
-#include "iga/internal_forces.hpp"
+#include "iga/patch_space.hpp"
+#include "iga/solve_elasticity.hpp"
 #include "iga/support_frames.hpp"
+#include "solvers/processes.hpp"
 
 namespace isopatch::iga {
 
 /// The largest displacement on a grid of degree + 1 points per element and direction, ends included.
 /// @cost  O((degree + 1)^4) per element; no memory that grows with the elements
 Extremum max_displacement(const ElasticField& field);
+/// The same over the elements of some parts; a value of -1 in no patch if there are none.
+Extremum max_displacement(const ElasticField& field, const std::vector<PatchPart>& parts);
+
+/// The largest of the values that the processes have, on all of them; of equal ones that of the first patch,
+/// and of the first process.
+Extremum largest(const Extremum& extremum, const solvers::Processes& processes);
 
 /// Force and moment of every support on the part, from the residual K u - f of the fixed components.
 /// @param forces  internal forces minus loads per node, (3, nodes), N

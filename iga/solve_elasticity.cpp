@@ -7,11 +7,12 @@
 
 #include "geometry/base/error.hpp"
 #include "iga/assembly.hpp"
+#include "iga/distribution.hpp"
 #include "iga/internal_forces.hpp"
 #include "iga/loads.hpp"
 #include "iga/results.hpp"
 #include "iga/rigid_motions.hpp"
-#include "iga/supported_system.hpp"
+#include "iga/shared_multipliers.hpp"
 
 namespace isopatch::iga {
 namespace {
@@ -82,6 +83,13 @@ Unknowns unknowns(const NodeClasses& classes, const std::vector<Frame>& frames, 
   return result;
 }
 
+// The frames of this process' rows.
+std::vector<const Frame*> frames_of(const solvers::SharedRows& rows, const std::vector<const Frame*>& whole) {
+  std::vector<const Frame*> result;
+  for (const int row : rows.global_of_local()) result.push_back(whole[static_cast<std::size_t>(row)]);
+  return result;
+}
+
 Eigen::VectorXd load_of_rows(const Eigen::Matrix3Xd& load, const RowNumbering& numbering) {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(3 * numbering.rows);
   for (Eigen::Index node = 0; node < load.cols(); ++node)
@@ -133,33 +141,45 @@ ElasticitySolution solve_elasticity(const ElasticityProblem& problem, const Elas
   const Unknowns unknown = unknowns(classes, frames, options.coupling);
   watch.lap("coupling and loads");
 
+  const std::vector<PatchSpace> spaces = isoparametric_spaces(d);
+  const solvers::Processes& processes = options.processes;
+  const Distribution distribution = distribute(spaces, processes.count());
+  const std::vector<PatchPart> parts = parts_of(distribution, spaces, processes.rank());
+  const LocalRows local = local_rows(unknown.numbering, d.first_node, distribution, processes);
+
   solvers::LinearSystem system;
-  system.stiffness =
-      assemble_stiffness(d, problem.materials, unknown.numbering, options.quadrature_points, progress);
-  system.load = load_of_rows(load, unknown.numbering);
-  apply_supports(system, unknown.frame_of_row);
-  if (options.coupling == Coupling::lagrange) system.constraints = multiplier_matrix(rows, d.node_count());
+  system.rows = local.rows;
+  system.stiffness = assemble_stiffness(spaces, parts, problem.materials, local.numbering,
+                                        options.quadrature_points, progress);
+  system.load = local.rows.part(load_of_rows(load, unknown.numbering));
+  apply_supports(system, frames_of(local.rows, unknown.frame_of_row));
+  if (options.coupling == Coupling::lagrange) {
+    SharedMultipliers multipliers = shared_multipliers(rows, local, d.first_node, distribution);
+    system.constraints = std::move(multipliers.matrix);
+    system.multiplier_rows = std::move(multipliers.rows);
+  }
   watch.lap("assembly");
 
   const solvers::LinearSolution linear = solvers::solve(system, options.solver, progress);
   solution.solver = linear.report;
   watch.lap("solve");
 
-  const Eigen::Matrix3Xd of_rows = displacement_of_rows(linear.x, unknown.frame_of_row);
+  const Eigen::Matrix3Xd of_rows = displacement_of_rows(local.rows.whole(linear.x), unknown.frame_of_row);
   Eigen::Matrix3Xd displacement(3, d.node_count());
   for (Eigen::Index node = 0; node < displacement.cols(); ++node)
     displacement.col(node) = of_rows.col(unknown.numbering.row_of_node[static_cast<std::size_t>(node)]);
   solution.field = field_of(problem, displacement);
 
   const InternalForces internal =
-      internal_forces(d, problem.materials, displacement, options.quadrature_points, progress);
+      summed(internal_forces(d, problem.materials, displacement, parts, options.quadrature_points, progress),
+             processes);
   const Eigen::Matrix3Xd unbalanced = internal.forces - load;
   const Eigen::VectorXd multipliers = options.coupling == Coupling::lagrange
-                                          ? linear.multipliers
+                                          ? system.multiplier_rows.whole(linear.multipliers)
                                           : recovered_multipliers(rows, classes, frames, -unbalanced);
   solution.multipliers = multipliers_in_space(rows, frames, multipliers);
   ElasticityResults& results = solution.results;
-  results.max_displacement = max_displacement(solution.field);
+  results.max_displacement = largest(max_displacement(solution.field, parts), processes);
   results.max_von_mises = internal.max_von_mises;
   results.internal_energy = internal.energy;
   results.reactions = support_reactions(problem, classes, frames, unbalanced);

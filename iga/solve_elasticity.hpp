@@ -8,6 +8,7 @@
 #include "geometry/base/progress.hpp"
 #include "iga/elastic_field.hpp"
 #include "iga/problem.hpp"
+#include "solvers/processes.hpp"
 #include "solvers/solve.hpp"
 
 namespace isopatch::iga {
@@ -24,16 +25,20 @@ struct ElasticityOptions {
   solvers::SolverOptions solver = {};
   /// Gauss points per element and direction in volumes; 0: degree + 1. Range 0 .. 20.
   int quadrature_points = 0;
+  /// Among which the elements are spread. All of them call `solve_elasticity` with the same problem and
+  /// options and get the same solution.
+  solvers::Processes processes = {};
 };
 
 /// Sizes of the discrete problem. Scalar counts, three components a node.
 struct ProblemSize {
   std::int64_t elements = 0;
-  std::int64_t control_points = 0;    ///< summed over the patches
-  std::int64_t dofs_uncoupled = 0;    ///< 3 control_points
-  std::int64_t dofs_eliminated = 0;   ///< 3 times the classes of coincident control points
-  std::int64_t multipliers = 0;       ///< dofs_uncoupled - dofs_eliminated: rows that tie the patches
-  std::int64_t multipliers_free = 0;  ///< of these, the rows that remain: those in components that supports fix are dropped
+  std::int64_t control_points = 0;   ///< summed over the patches
+  std::int64_t dofs_uncoupled = 0;   ///< 3 control_points
+  std::int64_t dofs_eliminated = 0;  ///< 3 times the classes of coincident control points
+  std::int64_t multipliers = 0;      ///< dofs_uncoupled - dofs_eliminated: rows that tie the patches
+  std::int64_t multipliers_free =
+      0;  ///< of these, the rows that remain: those in components that supports fix are dropped
   std::int64_t dofs = 0;  ///< unknowns of the chosen coupling before supports are fixed, multipliers included
   std::int64_t dofs_free = 0;  ///< the same after supports are fixed
 };
@@ -87,6 +92,9 @@ struct ElasticitySolution {
 };
 
 /// Solves a linear elasticity problem.
+///
+/// Spread over processes, elements, matrices and Krylov vectors are distributed; what is per node (geometry,
+/// loads, displacements) is kept by every process.
 ///
 /// Checks before any assembly: materials, supports that contradict each other, loads on faces that are no
 /// boundary, bodies that can still move.

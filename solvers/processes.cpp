@@ -18,16 +18,26 @@ constexpr Eigen::Index chunk = std::numeric_limits<int>::max() / 2;
 
 }  // namespace
 
-int launched_process_count() {
+Launch launch() {
+  struct Names {
+    const char* count;
+    const char* rank;
+  };
   // In this order: mpiexec uses srun to start itself on other computers.
-  for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "SLURM_STEP_NUM_TASKS"})
-    if (const char* text = std::getenv(variable)) return std::max(1, std::atoi(text));
-  return 1;
+  constexpr Names known[] = {{"OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_RANK"},
+                             {"PMI_SIZE", "PMI_RANK"},
+                             {"SLURM_STEP_NUM_TASKS", "SLURM_PROCID"}};
+  for (const Names& names : known) {
+    const char* const count = std::getenv(names.count);
+    const char* const rank = std::getenv(names.rank);
+    if (count && rank) return {std::max(1, std::atoi(count)), std::atoi(rank)};
+  }
+  return {};
 }
 
 Processes Processes::launched() {
   Processes result;
-  const int expected = launched_process_count();
+  const int expected = launch().count;
   if (expected == 1) return result;
   start_mpi();
   MPI_Comm_rank(MPI_COMM_WORLD, &result.rank_);

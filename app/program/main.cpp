@@ -5,9 +5,11 @@
 
 #include "app/program.hpp"
 #include "geometry/base/atomic_file.hpp"
+#include "solvers/processes.hpp"
 
 int main(int count, char** arguments) {
-  isopatch::remove_unfinished_files_on_interrupt();
+  // Of several processes the first one alone writes files, and words.
+  if (isopatch::solvers::launch().rank == 0) isopatch::remove_unfinished_files_on_interrupt();
   const bool terminal = ::isatty(STDERR_FILENO) == 1;
   const char* no_color = std::getenv("NO_COLOR");
   const bool colours = terminal && (no_color == nullptr || *no_color == '\0');

@@ -84,7 +84,8 @@ TEST(Processes, SumsBroadcastsAndLargest) {
   EXPECT_EQ(processes.from(n - 1, processes.rank()), n - 1);
   EXPECT_GE(processes.fair_threads(64), 1);
   EXPECT_EQ(processes.fair_threads(1), 1);
-  EXPECT_EQ(launched_process_count(), n);
+  EXPECT_EQ(launch().count, n);
+  EXPECT_EQ(launch().rank, processes.rank());
 }
 
 }  // namespace
