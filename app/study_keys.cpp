@@ -150,21 +150,56 @@ const Keys<solvers::SolverOptions>& solver_keys() {
   using M = solvers::Method;
   static const std::vector<std::pair<std::string, M>> methods = {
       {"auto", M::automatic}, {"direct", M::automatic}, {"cholmod", M::cholmod},
-      {"mumps", M::mumps},    {"umfpack", M::umfpack},  {"cg", M::cg}};
+      {"mumps", M::mumps},    {"umfpack", M::umfpack},  {"cg", M::cg},
+      {"minres", M::minres}};
+  static const std::vector<std::string> preconditioners = {"multigrid", "block_jacobi"};
+  static const std::vector<std::string> operators = {"auto", "assembled", "matrix_free"};
   static const Keys<O> keys = {
       custom_key<O>(
-          "method", "\"auto\", \"direct\", \"cholmod\", \"mumps\", \"umfpack\" or \"cg\"",
-          "auto and direct take CHOLMOD for elimination and MUMPS for lagrange; cholmod and cg cannot treat "
-          "multipliers.",
+          "method", "\"auto\", \"direct\", \"cholmod\", \"mumps\", \"umfpack\", \"cg\" or \"minres\"",
+          "auto factorizes small problems (CHOLMOD for elimination, MUMPS for lagrange or several processes) "
+          "and "
+          "iterates on large ones and those whose factors would not fit (cg for elimination, minres for "
+          "lagrange); the summary says why. direct is another word for auto.",
           [](O& target, const ConfigValue& value) {
             std::vector<std::string> names;
             for (const auto& method : methods) names.push_back(method.first);
             target.method = methods[read_choice(value, "method", names)].second;
           })
           .with_default("\"auto\""),
-      quantity_key<O>("tolerance", &O::tolerance, dim::none, {1e-14, 1e-2}, "Relative residual to reach."),
+      quantity_key<O>(
+          "tolerance", &O::tolerance, dim::none, {1e-14, 1e-2},
+          "Relative residual to reach; with a multigrid the relative error in its norm, about that in "
+          "energy."),
       integer_key<O>("max_iterations", &O::max_iterations, 1, 10000000,
                      "Most iterations of an iterative method."),
+      custom_key<O>(
+          "preconditioner", "\"multigrid\" or \"block_jacobi\"",
+          "Of cg. A multigrid needs some ten iterations more or less whatever the size and the degree; "
+          "block_jacobi needs many more and is there for comparison.",
+          [](O& target, const ConfigValue& value) {
+            target.preconditioner =
+                solvers::Preconditioner(read_choice(value, "preconditioner", preconditioners));
+          })
+          .with_default("\"multigrid\""),
+      custom_key<O>(
+          "operator", "\"auto\", \"assembled\" or \"matrix_free\"",
+          "Whether cg with a multigrid stores the matrix or computes its product anew each time. auto "
+          "stores it where it fits and multiplies faster, which it does for degree 1 alone.",
+          [](O& target, const ConfigValue& value) {
+            target.form = solvers::Operator(read_choice(value, "operator", operators));
+          })
+          .with_default("\"auto\""),
+      custom_key<O>("smoothing_degree", "integer", "Degree of the multigrid's Chebyshev smoother, 1 .. 20.",
+                    [](O& target, const ConfigValue& value) {
+                      target.multigrid.smoothing_degree =
+                          static_cast<int>(read_integer(value, "smoothing_degree", 1, 20));
+                    })
+          .with_default("4"),
+      quantity_key<O>(
+          "memory_limit", &O::memory_limit, dim::none, {0, 1e15},
+          "Bytes that the run may take; 0 means what the machine has to spare. Runs that are expected "
+          "to take more are refused before they begin."),
   };
   return keys;
 }

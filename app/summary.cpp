@@ -99,16 +99,20 @@ Json loads_json(const std::vector<CaughtRegion>& loads) {
   return result;
 }
 
-Json solver_json(const solvers::SolveReport& report) {
+Json solver_json(const solvers::SolveReport& report, std::int64_t predicted_bytes) {
   return {{"method", solvers::name(report.method)},
           {"reason", report.reason},
           {"iterations", report.iterations},
           {"relative_residual", report.relative_residual},
+          {"energy_error", report.energy_error},
           {"residual_history", report.residual_history},
+          {"operator", solvers::name(report.form)},
+          {"levels", report.levels},
           {"matrix_nonzeros", report.matrix_nonzeros},
           {"factor_nonzeros", report.factor_nonzeros},
           {"factor_flops", report.factor_flops},
           {"memory_bytes", report.memory_bytes},
+          {"predicted_bytes", predicted_bytes},
           {"analysis_seconds", report.analysis_seconds},
           {"factorization_seconds", report.factorization_seconds},
           {"solve_seconds", report.solve_seconds}};
@@ -200,6 +204,17 @@ std::string probes_text(const StudyRun& run) {
   return text;
 }
 
+std::string solver_text(const solvers::SolveReport& report) {
+  if (report.levels == 0)
+    return fmt::format("  solver            {}, relative residual {:.2g}\n", solvers::name(report.method),
+                       report.relative_residual);
+  return fmt::format(
+      "  solver            {} with {} multigrid levels, {}: {} iterations to {:.2g} in energy\n",
+      solvers::name(report.method), report.levels,
+      report.form == solvers::Operator::assembled ? "matrix stored" : "matrix-free", report.iterations,
+      report.energy_error);
+}
+
 }  // namespace
 
 std::string summary_json(const Study& study, const StudyRun& run) {
@@ -214,7 +229,7 @@ std::string summary_json(const Study& study, const StudyRun& run) {
       {"loads", loads_json(run.built.loads)},
       {"discretization", discretization_json(run)},
       {"coupling", iga::name(study.options.coupling)},
-      {"solver", solver_json(run.solution.solver)},
+      {"solver", solver_json(run.solution.solver, run.solution.predicted_bytes)},
       {"results", results_json(run)},
       {"probes", probes_json(run)},
       {"warnings", run.built.warnings},
@@ -238,8 +253,7 @@ std::string summary_text(const Study& study, const StudyRun& run) {
   text += fmt::format("  unknowns          {} ({} free), {} elements, coupled by {}\n",
                       with_separators(size.dofs), with_separators(size.dofs_free),
                       with_separators(size.elements), iga::name(study.options.coupling));
-  text += fmt::format("  solver            {}, relative residual {:.2g}\n",
-                      solvers::name(run.solution.solver.method), run.solution.solver.relative_residual);
+  text += solver_text(run.solution.solver);
   text += fmt::format("  max displacement  {} at {}\n", with_unit(results.max_displacement.value, "m"),
                       place_with_unit(results.max_displacement.place, model.size()));
   text += fmt::format("  max von Mises     {} at {} (largest of the Gauss points)\n",

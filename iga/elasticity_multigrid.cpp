@@ -15,12 +15,10 @@ namespace isopatch::iga {
 namespace {
 
 // Every process has all of every patch.
-ProcessesOfPatch everywhere(const ProcessesOfPatch& processes) {
-  int count = 0;
-  for (const auto& sharing : processes) count = std::max(count, sharing.back() + 1);
-  std::vector<int> all(static_cast<std::size_t>(count));
-  std::iota(all.begin(), all.end(), 0);
-  return ProcessesOfPatch(processes.size(), all);
+Distribution everywhere(const Distribution& distribution, std::size_t patches) {
+  std::vector<PatchShare> all;
+  for (std::size_t p = 0; p < patches; ++p) all.push_back({static_cast<int>(p), 0, 1});
+  return Distribution(distribution.size(), all);
 }
 
 // The coarsest level's matrix, the same on every process, which has all rows there.
@@ -29,7 +27,7 @@ solvers::LinearOperator coarse_inverse(const Level& level, const std::vector<Mat
   const RowNumbering numbering{level.class_of, level.rows.global_rows()};
   solvers::SymmetricBlockMatrix stiffness =
       assemble_stiffness(level.spaces, whole_patches(level.spaces), materials, numbering, points);
-  apply_supports(stiffness, level.free);
+  apply_supports(stiffness, level.free, solvers::SharedRows(stiffness.block_rows()));
   return solvers::cholmod_inverse(std::move(stiffness));
 }
 
@@ -45,8 +43,8 @@ struct ElasticityMultigrid::State {
 };
 
 ElasticityMultigrid::ElasticityMultigrid(const ElasticityProblem& problem, const Level& finest,
-                                         const std::vector<Frame>& frames, const ProcessesOfPatch& processes,
-                                         int process, solvers::LinearOperator product,
+                                         const std::vector<Frame>& frames, const Distribution& distribution,
+                                         const solvers::Processes& processes, solvers::LinearOperator product,
                                          const ElasticityMultigridOptions& options, const Progress& progress)
     : state_(std::make_unique<State>()) {
   const geometry::MultiPatch& model = problem.discretization.model;
@@ -57,7 +55,7 @@ ElasticityMultigrid::ElasticityMultigrid(const ElasticityProblem& problem, const
   std::vector<const Level*> levels = {&finest};
   // A level that is spread over processes cannot be the coarsest.
   while (!is_small(*levels.back()) || (levels.size() == 1 && finest.rows.is_distributed())) {
-    std::optional<Level> next = coarser_level(model, *levels.back(), finest, frames, processes, process);
+    std::optional<Level> next = coarser_level(model, *levels.back(), finest, frames, distribution, processes);
     if (!next) break;
     levels.push_back(&state_->coarser.emplace_back(std::move(*next)));
   }
@@ -65,8 +63,8 @@ ElasticityMultigrid::ElasticityMultigrid(const ElasticityProblem& problem, const
   if (levels.size() > 1) {
     levels.pop_back();
     state_->coarser.pop_back();
-    levels.push_back(&state_->coarser.emplace_back(
-        *coarser_level(model, *levels.back(), finest, frames, everywhere(processes), process)));
+    levels.push_back(&state_->coarser.emplace_back(*coarser_level(
+        model, *levels.back(), finest, frames, everywhere(distribution, finest.spaces.size()), processes)));
   }
   std::vector<solvers::MultigridLevel> described;
   for (std::size_t l = 0; l < levels.size(); ++l) {

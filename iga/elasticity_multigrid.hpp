@@ -26,8 +26,9 @@ class ElasticityMultigrid {
   /// @param product  of the finest level, assembled or not
   /// @throws Error singular_system  if a level is not positive definite
   ElasticityMultigrid(const ElasticityProblem& problem, const Level& finest, const std::vector<Frame>& frames,
-                      const ProcessesOfPatch& processes, int process, solvers::LinearOperator product,
-                      const ElasticityMultigridOptions& options, const Progress& progress);
+                      const Distribution& distribution, const solvers::Processes& processes,
+                      solvers::LinearOperator product, const ElasticityMultigridOptions& options,
+                      const Progress& progress);
   ~ElasticityMultigrid();
   ElasticityMultigrid(ElasticityMultigrid&&) noexcept;
 

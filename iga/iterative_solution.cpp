@@ -31,22 +31,31 @@ Eigen::VectorXd free_load(const Level& level, const LevelOperator& stiffness, co
   return level.free.to_free(std::move(result));
 }
 
-solvers::SymmetricBlockMatrix assembled(const Level& level, const IterativeTask& task,
+// The values of all rows of the whole system at all nodes.
+Eigen::Matrix3Xd whole_at_nodes(const Level& level, const Eigen::VectorXd& of_classes) {
+  Eigen::Matrix3Xd result(3, static_cast<Eigen::Index>(level.class_of.size()));
+  for (Eigen::Index node = 0; node < result.cols(); ++node)
+    result.col(node) =
+        of_classes.segment<3>(3 * static_cast<Eigen::Index>(level.class_of[static_cast<std::size_t>(node)]));
+  return result;
+}
+
+solvers::SymmetricBlockMatrix assembled(const Level& level, const SolutionTask& task,
                                         const Progress& progress) {
   const RowNumbering numbering{level.row_of_node, level.rows.local_rows()};
   solvers::SymmetricBlockMatrix matrix =
       assemble_stiffness(level.spaces, level.parts, task.problem.materials, numbering, task.points, progress);
-  apply_supports(matrix, level.free);
+  apply_supports(matrix, level.free, level.rows);
   return matrix;
 }
 
 }  // namespace
 
-IterativeSolution solve_eliminated(const IterativeTask& task, const solvers::SolverOptions& options,
-                                   solvers::Operator form, const Progress& progress) {
+NodalSolution solve_eliminated(const SolutionTask& task, const solvers::SolverOptions& options,
+                               solvers::Operator form, const Progress& progress) {
   solvers::Stopwatch watch;
   const Level level =
-      finest_level(task.problem.discretization, task.classes, task.frames, task.processes, task.process);
+      finest_level(task.problem.discretization, task.classes, task.frames, task.distribution, task.processes);
   const LevelOperator stiffness(level, task.problem.materials, task.points);
   const Eigen::VectorXd prescribed = prescribed_rows(level, task.frames);
   solvers::OperatorSystem system;
@@ -64,12 +73,12 @@ IterativeSolution solve_eliminated(const IterativeTask& task, const solvers::Sol
     system.product = [&](const Eigen::VectorXd& x) { return stiffness.apply(x); };
   }
   const double assembly_seconds = watch.lap();
-  const ElasticityMultigrid multigrid(task.problem, level, task.frames, task.processes, task.process,
+  const ElasticityMultigrid multigrid(task.problem, level, task.frames, task.distribution, task.processes,
                                       system.product, {options.multigrid, task.points}, progress);
   system.preconditioner = [&](const Eigen::VectorXd& r) { return multigrid.apply(r); };
   const double setup_seconds = watch.lap();
   solvers::LinearSolution solved = solve_with_cg(system, options, progress);
-  IterativeSolution result;
+  NodalSolution result;
   result.report = std::move(solved.report);
   result.report.form = form;
   result.report.assembly_seconds = assembly_seconds;
@@ -79,7 +88,8 @@ IterativeSolution solve_eliminated(const IterativeTask& task, const solvers::Sol
   constexpr int vectors = 20;  // of PETSc, the multigrid's levels and operators
   result.report.memory_bytes = (form == solvers::Operator::assembled ? matrix.bytes() : 0) +
                                multigrid.bytes() + 8 * vectors * system.load.size();
-  result.displacement = at_nodes(level, prescribed + level.free.to_space(std::move(solved.x)));
+  const Eigen::VectorXd of_rows = prescribed + level.free.to_space(std::move(solved.x));
+  result.displacement = whole_at_nodes(level, level.rows.whole(of_rows));
   return result;
 }
 

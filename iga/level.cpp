@@ -7,57 +7,22 @@ namespace {
 
 using geometry::KnotVector;
 
-std::vector<PatchPart> parts_of(const std::vector<PatchSpace>& spaces, const ProcessesOfPatch& processes,
-                                int process) {
-  std::vector<PatchPart> parts;
-  for (std::size_t p = 0; p < spaces.size(); ++p) {
-    const auto& sharing = processes[p];
-    const auto found = std::find(sharing.begin(), sharing.end(), process);
-    if (found == sharing.end()) continue;
-    const int layers = spaces[p].knots[2].element_count();
-    const auto count = static_cast<int>(sharing.size());
-    const auto mine = static_cast<int>(found - sharing.begin());
-    parts.push_back({static_cast<int>(p), mine * layers / count, (mine + 1) * layers / count});
-  }
-  return parts;
-}
-
-solvers::SharedRows shared_rows(const std::vector<int>& class_of, int classes,
-                                const std::vector<int>& first_node, const ProcessesOfPatch& processes) {
-  const bool alone = std::all_of(processes.begin(), processes.end(), [](const auto& sharing) {
-    return sharing.size() == 1 && sharing.front() == 0;
-  });
-  if (alone) return solvers::SharedRows(classes);
-  std::vector<std::vector<int>> of_row(static_cast<std::size_t>(classes));
-  for (std::size_t p = 0; p + 1 < first_node.size(); ++p)
-    for (int node = first_node[p]; node < first_node[p + 1]; ++node) {
-      auto& row = of_row[static_cast<std::size_t>(class_of[static_cast<std::size_t>(node)])];
-      row.insert(row.end(), processes[p].begin(), processes[p].end());
-    }
-  for (auto& row : of_row) {
-    std::sort(row.begin(), row.end());
-    row.erase(std::unique(row.begin(), row.end()), row.end());
-  }
-  return solvers::SharedRows(of_row);
-}
-
 // Fills in all but spaces and first_node.
 void number_rows(Level& level, const std::vector<int>& class_of,
-                 const std::vector<const Frame*>& frame_of_class, const ProcessesOfPatch& processes,
-                 int process) {
+                 const std::vector<const Frame*>& frame_of_class, const Distribution& distribution,
+                 const solvers::Processes& processes) {
   level.class_of = class_of;
-  level.rows = shared_rows(class_of, static_cast<int>(frame_of_class.size()), level.first_node, processes);
-  std::vector<int> local(frame_of_class.size(), -1);
+  LocalRows local = local_rows({class_of, static_cast<int>(frame_of_class.size())}, level.first_node,
+                               distribution, processes);
+  level.rows = std::move(local.rows);
+  level.row_of_node = std::move(local.numbering.row_of_node);
   std::vector<const Frame*> frame_of_row;
-  for (const int c : level.rows.global_of_local()) {
-    local[static_cast<std::size_t>(c)] = static_cast<int>(frame_of_row.size());
+  for (const int c : level.rows.global_of_local())
     frame_of_row.push_back(frame_of_class[static_cast<std::size_t>(c)]);
-  }
-  level.row_of_node.reserve(class_of.size());
-  for (const int c : class_of) level.row_of_node.push_back(local[static_cast<std::size_t>(c)]);
   level.free = FreeDirections(frame_of_row);
-  level.parts = parts_of(level.spaces, processes, process);
-  for (const auto& sharing : processes) level.is_primary.push_back(sharing.front() == process);
+  level.parts = parts_of(distribution, level.spaces, processes.rank());
+  for (const auto& sharing : processes_of_patches(distribution, static_cast<int>(level.spaces.size())))
+    level.is_primary.push_back(sharing.front() == processes.rank());
 }
 
 // The function of the finest space at the same end, or between the ends, along one direction.
@@ -111,19 +76,19 @@ KnotVector coarser_knots(const KnotVector& knots) {
 }
 
 Level finest_level(const Discretization& d, const NodeClasses& classes, const std::vector<Frame>& frames,
-                   const ProcessesOfPatch& processes, int process) {
+                   const Distribution& distribution, const solvers::Processes& processes) {
   Level level;
   level.spaces = isoparametric_spaces(d);
   level.first_node = d.first_node;
   std::vector<const Frame*> of_class;
   for (const Frame& frame : frames) of_class.push_back(&frame);
-  number_rows(level, classes.class_of, of_class, processes, process);
+  number_rows(level, classes.class_of, of_class, distribution, processes);
   return level;
 }
 
 std::optional<Level> coarser_level(const geometry::MultiPatch& model, const Level& level, const Level& finest,
-                                   const std::vector<Frame>& frames, const ProcessesOfPatch& processes,
-                                   int process) {
+                                   const std::vector<Frame>& frames, const Distribution& distribution,
+                                   const solvers::Processes& processes) {
   const bool lower_degree = std::all_of(level.spaces.begin(), level.spaces.end(), has_one_element);
   Level coarse;
   bool changed = false;
@@ -142,7 +107,8 @@ std::optional<Level> coarser_level(const geometry::MultiPatch& model, const Leve
   }
   if (!changed) return std::nullopt;
   const NodeClasses classes = node_classes(model, sizes);
-  number_rows(coarse, classes.class_of, coarse_frames(coarse, classes, finest, frames), processes, process);
+  number_rows(coarse, classes.class_of, coarse_frames(coarse, classes, finest, frames), distribution,
+              processes);
   return coarse;
 }
 

@@ -3,16 +3,13 @@
 #include <optional>
 #include <vector>
 
+#include "iga/distribution.hpp"
 #include "iga/free_directions.hpp"
 #include "iga/node_classes.hpp"
 #include "iga/patch_space.hpp"
 #include "solvers/shared_rows.hpp"
 
 namespace isopatch::iga {
-
-/// Which processes integrate each patch: increasing, at least one. The first one is the patch's primary
-/// process.
-using ProcessesOfPatch = std::vector<std::vector<int>>;
 
 /// One space of displacements on all patches, coupled by elimination: a level of a multigrid, the finest one
 /// being the solution space. A process has the rows of all patches that it integrates in part.
@@ -30,7 +27,8 @@ struct Level {
 /// The solution space. `discretization` must outlive the level.
 /// @param process  number of this one
 Level finest_level(const Discretization& discretization, const NodeClasses& classes,
-                   const std::vector<Frame>& frames, const ProcessesOfPatch& processes, int process);
+                   const std::vector<Frame>& frames, const Distribution& distribution,
+                   const solvers::Processes& processes);
 
 /// Half the elements of `level` per direction, or degree 1 where only one element is left; nested in `level`
 /// but for the finest level's weights. Empty if nothing is left to coarsen.
@@ -39,8 +37,8 @@ Level finest_level(const Discretization& discretization, const NodeClasses& clas
 /// @param frames   of the finest level's classes
 /// @cost  O(nodes of the finest level) at most
 std::optional<Level> coarser_level(const geometry::MultiPatch& model, const Level& level, const Level& finest,
-                                   const std::vector<Frame>& frames, const ProcessesOfPatch& processes,
-                                   int process);
+                                   const std::vector<Frame>& frames, const Distribution& distribution,
+                                   const solvers::Processes& processes);
 
 /// Every second break of a knot vector is dropped, from both ends alike, so that the two sides of an
 /// interface stay matched however they are oriented. Kept breaks keep their multiplicity.

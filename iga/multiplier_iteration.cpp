@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 // frame.
 class Saddle {
  public:
-  Saddle(const IterativeTask& task, const Level& level, const ElasticityMultigrid& multigrid,
+  Saddle(const SolutionTask& task, const Level& level, const ElasticityMultigrid& multigrid,
          const std::vector<Eigen::Matrix3d>& diagonal)
       : classes_(task.classes),
         frames_(task.frames),
@@ -173,17 +173,17 @@ class Saddle {
 
 }  // namespace
 
-IterativeSolution solve_with_multipliers(const IterativeTask& task, const std::vector<MultiplierRow>& rows,
-                                         const solvers::SolverOptions& options, const Progress& progress) {
+NodalSolution solve_with_multipliers(const SolutionTask& task, const solvers::SolverOptions& options,
+                                     const Progress& progress) {
   solvers::Stopwatch watch;
   const Level level =
-      finest_level(task.problem.discretization, task.classes, task.frames, task.processes, task.process);
+      finest_level(task.problem.discretization, task.classes, task.frames, task.distribution, task.processes);
   if (level.rows.is_distributed())
     throw Error(ErrorCode::unsupported,
                 "method 'minres' runs with one process so far; start it without mpiexec, or use 'mumps'");
   const LevelOperator stiffness(level, task.problem.materials, task.points);
   const ElasticityMultigrid multigrid(
-      task.problem, level, task.frames, task.processes, task.process,
+      task.problem, level, task.frames, task.distribution, task.processes,
       [&](const VectorXd& x) { return stiffness.apply(x); }, {options.multigrid, task.points}, progress);
   const Saddle saddle(task, level, multigrid, stiffness.diagonal());
   Eigen::Matrix3Xd prescribed(3, static_cast<Index>(task.classes.class_of.size()));
@@ -198,7 +198,7 @@ IterativeSolution solve_with_multipliers(const IterativeTask& task, const std::v
   system.preconditioner = [&](const VectorXd& r) { return saddle.preconditioned(r); };
   const double setup_seconds = watch.lap();
   solvers::LinearSolution solved = solve_with_minres(system, options, progress);
-  IterativeSolution result;
+  NodalSolution result;
   result.report = std::move(solved.report);
   result.report.form = solvers::Operator::matrix_free;
   result.report.analysis_seconds = setup_seconds;
@@ -206,7 +206,7 @@ IterativeSolution solve_with_multipliers(const IterativeTask& task, const std::v
   constexpr int vectors = 20;  // of PETSc, the multigrid's levels and operators
   result.report.memory_bytes = multigrid.bytes() + 8 * vectors * system.load.size();
   result.displacement = saddle.displacement(solved.x);
-  result.multipliers = saddle.multipliers(rows, solved.x);
+  result.multipliers = saddle.multipliers(task.multipliers, solved.x);
   return result;
 }
 

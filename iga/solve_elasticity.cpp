@@ -6,13 +6,13 @@
 #include <numeric>
 
 #include "geometry/base/error.hpp"
-#include "iga/assembly.hpp"
 #include "iga/distribution.hpp"
 #include "iga/internal_forces.hpp"
+#include "iga/iterative_solution.hpp"
 #include "iga/loads.hpp"
 #include "iga/results.hpp"
 #include "iga/rigid_motions.hpp"
-#include "iga/shared_multipliers.hpp"
+#include "iga/solver_choice.hpp"
 
 namespace isopatch::iga {
 namespace {
@@ -21,9 +21,12 @@ class Stopwatch {
  public:
   explicit Stopwatch(std::vector<PhaseTime>& times) : times_(times) {}
   // Ends a phase: the time since the last one goes to its name.
-  void lap(const char* phase) {
+  void lap(const char* phase) { lap(phase, 0, ""); }
+  // The same, `seconds` of it spent on another phase.
+  void lap(const char* phase, double seconds, const char* other) {
     const auto now = std::chrono::steady_clock::now();
-    times_.push_back({phase, std::chrono::duration<double>(now - last_).count()});
+    if (*other) times_.push_back({other, seconds});
+    times_.push_back({phase, std::chrono::duration<double>(now - last_).count() - seconds});
     last_ = now;
   }
 
@@ -63,40 +66,6 @@ ProblemSize problem_size(const Discretization& d, const NodeClasses& classes,
   return size;
 }
 
-// The unknowns of one coupling: which block row each node has, and the frame of each row.
-struct Unknowns {
-  RowNumbering numbering;
-  std::vector<const Frame*> frame_of_row;
-};
-
-Unknowns unknowns(const NodeClasses& classes, const std::vector<Frame>& frames, Coupling coupling) {
-  Unknowns result;
-  if (coupling == Coupling::elimination) {
-    result.numbering = {classes.class_of, classes.count()};
-    for (const Frame& frame : frames) result.frame_of_row.push_back(&frame);
-  } else {
-    result.numbering.rows = static_cast<int>(classes.class_of.size());
-    result.numbering.row_of_node.resize(classes.class_of.size());
-    std::iota(result.numbering.row_of_node.begin(), result.numbering.row_of_node.end(), 0);
-    for (const int c : classes.class_of) result.frame_of_row.push_back(&frames[static_cast<std::size_t>(c)]);
-  }
-  return result;
-}
-
-// The frames of this process' rows.
-std::vector<const Frame*> frames_of(const solvers::SharedRows& rows, const std::vector<const Frame*>& whole) {
-  std::vector<const Frame*> result;
-  for (const int row : rows.global_of_local()) result.push_back(whole[static_cast<std::size_t>(row)]);
-  return result;
-}
-
-Eigen::VectorXd load_of_rows(const Eigen::Matrix3Xd& load, const RowNumbering& numbering) {
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(3 * numbering.rows);
-  for (Eigen::Index node = 0; node < load.cols(); ++node)
-    result.segment<3>(3 * numbering.row_of_node[static_cast<std::size_t>(node)]) += load.col(node);
-  return result;
-}
-
 std::vector<Multiplier> multipliers_in_space(const std::vector<MultiplierRow>& rows,
                                              const std::vector<Frame>& frames,
                                              const Eigen::VectorXd& values) {
@@ -119,6 +88,24 @@ ElasticField field_of(const ElasticityProblem& problem, const Eigen::Matrix3Xd& 
   return field;
 }
 
+NodalSolution solved(const SolutionTask& task, const solvers::SolverOptions& options,
+                     std::int64_t& predicted_bytes, const Progress& progress) {
+  const SolverChoice choice = choose_solver(task, options);
+  predicted_bytes = choice.predicted_bytes;
+  const bool multigrid = options.preconditioner == solvers::Preconditioner::multigrid;
+  if (choice.method == solvers::Method::cg && multigrid) {
+    NodalSolution result = solve_eliminated(task, options, choice.form, progress);
+    result.report.reason = choice.reason;
+    return result;
+  }
+  if (choice.method == solvers::Method::minres) {
+    NodalSolution result = solve_with_multipliers(task, options, progress);
+    result.report.reason = choice.reason;
+    return result;
+  }
+  return solve_assembled(task, options, progress);
+}
+
 }  // namespace
 
 std::string_view name(Coupling coupling) {
@@ -138,36 +125,25 @@ ElasticitySolution solve_elasticity(const ElasticityProblem& problem, const Elas
   const Eigen::Matrix3Xd load = load_vector(problem, options.quadrature_points);
   const std::vector<MultiplierRow> rows = multiplier_rows(classes, frames);
   solution.size = problem_size(d, classes, frames, rows.size(), options.coupling);
-  const Unknowns unknown = unknowns(classes, frames, options.coupling);
   watch.lap("coupling and loads");
 
   const std::vector<PatchSpace> spaces = isoparametric_spaces(d);
   const solvers::Processes& processes = options.processes;
   const Distribution distribution = distribute(spaces, processes.count());
   const std::vector<PatchPart> parts = parts_of(distribution, spaces, processes.rank());
-  const LocalRows local = local_rows(unknown.numbering, d.first_node, distribution, processes);
-
-  solvers::LinearSystem system;
-  system.rows = local.rows;
-  system.stiffness = assemble_stiffness(spaces, parts, problem.materials, local.numbering,
-                                        options.quadrature_points, progress);
-  system.load = local.rows.part(load_of_rows(load, unknown.numbering));
-  apply_supports(system, frames_of(local.rows, unknown.frame_of_row));
-  if (options.coupling == Coupling::lagrange) {
-    SharedMultipliers multipliers = shared_multipliers(rows, local, d.first_node, distribution);
-    system.constraints = std::move(multipliers.matrix);
-    system.multiplier_rows = std::move(multipliers.rows);
-  }
-  watch.lap("assembly");
-
-  const solvers::LinearSolution linear = solvers::solve(system, options.solver, progress);
-  solution.solver = linear.report;
-  watch.lap("solve");
-
-  const Eigen::Matrix3Xd of_rows = displacement_of_rows(local.rows.whole(linear.x), unknown.frame_of_row);
-  Eigen::Matrix3Xd displacement(3, d.node_count());
-  for (Eigen::Index node = 0; node < displacement.cols(); ++node)
-    displacement.col(node) = of_rows.col(unknown.numbering.row_of_node[static_cast<std::size_t>(node)]);
+  const SolutionTask task{problem,
+                          classes,
+                          frames,
+                          rows,
+                          load,
+                          distribution,
+                          processes,
+                          options.coupling,
+                          options.quadrature_points};
+  const NodalSolution nodal = solved(task, options.solver, solution.predicted_bytes, progress);
+  solution.solver = nodal.report;
+  watch.lap("solve", nodal.report.assembly_seconds, "assembly");
+  const Eigen::Matrix3Xd& displacement = nodal.displacement;
   solution.field = field_of(problem, displacement);
 
   const InternalForces internal =
@@ -175,7 +151,7 @@ ElasticitySolution solve_elasticity(const ElasticityProblem& problem, const Elas
              processes);
   const Eigen::Matrix3Xd unbalanced = internal.forces - load;
   const Eigen::VectorXd multipliers = options.coupling == Coupling::lagrange
-                                          ? system.multiplier_rows.whole(linear.multipliers)
+                                          ? nodal.multipliers
                                           : recovered_multipliers(rows, classes, frames, -unbalanced);
   solution.multipliers = multipliers_in_space(rows, frames, multipliers);
   ElasticityResults& results = solution.results;

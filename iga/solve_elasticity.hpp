@@ -7,18 +7,12 @@
 
 #include "geometry/base/progress.hpp"
 #include "iga/elastic_field.hpp"
+#include "iga/nodal_solution.hpp"
 #include "iga/problem.hpp"
 #include "solvers/processes.hpp"
 #include "solvers/solve.hpp"
 
 namespace isopatch::iga {
-
-/// How patches are held together.
-enum class Coupling {
-  elimination,  ///< coincident control points share their unknowns: a positive definite system
-  lagrange,     ///< every patch keeps its unknowns, multipliers tie them: a saddle point
-};
-std::string_view name(Coupling coupling);
 
 struct ElasticityOptions {
   Coupling coupling = Coupling::elimination;
@@ -88,6 +82,8 @@ struct ElasticitySolution {
   ElasticityResults results;
   ProblemSize size;
   solvers::SolveReport solver;
+  std::int64_t predicted_bytes =
+      0;  ///< what assembly and solver were expected to take at most, before they began
   std::vector<PhaseTime> timings;
 };
 

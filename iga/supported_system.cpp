@@ -57,11 +57,13 @@ void apply_supports(solvers::LinearSystem& system, const std::vector<const Frame
   }
 }
 
-void apply_supports(solvers::SymmetricBlockMatrix& stiffness, const FreeDirections& free) {
+void apply_supports(solvers::SymmetricBlockMatrix& stiffness, const FreeDirections& free,
+                    const solvers::SharedRows& rows) {
   const std::vector<Frame> frames = free.frames(stiffness.block_rows());
   std::vector<const Frame*> of_rows;
   for (const Frame& frame : frames) of_rows.push_back(&frame);
   solvers::LinearSystem system;
+  system.rows = rows;
   system.load = Eigen::VectorXd::Zero(stiffness.rows());
   system.stiffness = std::move(stiffness);
   apply_supports(system, of_rows);

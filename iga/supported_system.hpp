@@ -18,7 +18,8 @@ namespace isopatch::iga {
 void apply_supports(solvers::LinearSystem& system, const std::vector<const Frame*>& frame_of_row);
 
 /// The same for a matrix alone, where nothing is prescribed.
-void apply_supports(solvers::SymmetricBlockMatrix& stiffness, const FreeDirections& free);
+void apply_supports(solvers::SymmetricBlockMatrix& stiffness, const FreeDirections& free,
+                    const solvers::SharedRows& rows);
 
 /// u = prescribed + axes * x for every block row. (3, block rows)
 Eigen::Matrix3Xd displacement_of_rows(const Eigen::VectorXd& x,

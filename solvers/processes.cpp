@@ -89,15 +89,20 @@ void Processes::barrier() const {
   if (count_ > 1) MPI_Barrier(MPI_COMM_WORLD);
 }
 
-int Processes::fair_threads(int allowed) const {
-  if (count_ == 1) return allowed;
+int Processes::on_this_computer() const {
+  if (count_ == 1) return 1;
   MPI_Comm computer;
   MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, rank_, MPI_INFO_NULL, &computer);
   int neighbours = 1;
   MPI_Comm_size(computer, &neighbours);
   MPI_Comm_free(&computer);
+  return neighbours;
+}
+
+int Processes::fair_threads(int allowed) const {
+  if (count_ == 1) return allowed;
   const auto cores = static_cast<int>(::sysconf(_SC_NPROCESSORS_ONLN));
-  return std::clamp(cores / neighbours, 1, std::max(1, allowed));
+  return std::clamp(cores / on_this_computer(), 1, std::max(1, allowed));
 }
 
 int Processes::fortran_communicator() const {

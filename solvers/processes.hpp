@@ -43,6 +43,8 @@ class Processes {
   void broadcast(Eigen::Ref<Eigen::VectorXd> values, int rank) const;
   void barrier() const;
 
+  /// How many of them run on the computer that this one runs on.
+  int on_this_computer() const;
   /// Threads for this process if all that run on this computer are to share its cores evenly.
   int fair_threads(int allowed) const;
 
