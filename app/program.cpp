@@ -269,8 +269,11 @@ int run_on_process(const std::vector<std::string>& arguments, const Console& con
 
 int run_program(const std::vector<std::string>& arguments, const Console& console) {
   if (solvers::launch().rank == 0) return run_on_process(arguments, console, console);
+  // The first process' exit code is the program's: with another one, the launcher could end the first before
+  // it has spoken. What this process alone fails at has ended all before it comes here.
   std::ostream nowhere(nullptr);
-  return run_on_process(arguments, {nowhere, nowhere, false, false, true}, console);
+  run_on_process(arguments, {nowhere, nowhere, false, false, true}, console);
+  return static_cast<int>(ExitCode::ok);
 }
 
 }  // namespace isopatch::app
