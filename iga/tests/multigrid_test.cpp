@@ -1,0 +1,237 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <random>
+
+#include "geometry/base/error.hpp"
+#include "geometry/models/cylinder.hpp"
+#include "geometry/models/sphere.hpp"
+#include "iga/fast_diagonalization.hpp"
+#include "iga/level_operator.hpp"
+#include "iga/level_transfer.hpp"
+#include "iga/solve_elasticity.hpp"
+#include "iga/tests/small_models.hpp"
+
+namespace isopatch::iga {
+namespace {
+
+using testing::boundary;
+using ::testing::HasSubstr;
+using testing::problem;
+
+const Material steel = isotropic(210e9, 0.3, 7850, "steel");
+
+geometry::MultiPatch distorted_box() {
+  return geometry::connect(geometry::box_model(
+      {.patches = {2, 2, 2}, .distortion = 0.3, .curvature = 0.2, .orientation_seed = 7}));
+}
+
+// Held obliquely and pulled: all kinds of frames.
+ElasticityProblem held_box(const DiscretizationOptions& options) {
+  ElasticityProblem p = problem(distorted_box(), options, steel);
+  const auto& model = p.discretization.model;
+  p.supports = {
+      {"plane", boundary(model, "x_min"), PlaneSupport{}},
+      {"roller", boundary(model, "y_min"), PrescribedDisplacement{{std::nullopt, 1e-4, std::nullopt}}},
+      {"clamp", boundary(model, "z_min"), PrescribedDisplacement{{0.0, 1e-4, 0.0}}}};
+  p.surface_loads = {constant_traction("pull", boundary(model, "x_max"), {1e8, 2e7, -3e7})};
+  return p;
+}
+
+struct Levels {
+  explicit Levels(const ElasticityProblem& p)
+      : classes(node_classes(p.discretization)),
+        frames(support_frames(p, classes)),
+        distribution(distribute(isoparametric_spaces(p.discretization), 1)),
+        fine(finest_level(p.discretization, classes, frames, distribution, {})),
+        coarse(coarser_level(p.discretization.model, fine, fine, frames, distribution, {}).value()) {}
+  NodeClasses classes;
+  std::vector<Frame> frames;
+  Distribution distribution;
+  Level fine;
+  Level coarse;
+};
+
+// Seeded unknowns, 0 where supports fix them.
+Eigen::VectorXd some_unknowns(const Level& level, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> value(-1, 1);
+  Eigen::VectorXd x(3 * level.rows.local_rows());
+  for (double& entry : x) entry = value(random);
+  return level.free.to_free(level.free.to_space(x));
+}
+
+TEST(CoarserKnots, AreNestedAndTheSameFromBothEnds) {
+  for (int elements = 1; elements <= 20; ++elements) {
+    const geometry::KnotVector fine = geometry::KnotVector::uniform(3, elements, 2);
+    const geometry::KnotVector coarse = coarser_knots(fine);
+    const int odd = elements % 4 == 1 ? 1 : elements % 4 == 3 ? -1 : 0;  // one or three left in the middle
+    EXPECT_EQ(coarse.element_count(), (elements + odd) / 2) << elements;
+    EXPECT_TRUE(
+        geometry::same_space(geometry::reversed(coarse), coarser_knots(geometry::reversed(fine)), 1e-14));
+    EXPECT_NO_THROW(geometry::transfer(coarse, fine)) << elements;
+  }
+}
+
+TEST(LevelTransfer, RestrictionIsTheTransposeOfProlongation) {
+  const ElasticityProblem p = held_box({.degree = {3, 2, 3}, .refine = 1});
+  const Levels levels(p);
+  const LevelTransfer transfer(levels.coarse, levels.fine);
+  const Eigen::VectorXd x = some_unknowns(levels.coarse, 1);
+  const Eigen::VectorXd f = some_unknowns(levels.fine, 2);
+  const double one = transfer.to_finer(x).dot(f);
+  EXPECT_NEAR(one, x.dot(transfer.from_finer(f)), 1e-13 * x.norm() * f.norm());
+  EXPECT_GT(std::abs(one), 1e-3);
+}
+
+TEST(LevelTransfer, KeepsTheEnergyOfNestedSpaces) {
+  // Polynomial patches: the coarse space is part of the fine one, so a displacement costs the same on both.
+  ElasticityProblem p = problem(distorted_box(), {.degree = {3, 3, 3}, .refine = 1}, steel);
+  p.supports = {{"clamp", boundary(p.discretization.model, "z_min"), PrescribedDisplacement{}}};
+  const Levels levels(p);
+  const LevelTransfer transfer(levels.coarse, levels.fine);
+  const Eigen::VectorXd x = some_unknowns(levels.coarse, 3);
+  const Eigen::VectorXd y = transfer.to_finer(x);
+  // The same quadrature points would be needed for round-off; many points are as good.
+  const double coarse = x.dot(LevelOperator(levels.coarse, p.materials, 12).apply(x));
+  const double fine = y.dot(LevelOperator(levels.fine, p.materials, 12).apply(y));
+  EXPECT_NEAR(fine / coarse, 1, 1e-6);
+}
+
+// The condition of B A on the unknowns that supports leave free.
+double condition(const ElasticityProblem& p) {
+  const Levels levels(p);
+  const LevelOperator stiffness(levels.fine, p.materials, 0);
+  const FastDiagonalization smoother(p.discretization.model, levels.fine, p.materials, stiffness.diagonal());
+  const Eigen::Index n = 3 * levels.fine.rows.local_rows();
+  Eigen::MatrixXd a(n, n);
+  Eigen::MatrixXd b(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::VectorXd unit =
+        levels.fine.free.to_free(levels.fine.free.to_space(Eigen::VectorXd::Unit(n, i)));
+    a.col(i) = stiffness.apply(unit);
+    b.col(i) = smoother.apply(unit);
+  }
+  EXPECT_LT((b - b.transpose()).norm(), 1e-12 * b.norm());
+  std::vector<Eigen::Index> free;
+  for (Eigen::Index i = 0; i < n; ++i)
+    if (a(i, i) > 0) free.push_back(i);
+  const Eigen::MatrixXd a_free = a(free, free);
+  const Eigen::MatrixXd b_free = b(free, free);
+  // B A has the eigenvalues of the pencil (A, B^-1).
+  const Eigen::VectorXd values = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(
+                                     a_free, b_free.inverse(), Eigen::EigenvaluesOnly)
+                                     .eigenvalues();
+  EXPECT_GT(values.minCoeff(), 0);
+  return values.maxCoeff() / values.minCoeff();
+}
+
+TEST(FastDiagonalization, IsAsGoodForEveryDegreeOnABoxHeldAllAround) {
+  for (int degree = 1; degree <= 4; ++degree) {
+    ElasticityProblem p = problem(geometry::connect(geometry::box_model({.size = {1, 2, 0.5}})),
+                                  {.degree = {degree, degree, degree}, .refine = 1}, steel);
+    p.supports = {{"all", p.discretization.model.boundary_faces(), PrescribedDisplacement{}}};
+    EXPECT_LT(condition(p), 7) << degree;  // of the components' coupling alone; point blocks reach hundreds
+  }
+}
+
+TEST(FastDiagonalization, IsPositiveDefiniteWithAllKindsOfSupports) {
+  EXPECT_LT(condition(held_box({.degree = {2, 2, 2}})), 1e4);
+}
+
+void expect_same(const ElasticityProblem& p, Coupling coupling, solvers::Method direct,
+                 solvers::SolverOptions options, int most_iterations) {
+  options.tolerance = 1e-11;
+  const ElasticitySolution expected =
+      solve_elasticity(p, {.coupling = coupling, .solver = {.method = direct}});
+  const ElasticitySolution found = solve_elasticity(p, {.coupling = coupling, .solver = options});
+  EXPECT_EQ(found.solver.method, options.method);
+  EXPECT_GT(found.solver.levels, 1);
+  EXPECT_LE(found.solver.iterations, most_iterations);
+  EXPECT_NEAR(found.results.internal_energy / expected.results.internal_energy, 1, 1e-9);
+  double error = 0;
+  double size = 0;
+  for (std::size_t k = 0; k < p.discretization.patches.size(); ++k) {
+    error =
+        std::max(error, (found.field.displacement[k] - expected.field.displacement[k]).cwiseAbs().maxCoeff());
+    size = std::max(size, expected.field.displacement[k].cwiseAbs().maxCoeff());
+  }
+  EXPECT_LT(error, 1e-9 * size);
+  ASSERT_EQ(found.multipliers.size(), expected.multipliers.size());
+  double force_error = 0;
+  double force = 0;
+  for (std::size_t k = 0; k < found.multipliers.size(); ++k) {
+    force_error = std::max(force_error, (found.multipliers[k].force - expected.multipliers[k].force).norm());
+    force = std::max(force, expected.multipliers[k].force.norm());
+  }
+  EXPECT_LT(force_error, 1e-7 * force);
+}
+
+TEST(Multigrid, FindsTheDirectSolutionWithAndWithoutAMatrix) {
+  const ElasticityProblem p = held_box({.degree = {3, 3, 3}, .refine = 1});
+  for (const auto form : {solvers::Operator::assembled, solvers::Operator::matrix_free})
+    expect_same(p, Coupling::elimination, solvers::Method::cholmod,
+                {.method = solvers::Method::cg, .form = form}, 40);
+}
+
+TEST(Multigrid, FindsTheDirectSolutionForMultipliers) {
+  expect_same(held_box({.degree = {3, 3, 3}, .refine = 1}), Coupling::lagrange, solvers::Method::mumps,
+              {.method = solvers::Method::minres}, 120);
+}
+
+TEST(Multigrid, WorksOnRationalPatchesThatMeetInThemselves) {
+  const geometry::MultiPatch model = geometry::connect(geometry::sphere_model({}));
+  ElasticityProblem p = problem(model, {.degree = {3, 3, 3}, .refine = 2}, steel);
+  for (const geometry::Boundary& b : model.boundaries()) {
+    if (b.name.find("outer") == std::string::npos && b.name.find("inner") == std::string::npos)
+      p.supports.push_back({b.name, b.faces, PlaneSupport{}});
+    else
+      p.surface_loads.push_back(pressure_load(b.name, b.faces, 1e8));
+  }
+  expect_same(p, Coupling::elimination, solvers::Method::cholmod, {.method = solvers::Method::cg}, 60);
+}
+
+TEST(Multigrid, NeedsAsManyIterationsForEveryDegreeAndMesh) {
+  int fewest = 1000;
+  int most = 0;
+  for (int degree = 1; degree <= 4; ++degree)
+    for (int refine = 2; refine <= (degree < 3 ? 4 : 3); ++refine) {
+      ElasticityProblem p = problem(geometry::connect(geometry::box_model({})),
+                                    {.degree = {degree, degree, degree}, .refine = refine}, steel);
+      p.supports = {{"clamp", boundary(p.discretization.model, "x_min"), PrescribedDisplacement{}}};
+      p.surface_loads = {constant_traction("pull", boundary(p.discretization.model, "x_max"), {1, 2, 3})};
+      if (3 * p.discretization.node_count() < 2500) continue;  // the coarsest level is factorized
+      const ElasticitySolution s =
+          solve_elasticity(p, {.solver = {.method = solvers::Method::cg, .tolerance = 1e-8}});
+      fewest = std::min(fewest, s.solver.iterations);
+      most = std::max(most, s.solver.iterations);
+    }
+  EXPECT_GT(fewest, 2);
+  EXPECT_LE(most, 2 * fewest);
+}
+
+TEST(ChooseSolver, RefusesWhatCannotFitBeforeAssembly) {
+  const ElasticityProblem p = held_box({.degree = {3, 3, 3}, .refine = 1});
+  for (const auto method : {solvers::Method::automatic, solvers::Method::cholmod, solvers::Method::cg}) {
+    try {
+      solve_elasticity(p, {.solver = {.method = method, .memory_limit = 1e5}});
+      FAIL() << "nothing was refused";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::out_of_memory);
+      EXPECT_THAT(error.what(), HasSubstr("million unknowns would fit"));
+    }
+  }
+}
+
+TEST(ChooseSolver, IteratesWhereFactorsWouldNotFit) {
+  const ElasticityProblem p = held_box({.degree = {3, 3, 3}, .refine = 1});
+  const auto predicted = solve_elasticity(p).predicted_bytes;
+  const ElasticitySolution s =
+      solve_elasticity(p, {.solver = {.memory_limit = 0.5 * static_cast<double>(predicted)}});
+  EXPECT_EQ(s.solver.method, solvers::Method::cg);
+  EXPECT_THAT(s.solver.reason, HasSubstr("factors would take"));
+}
+
+}  // namespace
+}  // namespace isopatch::iga
