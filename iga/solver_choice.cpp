@@ -18,8 +18,8 @@ using solvers::Operator;
 // Measured: what a run holds per unknown with the multigrid, of which matrix-free products are the least
 // part.
 constexpr double multigrid_bytes = 700;
-// Above this a multigrid with few iterations beats the factors of a solid body.
-constexpr std::int64_t most_factorized_unknowns = 150'000;
+// Above this a multigrid beats the factors of a solid body; those of thin parts are cheaper.
+constexpr std::int64_t most_factorized_unknowns = 80'000;
 // Matrices with fewer bytes per unknown (degree 1) multiply faster than their product is computed anew.
 constexpr double cheap_matrix_bytes = 600;
 
