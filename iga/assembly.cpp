@@ -19,7 +19,8 @@ using solvers::SymmetricBlockMatrix;
 struct Buffers {
   std::vector<StiffnessSweep> sweeps =
       std::vector<StiffnessSweep>(static_cast<std::size_t>(omp_get_max_threads()));
-  std::vector<BlockTargets> targets;
+  std::vector<BlockTargets> targets = std::vector<BlockTargets>(sweeps.size());  // one a thread
+  std::vector<CollectedBlocks> collected;                                        // one a task
   solvers::ZeroedVector<double> points;
   std::size_t most_bytes = 0;  // of points
 };
@@ -87,8 +88,11 @@ void assemble_part(const PartAt& at, int points, Buffers& buffers, SymmetricBloc
                                 static_cast<std::size_t>(data.thirds) *
                                 static_cast<std::size_t>(data.components * QuadratureGeometry::block_size);
   const int layers = tables.elements(1);
-  const int at_once = static_cast<int>(
-      std::clamp<std::size_t>(buffers.most_bytes / per_layer, 1, static_cast<std::size_t>(layers)));
+  constexpr std::size_t cache = std::size_t{8} << 20;  // that the points of some layers should stay in, bytes
+  const std::size_t wanted =
+      std::max<std::size_t>(cache / per_layer, static_cast<std::size_t>(tables.degrees[1]) + 1);
+  const int at_once = static_cast<int>(std::clamp<std::size_t>(
+      std::min(wanted, buffers.most_bytes / per_layer), 1, static_cast<std::size_t>(layers)));
   const int chunks = (layers + at_once - 1) / at_once;
   const std::size_t size =
       per_layer / sizeof(double) * static_cast<std::size_t>((layers + chunks - 1) / chunks);
@@ -100,17 +104,19 @@ void assemble_part(const PartAt& at, int points, Buffers& buffers, SymmetricBloc
     const int end = static_cast<int>(static_cast<std::int64_t>(layers) * (chunk + 1) / chunks);
     evaluate_points(geometry, tables, at.part.patch, begin, end, data, buffers);
     const std::vector<StiffnessTask> tasks = tasks_of(tables, begin, end);
-    buffers.targets.resize(std::max(buffers.targets.size(), tasks.size()));
+    buffers.collected.resize(std::max(buffers.collected.size(), tasks.size()));
     parallel_for(static_cast<std::int64_t>(tasks.size()), [&](std::int64_t task, int thread) {
-      BlockTargets& targets = buffers.targets[static_cast<std::size_t>(task)];
-      targets.prepare(tasks[static_cast<std::size_t>(task)], tables, rows, matrix);
-      buffers.sweeps[static_cast<std::size_t>(thread)].run(
-          tasks[static_cast<std::size_t>(task)], tables, data, *at.material, weights, rows, targets, matrix);
+      const StiffnessTask& here = tasks[static_cast<std::size_t>(task)];
+      CollectedBlocks& collected = buffers.collected[static_cast<std::size_t>(task)];
+      BlockTargets& targets = buffers.targets[static_cast<std::size_t>(thread)];
+      targets.prepare(here, tables, rows, matrix, collected);
+      buffers.sweeps[static_cast<std::size_t>(thread)].run(here, tables, data, *at.material, weights, rows,
+                                                           targets, collected, matrix);
     });
     const int shares = omp_get_max_threads();
     parallel_for(shares, [&](std::int64_t share, int) {
       for (std::size_t task = 0; task < tasks.size(); ++task)
-        buffers.targets[task].flush(static_cast<int>(share), shares, matrix);
+        buffers.collected[task].flush(static_cast<int>(share), shares, matrix);
     });
     report(static_cast<double>(chunk + 1) / chunks);
   }

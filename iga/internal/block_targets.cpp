@@ -44,7 +44,7 @@ PatchRows patch_rows(const StiffnessTables& tables, const int* row_of_node) {
 }
 
 void BlockTargets::prepare(const StiffnessTask& task, const StiffnessTables& tables, const PatchRows& rows,
-                           const SymmetricBlockMatrix& matrix) {
+                           const SymmetricBlockMatrix& matrix, CollectedBlocks& collected) {
   task_ = task;
   tables_ = &tables;
   second_begin_ = tables.first[1][static_cast<std::size_t>(task.layer_begin)];
@@ -54,62 +54,64 @@ void BlockTargets::prepare(const StiffnessTask& task, const StiffnessTables& tab
   thirds_ = tables.overlap(2, task.third).high - task.third + 1;
   width_second_ = widest(tables.overlaps[1]);
   width_first_ = widest(tables.overlaps[0]);
-  targets_.resize(static_cast<std::size_t>(task.first_end - task.first_begin) *
-                  static_cast<std::size_t>(seconds_ * thirds_ * width_second_ * width_first_));
-  pairs_.clear();
+  const std::size_t size = static_cast<std::size_t>(task.first_end - task.first_begin) *
+                           static_cast<std::size_t>(seconds_ * thirds_ * width_second_ * width_first_);
+  if (targets_.size() < size) targets_.resize(size);
+  collected.clear();
   const auto node = [&](int i, int j, int k) { return i + tables.sizes[0] * (j + tables.sizes[1] * k); };
   for (int i = task.first_begin; i < task.first_end; ++i) {
     const Overlap& first = tables.overlap(0, i);
     for (int j = second_begin_; j < second_end; ++j) {
       const Overlap& second = tables.overlap(1, j);
-      const int a = node(i, j, task.third);
-      std::int32_t guess = 0;
-      for (int k = 0; k < thirds_; ++k) {
-        for (int l = std::max(second.low, second_begin_); l <= std::min(second.high, second_end - 1); ++l) {
-          auto* to = const_cast<std::int32_t*>(line(i, j, l, task.third + k));
-          for (int m = first.low; m <= first.high; ++m)
-            *to++ = target_of(a, node(m, l, task.third + k), k == 0, rows, matrix, guess);
-        }
-      }
+      for (int k = task.third; k < task.third + thirds_; ++k)
+        for (int l = std::max(second.low, second_begin_); l <= std::min(second.high, second_end - 1); ++l)
+          fill(node(i, j, task.third), node(first.low, l, k), first.count(), k == task.third, rows, matrix,
+               collected, targets_.data() + line_start(i, j, l, k));
     }
   }
-  collected_.assign(9 * pairs_.size(), 0.0);
+  collected.zero();
 }
 
-std::int32_t BlockTargets::target_of(int a, int b, bool comes_twice, const PatchRows& rows,
-                                     const SymmetricBlockMatrix& matrix, std::int32_t& guess) {
+// The targets of a with b_begin and the nodes behind it.
+void BlockTargets::fill(int a, int b_begin, int count, bool comes_twice, const PatchRows& rows,
+                        const SymmetricBlockMatrix& matrix, CollectedBlocks& collected,
+                        std::int32_t* to) const {
   const int row_a = rows.row_of_node[a];
-  const int row_b = rows.row_of_node[b];
-  if (comes_twice && row_a > row_b) return nowhere;
-  if (rows.shared[static_cast<std::size_t>(a)] || row_a > row_b) {
-    pairs_.push_back({row_a, row_b, !comes_twice});
-    return -1 - static_cast<std::int32_t>(pairs_.size());
+  const int* const rows_b = rows.row_of_node + b_begin;
+  const bool shared = rows.shared[static_cast<std::size_t>(a)] != 0;
+  std::int32_t guess = -1;
+  for (int m = 0; m < count; ++m) {
+    const int row_b = rows_b[m];
+    if (comes_twice && row_a > row_b) {
+      to[m] = nowhere;
+    } else if (shared || row_a > row_b) {
+      to[m] = -2 - collected.append(row_a, row_b, !comes_twice);
+    } else {
+      to[m] = position(matrix, row_a, row_b, guess + 1);
+      guess = to[m];
+    }
   }
-  const std::int32_t at = position(matrix, row_a, row_b, guess);
-  guess = at + 1;
-  return at;
 }
 
-const std::int32_t* BlockTargets::line(int a_first, int a_second, int b_second, int b_third) const {
+std::size_t BlockTargets::line_start(int a_first, int a_second, int b_second, int b_third) const {
   const int second = b_second - tables_->overlap(1, a_second).low;
   const auto row =
-      static_cast<std::size_t>(a_first - task_.first_begin) * static_cast<std::size_t>(seconds_) +
-      static_cast<std::size_t>(a_second - second_begin_);
+      static_cast<std::size_t>((a_first - task_.first_begin) * seconds_ + a_second - second_begin_);
   const auto line =
       (row * static_cast<std::size_t>(thirds_) + static_cast<std::size_t>(b_third - task_.third)) *
           static_cast<std::size_t>(width_second_) +
       static_cast<std::size_t>(second);
-  return targets_.data() + line * static_cast<std::size_t>(width_first_);
+  return line * static_cast<std::size_t>(width_first_);
 }
 
-void BlockTargets::flush(int share, int shares, SymmetricBlockMatrix& matrix) const {
+void CollectedBlocks::flush(int share, int shares, SymmetricBlockMatrix& matrix) const {
   std::int32_t guess = 0;
   for (std::size_t n = 0; n < pairs_.size(); ++n) {
     const auto& [row_a, row_b, both] = pairs_[n];
     const int row = std::min(row_a, row_b);
     if (row / 64 % shares != share) continue;
     guess = position(matrix, row, std::max(row_a, row_b), guess);
-    const double* const from = &collected_[9 * n];
+    const double* const from = &values_[9 * n];
     double* const to =
         &matrix
              .values[static_cast<std::size_t>(9 * (matrix.row_start[static_cast<std::size_t>(row)] + guess))];

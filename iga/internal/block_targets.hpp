@@ -25,35 +25,56 @@ struct StiffnessTask {
   int layer_end = 0;
 };
 
+/// Blocks of a task that cannot go straight to their places.
+class CollectedBlocks {
+ public:
+  void clear() { pairs_.clear(); }
+  /// Number of a new block, of a pair of nodes with these rows.
+  /// @param both  if the rows are equal, whether the transposed block counts too
+  int append(int row_a, int row_b, bool both) {
+    pairs_.push_back({row_a, row_b, both});
+    return static_cast<int>(pairs_.size()) - 1;
+  }
+  /// Sets all blocks to zero.
+  void zero() { values_.assign(9 * pairs_.size(), 0.0); }
+  double* values() { return values_.data(); }
+  /// Adds the blocks to those rows whose number divided by 64 is `share` modulo `shares`.
+  void flush(int share, int shares, solvers::SymmetricBlockMatrix& matrix) const;
+
+ private:
+  struct Pair {
+    int row_a;
+    int row_b;
+    bool both;
+  };
+  std::vector<Pair> pairs_;
+  std::vector<double> values_;
+};
+
 /// Where the blocks of a task's pairs (a, b) go.
 ///
 /// A block goes straight to its place if a's row is the smaller one and no other node of the patch has it:
-/// then no other task writes there. All other blocks are collected by the task and added later, task by task,
-/// so that sums do not depend on who is first.
+/// then no other task writes there. All other blocks are collected and added later, task by task, so that
+/// sums do not depend on who is first.
 class BlockTargets {
  public:
   static constexpr std::int32_t nowhere = -1;  ///< the pair comes again as (b, a) in the same task
 
+  /// Fills the table of a task; `collected` gets the blocks that have to wait, zero.
   void prepare(const StiffnessTask& task, const StiffnessTables& tables, const PatchRows& rows,
-               const solvers::SymmetricBlockMatrix& matrix);
+               const solvers::SymmetricBlockMatrix& matrix, CollectedBlocks& collected);
 
   /// Targets of a line of pairs, b running along direction 1 from the first that overlaps a. At least 0:
   /// position in a's row; nowhere; below: the collected block -2 - target.
-  /// @param b  indices in directions 2 and 3
-  const std::int32_t* line(int a_first, int a_second, int b_second, int b_third) const;
-  double* collected() { return collected_.data(); }
-
-  /// Adds the collected blocks to those rows whose number divided by 64 is `share` modulo `shares`.
-  void flush(int share, int shares, solvers::SymmetricBlockMatrix& matrix) const;
+  /// @param b_second, b_third  b's indices in directions 2 and 3
+  const std::int32_t* line(int a_first, int a_second, int b_second, int b_third) const {
+    return targets_.data() + line_start(a_first, a_second, b_second, b_third);
+  }
 
  private:
-  struct Collected {
-    int row_a;
-    int row_b;
-    bool both;  // for equal rows: the pair comes once, so its transpose counts too
-  };
-  std::int32_t target_of(int a, int b, bool comes_twice, const PatchRows& rows,
-                         const solvers::SymmetricBlockMatrix& matrix, std::int32_t& guess);
+  std::size_t line_start(int a_first, int a_second, int b_second, int b_third) const;
+  void fill(int a, int b_begin, int count, bool comes_twice, const PatchRows& rows,
+            const solvers::SymmetricBlockMatrix& matrix, CollectedBlocks& collected, std::int32_t* to) const;
 
   StiffnessTask task_;
   const StiffnessTables* tables_ = nullptr;
@@ -61,8 +82,6 @@ class BlockTargets {
   int seconds_ = 0;       // functions of direction 2
   int width_second_ = 0, width_first_ = 0, thirds_ = 0;
   std::vector<std::int32_t> targets_;
-  std::vector<Collected> pairs_;
-  std::vector<double> collected_;
 };
 
 }  // namespace isopatch::iga

@@ -12,19 +12,20 @@ namespace {
 constexpr int max_sums = 24;      // registers of sums in one block
 constexpr int max_registers = 6;  // per row of a block
 
-struct Block {
+// A block's part of the operands.
+struct BlockOperands {
   const double* factors;
-  int factor_step;
+  std::ptrdiff_t factor_step;
   const int* offsets;
   int terms;
   const double* rows;
   double* out;
-  int out_step;
+  std::ptrdiff_t out_step;
 };
 
 // M rows of T registers, all sums in registers.
 template <bool Add, int M, int T>
-void block_product(const Block& b) {
+void block_product(const BlockOperands& b) {
   Register sums[M][T] = {};
   const double* factor = b.factors;
   for (int k = 0; k < b.terms; ++k, factor += b.factor_step) {
@@ -48,7 +49,7 @@ void block_product(const Block& b) {
     }
 }
 
-using Kernel = void (*)(const Block&);
+using Kernel = void (*)(const BlockOperands&);
 constexpr int max_outputs = 12;
 
 constexpr int most_outputs(int registers) {
@@ -67,34 +68,44 @@ constexpr std::array<std::array<Kernel, max_outputs>, max_registers> all_kernels
 }
 
 template <bool Add>
-void product(const SmallProduct& p, const double* rows, double* out, int out_step) {
-  static constexpr auto kernels = all_kernels<Add>(std::make_integer_sequence<int, max_registers>{});
-  const int registers = padded(p.columns) / register_size;
-  const int strips = (registers + max_registers - 1) / max_registers;
-  for (int strip = 0, done = 0; strip < strips; ++strip) {
-    const int width = (registers - done + strips - strip - 1) / (strips - strip);
-    const int most = most_outputs(width);
-    const int blocks = (p.outputs + most - 1) / most;
-    for (int block = 0, first = 0; block < blocks; ++block) {
-      const int height = (p.outputs - first + blocks - block - 1) / (blocks - block);
-      const int column = done * register_size;
-      kernels[static_cast<std::size_t>(width - 1)][static_cast<std::size_t>(height - 1)](
-          {p.factors + first, p.factor_step, p.offsets, p.terms, rows + column,
-           out + first * out_step + column, out_step});
-      first += height;
-    }
-    done += width;
-  }
+constexpr auto kernels = all_kernels<Add>(std::make_integer_sequence<int, max_registers>{});
+
+template <bool Add, class Block>
+void product(const std::vector<Block>& blocks, const SmallProducts::Operands& o, int outputs) {
+  for (const Block& block : blocks)
+    kernels<Add>[static_cast<std::size_t>(block.width - 1)][static_cast<std::size_t>(block.height - 1)](
+        {o.factors + block.first_output, outputs, o.offsets, o.terms, o.rows + block.first_column,
+         o.out + block.first_output * o.out_step + block.first_column, o.out_step});
+}
+
+// Size of part i of `count` nearly equal parts of a whole.
+int share(int whole, int i, int count) {
+  return whole * (i + 1) / count - whole * i / count;
 }
 
 }  // namespace
 
-void multiply(const SmallProduct& p, const double* rows, double* out, int out_step) {
-  product<false>(p, rows, out, out_step);
+SmallProducts::SmallProducts(int outputs, int columns) : outputs_(outputs), columns_(columns) {
+  const int registers = padded(columns) / register_size;
+  const int strips = (registers + max_registers - 1) / max_registers;
+  for (int strip = 0, column = 0; strip < strips; ++strip) {
+    const int width = share(registers, strip, strips);
+    const int heights = (outputs + most_outputs(width) - 1) / most_outputs(width);
+    for (int i = 0, output = 0; i < heights; ++i) {
+      const int height = share(outputs, i, heights);
+      blocks_.push_back({height, width, output, column});
+      output += height;
+    }
+    column += width * register_size;
+  }
 }
 
-void multiply_add(const SmallProduct& p, const double* rows, double* out, int out_step) {
-  product<true>(p, rows, out, out_step);
+void SmallProducts::multiply(const Operands& operands) const {
+  product<false>(blocks_, operands, outputs_);
+}
+
+void SmallProducts::multiply_add(const Operands& operands) const {
+  product<true>(blocks_, operands, outputs_);
 }
 
 }  // namespace isopatch::iga

@@ -99,7 +99,8 @@ const double* PointData::block(int second, int block, int third) const {
 
 void StiffnessSweep::run(const StiffnessTask& task, const StiffnessTables& tables, const PointData& points,
                          const Material& material, const double* weights, const PatchRows& rows,
-                         BlockTargets& targets, solvers::SymmetricBlockMatrix& matrix) {
+                         const BlockTargets& targets, CollectedBlocks& collected,
+                         solvers::SymmetricBlockMatrix& matrix) {
   tables_ = &tables;
   points_ = &points;
   material_ = material;
@@ -113,18 +114,18 @@ void StiffnessSweep::run(const StiffnessTask& task, const StiffnessTables& table
                                (tables.most_elements * tables.points[0] + 2 * register_size));
   const int most = std::max(1, static_cast<int>(ring_bytes / bytes_per_b));
   const int groups = (count + most - 1) / most;
-  for (int layer = task.layer_begin; layer < task.layer_end; ++layer) {
-    for (int group = 0, begin = task.third; group < groups; ++group) {
-      group_ = {begin, begin + (high + 1 - begin + groups - group - 1) / (groups - group)};
-      begin = group_.end;
-      choose_sizes();
+  for (int group = 0, begin = task.third; group < groups; ++group) {
+    group_ = {begin, begin + (high + 1 - begin + groups - group - 1) / (groups - group)};
+    begin = group_.end;
+    choose_sizes();
+    for (int layer = task.layer_begin; layer < task.layer_end; ++layer) {
       int block = tables.overlap(0, task.first_begin).first_element * tables.points[0] / register_size;
       for (int a = task.first_begin; a < task.first_end; ++a) {
         const int needed = (tables.overlap(0, a).last_element + 1) * tables.points[0];
         for (; block * register_size < needed; ++block) contract_third(block, layer);
         contract_first(a);
         contract_second(a, layer);
-        add(a, layer, rows, targets, matrix);
+        add(a, layer, rows, targets, collected, matrix);
       }
     }
   }
@@ -132,8 +133,7 @@ void StiffnessSweep::run(const StiffnessTask& task, const StiffnessTables& table
 
 void StiffnessSweep::choose_sizes() {
   const StiffnessTables& t = *tables_;
-  const int count = group_.end - group_.begin;
-  per_point_ = block_entries * count;
+  per_point_ = block_entries * (group_.end - group_.begin);
   line_ = padded(t.points[1] * per_point_);
   ring_blocks_ = (t.most_elements * t.points[0] + 2 * register_size - 2) / register_size + 1;
   pair_step_ = padded(per_point_);
@@ -149,6 +149,22 @@ void StiffnessSweep::choose_sizes() {
   for (const Overlap& overlap : t.overlaps[0]) widest = std::max(widest, overlap.count());
   grow(line_sums_, widest * result_kinds * line_ + register_size);
   grow(blocks_, (t.degrees[1] + 1) * (t.degrees[1] + 1) * widest * pair_step_);
+  first_products_ = SmallProducts(t.degrees[0] + 1, line_);
+  second_products_ = SmallProducts((t.degrees[1] + 1) * (t.degrees[1] + 1), per_point_);
+  choose_offsets();
+}
+
+void StiffnessSweep::choose_offsets() {
+  const StiffnessTables& t = *tables_;
+  first_offsets_.clear();
+  for (int e = 0; e < t.elements(0); ++e)
+    for (const StiffnessTables::Term& term : t.first_terms) {
+      const int point = (e * t.points[0] + term.point) % (ring_blocks_ * register_size);
+      first_offsets_.push_back((point * kinds + term.kind) * line_);
+    }
+  second_offsets_.clear();
+  for (int kind = 0; kind < result_kinds; ++kind)
+    for (int q = 0; q < t.points[1]; ++q) second_offsets_.push_back(kind * line_ + q * per_point_);
 }
 
 // Points of direction 3 in the common support of a and b, from the part's first layer on.
@@ -180,32 +196,34 @@ void StiffnessSweep::contract_third(int block, int layer) {
   }
 }
 
+// The numbers of one register of points of direction 1 along direction 3, times a function and its
+// derivative.
+void StiffnessSweep::scale_points(const double* from, int function, const Range& range, double* to) const {
+  const StiffnessTables& t = *tables_;
+  const int own_begin = t.points[2] * (t.overlap(2, function).first_element - t.first_layer);
+  const double* factors =
+      t.third_factors[static_cast<std::size_t>(function)].data() + 2 * (range.begin - own_begin);
+  const int step = points_->components * register_size;
+  from += static_cast<std::ptrdiff_t>(range.begin) * step;
+  const bool rational = points_->components != block_entries;
+  for (int q = range.begin; q < range.end;
+       ++q, factors += 2, from += step, to += block_entries * register_size) {
+    if (rational)
+      scale_point<true>(from, factors[0], factors[1], to);
+    else
+      scale_point<false>(from, factors[0], factors[1], to);
+  }
+}
+
 // One register of points of direction 1, at one point of direction 2.
 void StiffnessSweep::contract_third_at(const double* from) {
-  const StiffnessTables& t = *tables_;
-  const int point_step = points_->components * register_size;
   constexpr int operand_step = block_entries * register_size;
-  const auto scale = [&](int function, const Range& range, double* to) {
-    const int count = t.points[2];
-    for (int q = range.begin; q < range.end; ++q, to += operand_step) {
-      const auto element = static_cast<std::size_t>(t.first_layer + q / count);
-      const int at = q % count * (t.degrees[2] + 1) + function - t.first[2][element];
-      const std::vector<double>& values = t.third_values[element];
-      const double value = values[static_cast<std::size_t>(at)];
-      const double derivative = values[static_cast<std::size_t>(at + count * (t.degrees[2] + 1))];
-      const double* const point = from + static_cast<std::ptrdiff_t>(q) * point_step;
-      if (points_->components == 9)
-        scale_point<false>(point, value, derivative, to);
-      else
-        scale_point<true>(point, value, derivative, to);
-    }
-  };
   const Range own = third_points(task_.third);
-  scale(task_.third, own, first_operand_.data());
+  scale_points(from, task_.third, own, first_operand_.data());
   double* out = sums_.data();
   for (int b = group_.begin; b < group_.end; ++b, out += operand_step) {
     const Range common = third_points(b);
-    if (b != task_.third) scale(b, common, second_operand_.data());
+    if (b != task_.third) scale_points(from, b, common, second_operand_.data());
     const double* const x = first_operand_.data() + (common.begin - own.begin) * operand_step;
     const double* const y = b == task_.third ? x : second_operand_.data();
     for (int s = 0; s < 3; ++s)
@@ -219,24 +237,29 @@ void StiffnessSweep::contract_first(int a) {
   const StiffnessTables& t = *tables_;
   const Overlap& overlap = t.overlap(0, a);
   const int step = result_kinds * line_;
-  std::fill_n(line_sums_.begin(), overlap.count() * step, 0.0);
   const int count = t.degrees[0] + 1;
   const int terms = static_cast<int>(t.first_terms.size());
-  offsets_.resize(static_cast<std::size_t>(terms));
+  // The sums of the first element's functions are set, the others start from zero.
+  std::fill_n(line_sums_.begin() + count * step, (overlap.count() - count) * step, 0.0);
   for (int e = overlap.first_element; e <= overlap.last_element; ++e) {
     const int first = t.first[0][static_cast<std::size_t>(e)];
-    for (int k = 0; k < terms; ++k) {
-      const StiffnessTables::Term& term = t.first_terms[static_cast<std::size_t>(k)];
-      const int point = (e * t.points[0] + term.point) % (ring_blocks_ * register_size);
-      offsets_[static_cast<std::size_t>(k)] = (point * kinds + term.kind) * line_;
-    }
     const double* const factors = t.first_factors[static_cast<std::size_t>(e)].data() +
                                   static_cast<std::ptrdiff_t>(a - first) * terms * count;
+    const int* const offsets = first_offsets_.data() + static_cast<std::ptrdiff_t>(e) * terms;
     for (int kind = 0; kind < result_kinds; ++kind) {
       const int begin = t.first_kind_begin[static_cast<std::size_t>(kind)];
       const int end = t.first_kind_begin[static_cast<std::size_t>(kind) + 1];
-      multiply_add({factors + begin * count, count, offsets_.data() + begin, end - begin, count, line_},
-                   ring_.data(), line_sums_.data() + (first - overlap.low) * step + kind * line_, step);
+      const SmallProducts::Operands operands = {
+          factors + begin * count,
+          offsets + begin,
+          end - begin,
+          ring_.data(),
+          line_sums_.data() + (first - overlap.low) * step + kind * line_,
+          step};
+      if (e == overlap.first_element)
+        first_products_.multiply(operands);
+      else
+        first_products_.multiply_add(operands);
     }
   }
 }
@@ -244,19 +267,16 @@ void StiffnessSweep::contract_first(int a) {
 void StiffnessSweep::contract_second(int a, int layer) {
   const StiffnessTables& t = *tables_;
   const int width = t.overlap(0, a).count();
-  const int pairs = (t.degrees[1] + 1) * (t.degrees[1] + 1);
-  offsets_.clear();
-  for (int kind = 0; kind < result_kinds; ++kind)
-    for (int q = 0; q < t.points[1]; ++q) offsets_.push_back(kind * line_ + q * per_point_);
   const double* const factors = t.second_factors[static_cast<std::size_t>(layer)].data();
   for (int b = 0; b < width; ++b)
-    multiply({factors, pairs, offsets_.data(), static_cast<int>(offsets_.size()), pairs, per_point_},
-             line_sums_.data() + static_cast<std::ptrdiff_t>(b) * result_kinds * line_,
-             blocks_.data() + static_cast<std::ptrdiff_t>(b) * pair_step_, width * pair_step_);
+    second_products_.multiply({factors, second_offsets_.data(), static_cast<int>(second_offsets_.size()),
+                               line_sums_.data() + static_cast<std::ptrdiff_t>(b) * result_kinds * line_,
+                               blocks_.data() + static_cast<std::ptrdiff_t>(b) * pair_step_,
+                               width * pair_step_});
 }
 
-void StiffnessSweep::add(int a, int layer, const PatchRows& rows, BlockTargets& targets,
-                         solvers::SymmetricBlockMatrix& matrix) {
+void StiffnessSweep::add(int a, int layer, const PatchRows& rows, const BlockTargets& targets,
+                         CollectedBlocks& collected, solvers::SymmetricBlockMatrix& matrix) {
   const StiffnessTables& t = *tables_;
   const Overlap& overlap = t.overlap(0, a);
   const int width = overlap.count();
@@ -266,8 +286,12 @@ void StiffnessSweep::add(int a, int layer, const PatchRows& rows, BlockTargets& 
   const double* pair = blocks_.data();
   for (int j = 0; j < count; ++j) {
     const int own = node(a, first_second + j, task_.third);
-    double* const row =
-        matrix.values.data() + 9 * matrix.row_start[static_cast<std::size_t>(rows.row_of_node[own])];
+    const auto row_start = [&](int of) {
+      return 9 * matrix.row_start[static_cast<std::size_t>(rows.row_of_node[of])];
+    };
+    // The next function's row comes into the cache meanwhile; its blocks lie about as far behind.
+    const std::ptrdiff_t ahead = a + 1 < task_.first_end ? row_start(own + 1) - row_start(own) : 0;
+    double* const row = matrix.values.data() + row_start(own);
     for (int l = 0; l < count; ++l, pair += static_cast<std::ptrdiff_t>(width) * pair_step_) {
       for (int k = group_.begin; k < group_.end; ++k) {
         const std::int32_t* const line = targets.line(a, first_second + j, first_second + l, k);
@@ -278,7 +302,8 @@ void StiffnessSweep::add(int a, int layer, const PatchRows& rows, BlockTargets& 
           const std::int32_t target = line[m];
           if (target == BlockTargets::nowhere) continue;
           double* const to = target >= 0 ? row + 9 * static_cast<std::ptrdiff_t>(target)
-                                         : targets.collected() + 9 * static_cast<std::ptrdiff_t>(-2 - target);
+                                         : collected.values() + 9 * static_cast<std::ptrdiff_t>(-2 - target);
+          __builtin_prefetch(to + ahead, 1);
           add_block(from, weights_ == nullptr ? 1.0 : weights_[own] * other_weights[m], to);
         }
       }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "iga/internal/block_targets.hpp"
+#include "iga/internal/small_products.hpp"
 #include "iga/internal/stiffness_tables.hpp"
 #include "iga/material.hpp"
 
@@ -35,8 +36,8 @@ class StiffnessSweep {
  public:
   /// @param weights  w of rational functions, of the whole patch, or null
   void run(const StiffnessTask& task, const StiffnessTables& tables, const PointData& points,
-           const Material& material, const double* weights, const PatchRows& rows, BlockTargets& targets,
-           solvers::SymmetricBlockMatrix& matrix);
+           const Material& material, const double* weights, const PatchRows& rows,
+           const BlockTargets& targets, CollectedBlocks& collected, solvers::SymmetricBlockMatrix& matrix);
 
  private:
   struct Range {
@@ -44,11 +45,13 @@ class StiffnessSweep {
     int end;
   };
   void choose_sizes();
+  void choose_offsets();
   void contract_third(int block, int layer);
   void contract_third_at(const double* from);
+  void scale_points(const double* from, int function, const Range& range, double* to) const;
   void contract_first(int a);
   void contract_second(int a, int layer);
-  void add(int a, int layer, const PatchRows& rows, BlockTargets& targets,
+  void add(int a, int layer, const PatchRows& rows, const BlockTargets& targets, CollectedBlocks& collected,
            solvers::SymmetricBlockMatrix& matrix);
   Range third_points(int b) const;
 
@@ -69,7 +72,10 @@ class StiffnessSweep {
   std::vector<double> ring_;       // [point of direction 1][kind][point of direction 2][b][i][j]
   std::vector<double> line_sums_;  // [b of direction 1][kind][point of direction 2][b][i][j]
   std::vector<double> blocks_;     // [pair of direction 2][b of direction 1][b of direction 3][i][j]
-  std::vector<int> offsets_;
+  SmallProducts first_products_;
+  SmallProducts second_products_;
+  std::vector<int> first_offsets_;   // in the ring, of each element's terms
+  std::vector<int> second_offsets_;  // in the sums of a line
 };
 
 }  // namespace isopatch::iga

@@ -53,11 +53,15 @@ StiffnessTables::StiffnessTables(const PatchSpace& space, const PatchPart& part,
             factors.push_back(factor(element, point, a, kind >= 2) *
                               factor(element, point, b, kind % 2 == 1));
   }
-  for (const DirectionTable::Element& element : geometry.table(2).elements) {
-    std::vector<double>& values = third_values.emplace_back();
-    for (const bool derivative : {false, true})
+  for (int function = 0; function < sizes[2]; ++function) {
+    std::vector<double>& factors = third_factors.emplace_back();
+    const Overlap& overlap = overlaps[2][static_cast<std::size_t>(function)];
+    for (int e = overlap.first_element; e <= overlap.last_element; ++e) {
+      const DirectionTable::Element& element = geometry.table(2).elements[static_cast<std::size_t>(e)];
       for (int point = 0; point < points[2]; ++point)
-        for (int a = 0; a <= degrees[2]; ++a) values.push_back(factor(element, point, a, derivative));
+        for (const bool derivative : {false, true})
+          factors.push_back(factor(element, point, function - element.first, derivative));
+    }
   }
 }
 

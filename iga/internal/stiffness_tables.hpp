@@ -39,8 +39,8 @@ struct StiffnessTables {
   std::array<int, 5> first_kind_begin;  ///< terms of each kind of result
   /// Factors of direction 2 for element e: [kind and point][function a and function b].
   std::vector<std::vector<double>> second_factors;
-  /// Values and derivatives of direction 3: [element][point][function], the derivatives behind the values.
-  std::vector<std::vector<double>> third_values;
+  /// Values and derivatives of each function of direction 3 at the points of its support, in turns.
+  std::vector<std::vector<double>> third_factors;
 
   StiffnessTables(const PatchSpace& space, const PatchPart& part, const QuadratureGeometry& geometry);
   int elements(int d) const { return static_cast<int>(first[static_cast<std::size_t>(d)].size()); }
