@@ -8,13 +8,14 @@ namespace {
 
 using solvers::SymmetricBlockMatrix;
 
-// Position of a column in its row, looked for at `guess` first.
+// Position of a column in its row, looked for at `guess` and beside it first.
 std::int32_t position(const SymmetricBlockMatrix& matrix, int row, int column, std::int32_t guess) {
   const std::int64_t begin = matrix.row_start[static_cast<std::size_t>(row)];
-  const std::int64_t end = matrix.row_start[static_cast<std::size_t>(row) + 1];
-  if (begin + guess < end && matrix.columns[static_cast<std::size_t>(begin + guess)] == column) return guess;
-  const auto first = matrix.columns.begin() + begin;
-  return static_cast<std::int32_t>(std::lower_bound(first, matrix.columns.begin() + end, column) - first);
+  const auto size = static_cast<std::int32_t>(matrix.row_start[static_cast<std::size_t>(row) + 1] - begin);
+  const int* const columns = matrix.columns.data() + begin;
+  for (const std::int32_t at : {guess, guess - 1, guess + 1})
+    if (at >= 0 && at < size && columns[at] == column) return at;
+  return static_cast<std::int32_t>(std::lower_bound(columns, columns + size, column) - columns);
 }
 
 int widest(const std::vector<Overlap>& overlaps) {
@@ -59,49 +60,44 @@ void BlockTargets::prepare(const StiffnessTask& task, const StiffnessTables& tab
   if (targets_.size() < size) targets_.resize(size);
   collected.clear();
   const auto node = [&](int i, int j, int k) { return i + tables.sizes[0] * (j + tables.sizes[1] * k); };
+  // A line begins about where the same line of the function before does.
+  std::vector<std::int32_t> guesses(static_cast<std::size_t>(seconds_ * thirds_ * width_second_), 0);
   for (int i = task.first_begin; i < task.first_end; ++i) {
     const Overlap& first = tables.overlap(0, i);
+    std::int32_t* guess = guesses.data();
     for (int j = second_begin_; j < second_end; ++j) {
       const Overlap& second = tables.overlap(1, j);
       for (int k = task.third; k < task.third + thirds_; ++k)
-        for (int l = std::max(second.low, second_begin_); l <= std::min(second.high, second_end - 1); ++l)
-          fill(node(i, j, task.third), node(first.low, l, k), first.count(), k == task.third, rows, matrix,
-               collected, targets_.data() + line_start(i, j, l, k));
+        for (int l = std::max(second.low, second_begin_); l <= std::min(second.high, second_end - 1);
+             ++l, ++guess)
+          *guess = fill({node(i, j, task.third), node(first.low, l, k), first.count(), k == task.third},
+                        *guess, rows, matrix, collected, targets_.data() + line_start(i, j, l, k));
     }
   }
   collected.zero();
 }
 
-// The targets of a with b_begin and the nodes behind it.
-void BlockTargets::fill(int a, int b_begin, int count, bool comes_twice, const PatchRows& rows,
-                        const SymmetricBlockMatrix& matrix, CollectedBlocks& collected,
-                        std::int32_t* to) const {
-  const int row_a = rows.row_of_node[a];
-  const int* const rows_b = rows.row_of_node + b_begin;
-  const bool shared = rows.shared[static_cast<std::size_t>(a)] != 0;
-  std::int32_t guess = -1;
-  for (int m = 0; m < count; ++m) {
+// The targets of a line of pairs; returns the position of its first block in a's row, or the guess.
+std::int32_t BlockTargets::fill(const Line& line, std::int32_t guess, const PatchRows& rows,
+                                const SymmetricBlockMatrix& matrix, CollectedBlocks& collected,
+                                std::int32_t* to) const {
+  const int row_a = rows.row_of_node[line.a];
+  const int* const rows_b = rows.row_of_node + line.b;
+  const bool shared = rows.shared[static_cast<std::size_t>(line.a)] != 0;
+  std::int32_t first = -1;
+  for (int m = 0; m < line.count; ++m) {
     const int row_b = rows_b[m];
-    if (comes_twice && row_a > row_b) {
+    if (line.comes_twice && row_a > row_b) {
       to[m] = nowhere;
     } else if (shared || row_a > row_b) {
-      to[m] = -2 - collected.append(row_a, row_b, !comes_twice);
+      to[m] = -2 - collected.append(row_a, row_b, !line.comes_twice);
     } else {
-      to[m] = position(matrix, row_a, row_b, guess + 1);
-      guess = to[m];
+      to[m] = position(matrix, row_a, row_b, guess);
+      if (first < 0) first = to[m];
+      guess = to[m] + 1;
     }
   }
-}
-
-std::size_t BlockTargets::line_start(int a_first, int a_second, int b_second, int b_third) const {
-  const int second = b_second - tables_->overlap(1, a_second).low;
-  const auto row =
-      static_cast<std::size_t>((a_first - task_.first_begin) * seconds_ + a_second - second_begin_);
-  const auto line =
-      (row * static_cast<std::size_t>(thirds_) + static_cast<std::size_t>(b_third - task_.third)) *
-          static_cast<std::size_t>(width_second_) +
-      static_cast<std::size_t>(second);
-  return line * static_cast<std::size_t>(width_first_);
+  return first < 0 ? guess : first;
 }
 
 void CollectedBlocks::flush(int share, int shares, SymmetricBlockMatrix& matrix) const {

@@ -72,9 +72,23 @@ class BlockTargets {
   }
 
  private:
-  std::size_t line_start(int a_first, int a_second, int b_second, int b_third) const;
-  void fill(int a, int b_begin, int count, bool comes_twice, const PatchRows& rows,
-            const solvers::SymmetricBlockMatrix& matrix, CollectedBlocks& collected, std::int32_t* to) const;
+  std::size_t line_start(int a_first, int a_second, int b_second, int b_third) const {
+    const int second = b_second - tables_->overlap(1, a_second).low;
+    const int row = (a_first - task_.first_begin) * seconds_ + a_second - second_begin_;
+    const int line = (row * thirds_ + b_third - task_.third) * width_second_ + second;
+    return static_cast<std::size_t>(line) * static_cast<std::size_t>(width_first_);
+  }
+
+  // Pairs of a node with a node b and those behind it.
+  struct Line {
+    int a;
+    int b;
+    int count;
+    bool comes_twice;  // the pairs come as (b, a) too
+  };
+  std::int32_t fill(const Line& line, std::int32_t guess, const PatchRows& rows,
+                    const solvers::SymmetricBlockMatrix& matrix, CollectedBlocks& collected,
+                    std::int32_t* to) const;
 
   StiffnessTask task_;
   const StiffnessTables* tables_ = nullptr;

@@ -86,8 +86,12 @@ inline void scale_point(const double* from, double value, double derivative, dou
   }
 }
 
-inline void add_block(const double* from, double factor, double* to) {
-  for (int k = 0; k < block_entries; ++k) to[k] += factor * from[k];
+inline __attribute__((always_inline)) void add_block(const double* from, double factor, double* to) {
+  constexpr int whole = block_entries / register_size * register_size;
+#pragma GCC unroll 4
+  for (int k = 0; k < whole; k += register_size) store(to + k, load(to + k) + factor * load(from + k));
+#pragma GCC unroll 1
+  for (int k = whole; k < block_entries; ++k) to[k] += factor * from[k];
 }
 
 }  // namespace
