@@ -9,26 +9,13 @@
 
 #include "geometry/models/cylinder.hpp"
 #include "geometry/quadrature.hpp"
+#include "iga/tests/plain_stiffness.hpp"
 #include "iga/tests/small_models.hpp"
 
 namespace isopatch::iga {
 namespace {
 
 using geometry::NurbsVolume;
-
-Eigen::MatrixXd dense(const solvers::SymmetricBlockMatrix& matrix) {
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(matrix.rows(), matrix.rows());
-  for (int row = 0; row < matrix.block_rows(); ++row)
-    for (auto at = matrix.row_start[static_cast<std::size_t>(row)];
-         at < matrix.row_start[static_cast<std::size_t>(row) + 1]; ++at) {
-      const int column = matrix.columns[static_cast<std::size_t>(at)];
-      const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> block(
-          &matrix.values[static_cast<std::size_t>(9 * at)]);
-      result.block<3, 3>(3 * row, 3 * column) = block;
-      result.block<3, 3>(3 * column, 3 * row) = block.transpose();
-    }
-  return result;
-}
 
 RowNumbering own_rows(const Discretization& d) {
   RowNumbering numbering{std::vector<int>(static_cast<std::size_t>(d.node_count())), d.node_count()};
