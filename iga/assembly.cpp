@@ -88,7 +88,7 @@ void assemble_part(const PartAt& at, int points, Buffers& buffers, SymmetricBloc
                                 static_cast<std::size_t>(data.thirds) *
                                 static_cast<std::size_t>(data.components * QuadratureGeometry::block_size);
   const int layers = tables.elements(1);
-  constexpr std::size_t cache = std::size_t{8} << 20;  // that the points of some layers should stay in, bytes
+  constexpr std::size_t cache = std::size_t{4} << 20;  // that the points of some layers should stay in, bytes
   const std::size_t wanted =
       std::max<std::size_t>(cache / per_layer, static_cast<std::size_t>(tables.degrees[1]) + 1);
   const int at_once = static_cast<int>(std::clamp<std::size_t>(

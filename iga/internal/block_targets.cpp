@@ -56,7 +56,7 @@ void BlockTargets::prepare(const StiffnessTask& task, const StiffnessTables& tab
   width_second_ = widest(tables.overlaps[1]);
   width_first_ = widest(tables.overlaps[0]);
   const std::size_t size = static_cast<std::size_t>(task.first_end - task.first_begin) *
-                           static_cast<std::size_t>(seconds_ * thirds_ * width_second_ * width_first_);
+                           static_cast<std::size_t>(seconds_ * thirds_ * width_second_ * (width_first_ + 1));
   if (targets_.size() < size) targets_.resize(size);
   collected.clear();
   const auto node = [&](int i, int j, int k) { return i + tables.sizes[0] * (j + tables.sizes[1] * k); };
@@ -84,6 +84,21 @@ std::int32_t BlockTargets::fill(const Line& line, std::int32_t guess, const Patc
   const int row_a = rows.row_of_node[line.a];
   const int* const rows_b = rows.row_of_node + line.b;
   const bool shared = rows.shared[static_cast<std::size_t>(line.a)] != 0;
+  to[0] = 0;
+  ++to;
+  if (!shared && rows_b[0] >= row_a) {
+    const std::int64_t begin = matrix.row_start[static_cast<std::size_t>(row_a)];
+    const std::int64_t end = matrix.row_start[static_cast<std::size_t>(row_a) + 1];
+    const std::int32_t first = position(matrix, row_a, rows_b[0], guess);
+    bool in_a_row = begin + first + line.count <= end;
+    for (int m = 1; in_a_row && m < line.count; ++m)
+      in_a_row = matrix.columns[static_cast<std::size_t>(begin + first + m)] == rows_b[m];
+    if (in_a_row) {
+      to[-1] = 1;
+      to[0] = first;
+      return first;
+    }
+  }
   std::int32_t first = -1;
   for (int m = 0; m < line.count; ++m) {
     const int row_b = rows_b[m];

@@ -64,11 +64,16 @@ class BlockTargets {
   void prepare(const StiffnessTask& task, const StiffnessTables& tables, const PatchRows& rows,
                const solvers::SymmetricBlockMatrix& matrix, CollectedBlocks& collected);
 
-  /// Targets of a line of pairs, b running along direction 1 from the first that overlaps a. At least 0:
-  /// position in a's row; nowhere; below: the collected block -2 - target.
+  /// The targets of a line of pairs, b running along direction 1 from the first that overlaps a.
+  struct LineTargets {
+    bool in_a_row;  ///< all go to consecutive blocks of a's row, from the first target on
+    /// Of each pair. At least 0: position in a's row; nowhere; below: the collected block -2 - target.
+    const std::int32_t* targets;
+  };
   /// @param b_second, b_third  b's indices in directions 2 and 3
-  const std::int32_t* line(int a_first, int a_second, int b_second, int b_third) const {
-    return targets_.data() + line_start(a_first, a_second, b_second, b_third);
+  LineTargets line(int a_first, int a_second, int b_second, int b_third) const {
+    const std::int32_t* const at = targets_.data() + line_start(a_first, a_second, b_second, b_third);
+    return {at[0] != 0, at + 1};
   }
 
  private:
@@ -76,7 +81,7 @@ class BlockTargets {
     const int second = b_second - tables_->overlap(1, a_second).low;
     const int row = (a_first - task_.first_begin) * seconds_ + a_second - second_begin_;
     const int line = (row * thirds_ + b_third - task_.third) * width_second_ + second;
-    return static_cast<std::size_t>(line) * static_cast<std::size_t>(width_first_);
+    return static_cast<std::size_t>(line) * static_cast<std::size_t>(width_first_ + 1);
   }
 
   // Pairs of a node with a node b and those behind it.

@@ -298,17 +298,26 @@ void StiffnessSweep::add(int a, int layer, const PatchRows& rows, const BlockTar
     double* const row = matrix.values.data() + row_start(own);
     for (int l = 0; l < count; ++l, pair += static_cast<std::ptrdiff_t>(width) * pair_step_) {
       for (int k = group_.begin; k < group_.end; ++k) {
-        const std::int32_t* const line = targets.line(a, first_second + j, first_second + l, k);
+        const auto line = targets.line(a, first_second + j, first_second + l, k);
         const double* from = pair + block_entries * (k - group_.begin);
-        const double* const other_weights =
-            weights_ == nullptr ? nullptr : weights_ + node(overlap.low, first_second + l, k);
+        const int other = node(overlap.low, first_second + l, k);
+        const auto factor = [&](int m) {
+          return weights_ == nullptr ? 1.0 : weights_[own] * weights_[other + m];
+        };
+        if (line.in_a_row) {
+          double* to = row + 9 * static_cast<std::ptrdiff_t>(line.targets[0]);
+          for (int m = 0; m < width; ++m, from += pair_step_, to += block_entries) {
+            __builtin_prefetch(to + ahead, 1);
+            add_block(from, factor(m), to);
+          }
+          continue;
+        }
         for (int m = 0; m < width; ++m, from += pair_step_) {
-          const std::int32_t target = line[m];
+          const std::int32_t target = line.targets[m];
           if (target == BlockTargets::nowhere) continue;
           double* const to = target >= 0 ? row + 9 * static_cast<std::ptrdiff_t>(target)
                                          : collected.values() + 9 * static_cast<std::ptrdiff_t>(-2 - target);
-          __builtin_prefetch(to + ahead, 1);
-          add_block(from, weights_ == nullptr ? 1.0 : weights_[own] * other_weights[m], to);
+          add_block(from, factor(m), to);
         }
       }
     }

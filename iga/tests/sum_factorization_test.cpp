@@ -244,7 +244,7 @@ TEST(SumFactorization, GivesTheSameBitsForAnyNumberOfThreadsAndAnyRows) {
 }
 
 TEST(SumFactorization, BalancesAffineStrainsOnAPatchOfSeveralChunks) {
-  // The points of two layers take more than the 8 MB that are worked on at once.
+  // The points of two layers take more than the 4 MB that are worked on at once.
   const NurbsVolume volume = bent_cube(uniform({1, 1, 1}, {70, 7, 70}), false, 6);
   const std::vector<PatchSpace> spaces = {own_space(volume)};
   const Material material = isotropic(1, 0.3);
