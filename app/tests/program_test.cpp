@@ -169,7 +169,8 @@ TEST_F(Program, AFoldBetweenGaussPointsIsAWarningAFoldAtOneAnError) {
   write_file(folder_ / "cube.g2", cube_with_corner(-0.2));
   EXPECT_EQ(run_text(loaded), 2);
   EXPECT_THAT(err_, HasSubstr("isopatch: error: patch 0 is folded: det J = -"));
-  EXPECT_THAT(err_, HasSubstr("at the Gauss point with parameter (0.788675, 0.788675, 0.788675), place"));
+  // The first layer of Gauss points with a negative one names the worst of its line.
+  EXPECT_THAT(err_, HasSubstr("at the Gauss point with parameter (0.788675, 0.211325, 0.788675), place"));
   ASSERT_EQ(run({"info", study()}), 0);
   EXPECT_THAT(err_, HasSubstr("Gauss points are negative too, so no study can run"));
 }
