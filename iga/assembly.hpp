@@ -26,8 +26,8 @@ namespace isopatch::iga {
 ///                                 place
 /// @throws Error invalid_argument  as stiffness_pattern
 /// @cost   per node of degree p 81 (p+1)^4 (p+2) + 162 (p+1)^5 + 72 (p+1)^4 (2p+1) flops: 95, 399 and 1215
-/// kflop for
-///         p = 2, 3, 4; up to max(64 MB, 1/32 of the matrix) for the geometry besides the matrix
+///         kflop for p = 2, 3, 4. Besides the matrix the geometry at the points of degree + 1 element layers,
+///         72 bytes a point, and the blocks there of pairs whose rows are not in the patch's order
 /// @source Bressan, Takacs, Sum factorization techniques in isogeometric analysis, CMAME 2019; the order of
 /// the
 ///         contractions and the symmetry in direction 3 are ours

@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <limits>
 
 #include "geometry/base/error.hpp"
 #include "geometry/splines/basis.hpp"
@@ -20,10 +21,69 @@ Eigen::Map<const Lane, Eigen::Unaligned> at(const double* from) {
 }
 
 // Sum over the functions of direction 3 of factor times line.
-inline Lane along_third(const double* line, int plane_step, const double* factors, int count) {
+inline Lane along_third(const double* line, std::ptrdiff_t plane_step, const double* factors, int count) {
   Lane sum = factors[0] * at(line);
   for (int k = 1; k < count; ++k) sum += factors[k] * at(line + k * plane_step);
   return sum;
+}
+
+using Derived = std::array<Lane, 4>;  // value and three derivatives
+
+// Of one component of a spline, from V V, D V, V D of directions 1 and 2: the third part of the fields each.
+inline Derived derived(const double* from, std::ptrdiff_t width, int fields, const double* values,
+                       const double* derivatives, int functions) {
+  const std::ptrdiff_t step = fields * width;
+  const std::ptrdiff_t kind = step / 3;
+  return {along_third(from, step, values, functions), along_third(from + kind, step, values, functions),
+          along_third(from + 2 * kind, step, values, functions),
+          along_third(from, step, derivatives, functions)};
+}
+
+// With 1 as the value at those places of the last block where there is no point.
+inline Derived filled(Derived spline, int used) {
+  for (int lane = used; lane < register_size; ++lane) spline[0][lane] = 1;
+  return spline;
+}
+
+inline void divide(std::array<Derived, 3>& x, const Derived& total) {
+  const Lane inverse = 1 / total[0];
+  for (Derived& coordinate : x) {
+    coordinate[0] *= inverse;
+    for (std::size_t d = 1; d < 4; ++d) coordinate[d] = inverse * (coordinate[d] - coordinate[0] * total[d]);
+  }
+}
+
+struct PointMap {
+  std::array<Lane, 9> cofactors;  // det J times J^-1, [parameter][coordinate]
+  Lane determinant;
+};
+
+inline PointMap map_at(const std::array<Derived, 3>& x, int used) {
+  PointMap map;
+  for (std::size_t d = 0; d < 3; ++d)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::size_t c1 = (c + 1) % 3, c2 = (c + 2) % 3, d1 = (d + 1) % 3 + 1, d2 = (d + 2) % 3 + 1;
+      map.cofactors[3 * d + c] = x[c1][d1] * x[c2][d2] - x[c1][d2] * x[c2][d1];
+    }
+  map.determinant = x[0][1] * map.cofactors[0] + x[1][1] * map.cofactors[1] + x[2][1] * map.cofactors[2];
+  for (int lane = used; lane < register_size; ++lane) map.determinant[lane] = 1;
+  return map;
+}
+
+inline void write_scaled(const PointMap& map, const Lane& scale, double* to) {
+  for (int k = 0; k < 9; ++k)
+    Eigen::Map<Lane, Eigen::Unaligned>(to + k * register_size) =
+        scale * map.cofactors[static_cast<std::size_t>(k)];
+}
+
+inline void write_rational(const PointMap& map, const Lane& weight, const Derived& total, double* to) {
+  const Lane inverse = 1 / total[0];
+  const Lane scale = inverse * (weight / map.determinant).sqrt();
+  write_scaled(map, scale, to);
+  const std::array<Lane, 9>& g = map.cofactors;
+  for (std::size_t c = 0; c < 3; ++c)
+    Eigen::Map<Lane, Eigen::Unaligned>(to + (9 + static_cast<int>(c)) * register_size) =
+        -scale * inverse * (g[c] * total[1] + g[3 + c] * total[2] + g[6 + c] * total[3]);
 }
 
 }  // namespace
@@ -152,80 +212,41 @@ QuadratureGeometry::Lines QuadratureGeometry::lines(const Eigen::Matrix4Xd& coef
 
 void QuadratureGeometry::evaluate(int second, int begin, int end, double* out, int stride, int patch) const {
   const geometry::NurbsVolume& volume = *space_->geometry;
-  const int of_place = volume.is_rational() ? 4 : 3;
-  const Lines places =
-      lines(homogeneous_, geometry_at_, {volume.size(0), volume.size(1)}, of_place, second, begin, end);
   const bool rational = space_->is_rational();
+  const Lines places = lines(homogeneous_, geometry_at_, {volume.size(0), volume.size(1)},
+                             volume.is_rational() ? 4 : 3, second, begin, end);
   Lines weights;
   if (rational)
     weights = lines(function_weights_, functions_at_, {space_->knots[0].size(), space_->knots[1].size()}, 1,
                     second, begin, end);
-  const int width = blocks() * block_size;
   bool folded = false;
   for (int block = 0; block < blocks(); ++block) {
-    const int column = block * block_size;
-    const int used = std::min(block_size, points(0) - column);
+    const int used = std::min(block_size, points(0) - block * block_size);
     Lane weight1 = Lane::Zero();
     for (int lane = 0; lane < used; ++lane)
-      weight1[lane] = weights_[0][static_cast<std::size_t>(column + lane)];
+      weight1[lane] = weights_[0][static_cast<std::size_t>(block * block_size + lane)];
     double* to = out + static_cast<std::ptrdiff_t>(block) * stride * components() * block_size;
-    for (int q = begin; q < end; ++q) {
-      // Values and the three derivatives of one component of a spline, from V V, D V, V D of directions 1
-      // and 2.
-      const auto derive = [&](const Lines& spline, const AtPoints& w, int component,
-                              std::array<Lane, 4>& result) {
-        const auto point = static_cast<std::size_t>(q);
-        const double* const value3 = &w.values[point * static_cast<std::size_t>(w.functions)];
-        const double* const derivative3 = &w.derivatives[point * static_cast<std::size_t>(w.functions)];
-        const int step = spline.fields * width;
-        const int components_here = spline.fields / 3;
+    for (int q = begin; q < end; ++q, to += components() * block_size) {
+      const auto third = static_cast<std::size_t>(q);
+      const Lane weight = weight1 * (weights_[1][static_cast<std::size_t>(second)] * weights_[2][third]);
+      const auto derive = [&](const Lines& spline, const AtPoints& w, int component) {
         const double* const from = spline.values.data() +
-                                   static_cast<std::ptrdiff_t>(w.first[point] - spline.first_plane) * step +
-                                   component * width + column;
-        result[0] = along_third(from, step, value3, w.functions);
-        result[1] = along_third(from + components_here * width, step, value3, w.functions);
-        result[2] = along_third(from + 2 * components_here * width, step, value3, w.functions);
-        result[3] = along_third(from, step, derivative3, w.functions);
+                                   static_cast<std::ptrdiff_t>(w.first[third] - spline.first_plane) *
+                                       spline.fields * blocks() * block_size +
+                                   (component * blocks() + block) * block_size;
+        const auto at_point = third * static_cast<std::size_t>(w.functions);
+        return derived(from, blocks() * block_size, spline.fields, &w.values[at_point],
+                       &w.derivatives[at_point], w.functions);
       };
-      std::array<std::array<Lane, 4>, 3> x;  // [coordinate][value, derivatives]
-      for (int c = 0; c < 3; ++c) derive(places, geometry_at_[2], c, x[static_cast<std::size_t>(c)]);
-      if (of_place == 4) {
-        std::array<Lane, 4> total;
-        derive(places, geometry_at_[2], 3, total);
-        for (int lane = used; lane < block_size; ++lane) total[0][lane] = 1;
-        const Lane inverse = 1 / total[0];
-        for (auto& coordinate : x) {
-          coordinate[0] *= inverse;
-          for (std::size_t d = 1; d < 4; ++d)
-            coordinate[d] = inverse * (coordinate[d] - coordinate[0] * total[d]);
-        }
-      }
-      std::array<Lane, 9> g;  // cofactors
-      for (std::size_t d = 0; d < 3; ++d)
-        for (std::size_t c = 0; c < 3; ++c) {
-          const std::size_t c1 = (c + 1) % 3, c2 = (c + 2) % 3, d1 = (d + 1) % 3 + 1, d2 = (d + 2) % 3 + 1;
-          g[3 * d + c] = x[c1][d1] * x[c2][d2] - x[c1][d2] * x[c2][d1];
-        }
-      Lane determinant = x[0][1] * g[0] + x[1][1] * g[1] + x[2][1] * g[2];
-      for (int lane = used; lane < block_size; ++lane) determinant[lane] = 1;
-      folded = folded || !(determinant > 0).all();
-      const double weight23 =
-          weights_[1][static_cast<std::size_t>(second)] * weights_[2][static_cast<std::size_t>(q)];
-      Lane scale = (weight1 * weight23 / determinant).sqrt();
-      if (rational) {
-        std::array<Lane, 4> total;
-        derive(weights, functions_at_[2], 0, total);
-        for (int lane = used; lane < block_size; ++lane) total[0][lane] = 1;
-        const Lane inverse = 1 / total[0];
-        scale *= inverse;
-        for (std::size_t c = 0; c < 3; ++c) {
-          const Lane h = -scale * inverse * (g[c] * total[1] + g[3 + c] * total[2] + g[6 + c] * total[3]);
-          Eigen::Map<Lane, Eigen::Unaligned>(to + (9 + static_cast<int>(c)) * block_size) = h;
-        }
-      }
-      for (int k = 0; k < 9; ++k)
-        Eigen::Map<Lane, Eigen::Unaligned>(to + k * block_size) = scale * g[static_cast<std::size_t>(k)];
-      to += components() * block_size;
+      std::array<Derived, 3> x;
+      for (int c = 0; c < 3; ++c) x[static_cast<std::size_t>(c)] = derive(places, geometry_at_[2], c);
+      if (volume.is_rational()) divide(x, filled(derive(places, geometry_at_[2], 3), used));
+      const PointMap map = map_at(x, used);
+      folded = folded || !(map.determinant > 0).all();
+      if (rational)
+        write_rational(map, weight, filled(derive(weights, functions_at_[2], 0), used), to);
+      else
+        write_scaled(map, (weight / map.determinant).sqrt(), to);
     }
   }
   if (folded) require_positive(second, begin, end, patch);

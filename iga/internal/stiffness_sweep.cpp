@@ -1,9 +1,9 @@
 #include "iga/internal/stiffness_sweep.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "iga/internal/registers.hpp"
+#include "iga/internal/square_transpose.hpp"
 
 namespace isopatch::iga {
 namespace {
@@ -12,40 +12,6 @@ constexpr int kinds = 9;         // of sums after direction 3
 constexpr int result_kinds = 4;  // after direction 1
 constexpr int block_entries = 9;
 constexpr std::size_t ring_bytes = std::size_t{512} << 10;  // must stay in the second cache
-
-using Mask = long long __attribute__((vector_size(8 * register_size)));
-
-// Entries of two rows of a square that is transposed by exchanging halves `Step` apart.
-template <int Step, int... Lane>
-inline __attribute__((always_inline)) void exchange(Register& a, Register& b,
-                                                    std::integer_sequence<int, Lane...>) {
-  constexpr Mask low = {((Lane & Step) != 0 ? register_size + Lane - Step : Lane)...};
-  constexpr Mask high = {((Lane & Step) != 0 ? register_size + Lane : Lane + Step)...};
-  const Register first = __builtin_shuffle(a, b, low);
-  b = __builtin_shuffle(a, b, high);
-  a = first;
-}
-
-template <int Step>
-inline __attribute__((always_inline)) void transpose_from(Register (&rows)[register_size]) {
-  if constexpr (Step < register_size) {
-#pragma GCC unroll 8
-    for (int r = 0; r < register_size; ++r)
-      if ((r & Step) == 0)
-        exchange<Step>(rows[r], rows[r + Step], std::make_integer_sequence<int, register_size>{});
-    transpose_from<2 * Step>(rows);
-  }
-}
-
-// A square of doubles, rows one register apart, into columns `step` apart.
-inline void transpose(const double* from, double* const (&to)[register_size], int offset) {
-  Register rows[register_size];
-#pragma GCC unroll 8
-  for (int r = 0; r < register_size; ++r) rows[r] = load(from + r * register_size);
-  transpose_from<1>(rows);
-#pragma GCC unroll 8
-  for (int r = 0; r < register_size; ++r) store(to[r] + offset, rows[r]);
-}
 
 // The nine sums over the points of direction 3 of x_i y_j, turned into a block of the stiffness.
 inline void sum_block(const double* x, const double* y, int points, const Material& material, double* out) {

@@ -29,9 +29,8 @@ struct PointData {
 /// support of one function; direction 1 is contracted for one function a and all b; then direction 2 within
 /// the layer.
 ///
-/// @cost  at degree p, per pair of nodes in one half of the pairs: 81 (p+1)^4 (p+2) / 2 flops for direction 3
-/// times
-///        2, 162 (p+1)^5 for direction 1, 72 (p+1)^4 (2p+1) for direction 2
+/// @cost  flops per function a at degree p, inside a patch: 81 (p+1)^4 (p+2) for direction 3, 162 (p+1)^5 for
+///        direction 1, 72 (p+1)^4 (2p+1) for direction 2
 class StiffnessSweep {
  public:
   /// @param weights  w of rational functions, of the whole patch, or null
