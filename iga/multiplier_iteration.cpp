@@ -22,7 +22,6 @@ class Saddle {
          const std::vector<Eigen::Matrix3d>& diagonal)
       : classes_(task.classes),
         frames_(task.frames),
-        level_(level),
         multigrid_(multigrid),
         stiffness_(level.spaces, level.parts, task.problem.materials, task.points) {
     // Jumps cost some ten times what they cost in a node's own stiffness: enough to separate them from what
@@ -162,7 +161,6 @@ class Saddle {
 
   const NodeClasses& classes_;
   const std::vector<Frame>& frames_;
-  const Level& level_;
   const ElasticityMultigrid& multigrid_;
   StiffnessOperator stiffness_;
   std::vector<int> tie_of_class_;

@@ -82,14 +82,7 @@ SolverChoice automatic(const SolutionTask& task, const Prediction& prediction, d
   const Method direct = tied || task.processes.count() > 1 ? Method::mumps : Method::cholmod;
   const bool small = prediction.unknowns <= most_factorized_unknowns;
   const bool fits = prediction.matrix + prediction.factor <= available;
-  if (small && fits)
-    return {direct, Operator::assembled,
-            tied ? "constraints make the matrix indefinite, and it is small enough to factorize: LDL^T with "
-                   "pivoting"
-            : task.processes.count() > 1
-                ? "small enough to factorize, by several processes together: LDL^T"
-                : "the matrix is positive definite and small enough to factorize: supernodal Cholesky",
-            0};
+  if (small && fits) return {direct, Operator::assembled, {}, 0};  // `solvers::solve` says why
   return {
       tied ? Method::minres : Method::cg, Operator::automatic,
       small ? fmt::format("factors would take about {:.1f} GB of the {:.1f} GB available: iterations with a "

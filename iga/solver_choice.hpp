@@ -10,7 +10,7 @@ namespace isopatch::iga {
 struct SolverChoice {
   solvers::Method method = solvers::Method::automatic;
   solvers::Operator form = solvers::Operator::assembled;
-  std::string reason;
+  std::string reason;                ///< of an iterative method; `solvers::solve` explains direct ones
   std::int64_t predicted_bytes = 0;  ///< of this process at its peak, beyond what it holds before
 };
 
