@@ -29,9 +29,9 @@ struct PatchSamples {
 
 /// How finely a part is sampled for pictures.
 struct SamplingOptions {
-  double chord = 5e-4;              ///< largest distance between curve and chord, of the model's size; above 0
-  double field = 5e-3;              ///< the same of displacement and von Mises stress, of their ranges; above 0
-  int most_per_element = 8;         ///< pieces per element and direction, 1 .. 64
+  double chord = 5e-4;       ///< largest distance between curve and chord, of the model's size; above 0
+  double field = 5e-3;       ///< the same of displacement and von Mises stress, of their ranges; above 0
+  int most_per_element = 8;  ///< pieces per element and direction, 1 .. 64
   std::int64_t most_points = 250'000;  ///< where more would be needed the grid is made coarser; at least 8
                                        ///< for each patch are taken
 };
