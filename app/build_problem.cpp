@@ -4,6 +4,7 @@
 
 #include "app/engineering_units.hpp"
 #include "geometry/io/read_patches.hpp"
+#include "iga/loads.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -46,7 +47,7 @@ std::vector<geometry::PatchFace> caught_faces(const FaceSelection& selection, co
   SelectedFaces selected = select_faces(model, selection);
   regions.push_back(region_of(name, kind, selected.faces, built.report));
   const std::string warning = near_miss_warning(model, selection, name, selected);
-  if (!warning.empty()) built.warnings.push_back(warning);
+  if (!warning.empty()) built.warnings.push_back({warning});
   return std::move(selected.faces);
 }
 
@@ -54,7 +55,12 @@ void add_volume_load(const LoadInput& load, BuiltProblem& built) {
   iga::ElasticityProblem& problem = built.problem;
   const auto patches = select_patches(problem.discretization.model.patch_count(), load.patches);
   built.loads.push_back(region_of(load.name, name(load.kind), patches, built.report));
+  const auto volume = [&](PatchId id) {
+    return built.report.patches[static_cast<std::size_t>(id.value)].volume;
+  };
+  Eigen::Vector3d& total = built.loads.back().total;
   if (load.kind == LoadKind::body_force) {
+    for (const PatchId id : patches) total += volume(id) * load.vector;
     problem.volume_loads.push_back(
         {load.name, patches, [f = load.vector](const Eigen::Vector3d&) { return f; }});
     return;
@@ -65,6 +71,18 @@ void add_volume_load(const LoadInput& load, BuiltProblem& built) {
   } catch (const Error& error) {
     throw error_at(load.selection.place, error.what(), error.code());
   }
+  for (const PatchId id : patches)
+    total += volume(id) * problem.materials[static_cast<std::size_t>(id.value)].density * load.vector;
+}
+
+Eigen::Vector3d total_of(const iga::SurfaceLoad& load, const iga::Discretization& discretization) {
+  Eigen::Vector3d total = Eigen::Vector3d::Zero();
+  for (const geometry::PatchFace& face : load.faces)
+    total += iga::face_load(discretization.patches[static_cast<std::size_t>(face.patch.value)], face.side,
+                            load.traction)
+                 .rowwise()
+                 .sum();
+  return total;
 }
 
 void add_load(const LoadInput& load, BuiltProblem& built) {
@@ -77,8 +95,8 @@ void add_load(const LoadInput& load, BuiltProblem& built) {
   else if (load.kind == LoadKind::pressure)
     loads.push_back(iga::pressure_load(load.name, std::move(faces), load.pressure));
   else
-    loads.push_back(
-        iga::total_force(load.name, std::move(faces), load.vector, built.problem.discretization));
+    loads.push_back(iga::total_force(load.name, std::move(faces), load.vector, built.problem.discretization));
+  built.loads.back().total = total_of(loads.back(), built.problem.discretization);
 }
 
 LocatedProbe locate_probe(const ProbeInput& probe, const iga::ElasticityProblem& problem) {
@@ -135,7 +153,7 @@ BuiltProblem build_problem(const Study& study, const Progress& progress) {
   for (const LoadInput& load : study.loads) add_load(load, built);
   for (const ProbeInput& probe : study.probes) built.probes.push_back(locate_probe(probe, built.problem));
   if (study.loads.empty())
-    built.warnings.push_back("the study has no load; only prescribed displacements can move the part");
+    built.warnings.push_back({"the study has no load; only prescribed displacements can move the part"});
   return built;
 }
 

@@ -28,7 +28,7 @@ struct BuiltProblem {
   std::vector<CaughtRegion> supports;  ///< in the study's order
   std::vector<CaughtRegion> loads;
   std::vector<LocatedProbe> probes;
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
 };
 
 /// Builds the problem that a study describes. Nothing is assembled yet, and no file but the model's is

@@ -17,7 +17,8 @@ struct CaughtRegion {
   std::vector<std::string> faces;  ///< "0:back", in the input's naming
   double area = 0;                 ///< of these faces together, m^2
   std::vector<int> patches;
-  double volume = 0;  ///< of these patches together, m^3
+  double volume = 0;                                ///< of these patches together, m^3
+  Eigen::Vector3d total = Eigen::Vector3d::Zero();  ///< force of a load, N
 };
 
 std::string_view name(SupportKind kind);

@@ -52,6 +52,13 @@ struct FieldsCommand {
 /// Writes the fields of stored results for ParaView.
 ExitCode fields_command(const FieldsCommand& command, const Console& console);
 
+struct ReportCommand {
+  std::filesystem::path results;
+  std::optional<std::filesystem::path> output;  ///< default: report.html beside the results
+};
+/// Writes the page about stored results.
+ExitCode report_command(const ReportCommand& command, const Console& console);
+
 struct ConvertCommand {
   std::filesystem::path input;
   std::filesystem::path output;

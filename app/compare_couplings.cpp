@@ -117,7 +117,8 @@ std::string comparison_json(const Study& study, const CouplingComparison& compar
                        {"allowed", CouplingComparison::allowed_difference},
                        {"allowed_multipliers", CouplingComparison::allowed_multiplier_difference}}},
                      {"agree", comparison.agree()},
-                     {"warnings", comparison.warnings},
+                     {"warnings", texts_json(comparison.warnings)},
+                     {"warning_places", places_json(comparison.warnings)},
                      {"memory", {{"peak_bytes", peak_memory_bytes()}}}};
   return file_text(json);
 }

@@ -26,7 +26,7 @@ struct CouplingComparison {
   double energy_difference = 0;
   /// Largest difference of a multiplier's force over the largest force; 0 without multipliers.
   double multiplier_difference = 0;
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
 
   static constexpr double allowed_difference = 1e-9;  ///< of displacement and energy
   static constexpr double allowed_multiplier_difference = 1e-8;

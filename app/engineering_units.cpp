@@ -41,6 +41,15 @@ Prefix suitable(double value, std::string_view unit) {
 
 }  // namespace
 
+DisplayUnit display_unit(double largest, std::string_view unit) {
+  const Prefix prefix = suitable(largest, unit);
+  return {fmt::format("{}{}", prefix.symbol, unit), 1 / prefix.factor};
+}
+
+DisplayUnit model_length_unit(double model_size) {
+  return model_size >= 10 ? DisplayUnit{"m", 1} : DisplayUnit{"mm", 1e3};
+}
+
 std::string with_unit(double value, std::string_view unit) {
   if (value == 0) return fmt::format("0 {}", unit);
   const Prefix prefix = suitable(value, unit);
@@ -48,15 +57,13 @@ std::string with_unit(double value, std::string_view unit) {
 }
 
 std::string place_with_unit(const Eigen::Vector3d& place, double model_size) {
-  const bool metres = model_size >= 10;
-  const double factor = metres ? 1 : 1e-3;
+  const DisplayUnit unit = model_length_unit(model_size);
   // Digits to a hundred thousandth of the model's size; adding 0 turns -0 into 0.
   const double step = std::pow(10, std::floor(std::log10(std::max(model_size, 1e-12))) - 4);
   const auto digits = [&](double x) {
-    return fmt::format("{:.6g}", std::round(x / step) * step / factor + 0.0);
+    return fmt::format("{:.6g}", std::round(x / step) * step * unit.factor + 0.0);
   };
-  return fmt::format("({}, {}, {}) {}", digits(place[0]), digits(place[1]), digits(place[2]),
-                     metres ? "m" : "mm");
+  return fmt::format("({}, {}, {}) {}", digits(place[0]), digits(place[1]), digits(place[2]), unit.unit);
 }
 
 std::string vector_with_unit(const Eigen::Vector3d& vector, std::string_view unit) {

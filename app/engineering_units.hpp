@@ -5,7 +5,15 @@
 #include <string>
 #include <string_view>
 
+#include "app/pages/display_unit.hpp"
+
 namespace isopatch::app {
+
+/// The unit in which a quantity whose largest value is `largest` reads well.
+/// @param unit  m, Pa, J, N and the like
+DisplayUnit display_unit(double largest, std::string_view unit);
+/// mm for machine parts, m for what is larger than ten metres.
+DisplayUnit model_length_unit(double model_size);
 
 /// A value with the prefix that keeps it readable, four digits: "6.838 mm", "674.1 MPa", "68.60 J".
 /// @param unit  m, Pa, J, N or g and the like; powers of m ("m^2", "m^3") get prefixes of the length

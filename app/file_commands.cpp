@@ -5,6 +5,7 @@
 #include "app/engineering_units.hpp"
 #include "app/internal/json_values.hpp"
 #include "app/output_directory.hpp"
+#include "app/report_page.hpp"
 #include "app/stored_results.hpp"
 #include "app/units.hpp"
 #include "app/write_results.hpp"
@@ -28,9 +29,8 @@ geometry::MultiPatch load(const InfoCommand& command) {
   const auto extension = command.input.extension();
   if (extension == ".toml") return load_model(read_study(command.input, command.overrides).model);
   if (extension == ".h5") {
-    geometry::PatchSet set;
-    set.patches = iga::read_result(command.input).field.patches;
-    return geometry::connect(std::move(set));
+    const iga::StoredResult result = iga::read_result(command.input);
+    return stored_model(result.field.patches, result.summary).model;
   }
   ModelInput input;
   input.file = command.input;
@@ -95,7 +95,7 @@ ExitCode info_command(const InfoCommand& command, const Console& console) {
   console.out << heading(command) << model_text(model, seen, command.all);
   for (const auto& face : model.degenerate_faces())
     console.out << "collapsed face " << model.label(face) << "\n";
-  for (const std::string& warning : certificate_warnings(model, seen)) console.warn(warning);
+  for (const Warning& warning : certificate_warnings(model, seen)) console.warn(warning.text);
   return ExitCode::ok;
 }
 
@@ -122,6 +122,20 @@ ExitCode fields_command(const FieldsCommand& command, const Console& console) {
   if (!console.quiet)
     console.out << fmt::format("{} files in {}; open results.vtm in ParaView\n", files,
                                command.output.string());
+  return ExitCode::ok;
+}
+
+ExitCode report_command(const ReportCommand& command, const Console& console) {
+  const auto path = command.output.value_or(command.results.parent_path() / "report.html");
+  check_writable(path.parent_path().empty() ? "." : path.parent_path());
+  ProgressDisplay display(console);
+  const auto progress = display.progress();
+  progress("reading the results", 0);
+  const iga::StoredResult result = iga::read_result(command.results);
+  progress("making the report", 0);
+  write_file(path, report_html(result.field, result.study, result.summary));
+  display.clear();
+  if (!console.quiet) console.out << fmt::format("{} written; open it in a browser\n", path.string());
   return ExitCode::ok;
 }
 

@@ -60,8 +60,8 @@ ModelReport report(const MultiPatch& model, const Progress& progress) {
   return result;
 }
 
-std::vector<std::string> certificate_warnings(const MultiPatch& model, const ModelReport& report) {
-  std::vector<std::string> warnings;
+std::vector<Warning> certificate_warnings(const MultiPatch& model, const ModelReport& report) {
+  std::vector<Warning> warnings;
   for (std::size_t i = 0; i < report.patches.size(); ++i) {
     const auto& certificate = report.patches[i].certificate;
     if (certificate.accepted()) continue;
@@ -70,19 +70,20 @@ std::vector<std::string> certificate_warnings(const MultiPatch& model, const Mod
     const std::string place =
         fmt::format("at parameter ({:.4g}, {:.4g}, {:.4g}), {}", parameter[0], parameter[1], parameter[2],
                     place_with_unit(certificate.place, model.size()));
-    if (certificate.sign == JacobianSign::negative)
-      warnings.push_back(
-          fmt::format("patch {} is folded {}: its Jacobian determinant is {:.3g} m^3 there. {}", i, place,
-                      certificate.smallest,
-                      report.patches[i].quality.min_jacobian > 0
-                          ? "All Gauss points are positive, so the study runs; do not trust stresses near "
-                            "that place"
-                          : "Gauss points are negative too, so no study can run; repair the patch: move its "
-                            "inner control points, or split it"));
-    else
-      warnings.push_back(
-          fmt::format("patch {} could not be certified: its Jacobian determinant comes down to {:.3g} m^3 {}",
-                      i, certificate.smallest, place));
+    std::string text =
+        certificate.sign == JacobianSign::negative
+            ? fmt::format(
+                  "patch {} is folded {}: its Jacobian determinant is {:.3g} m^3 there. {}", i, place,
+                  certificate.smallest,
+                  report.patches[i].quality.min_jacobian > 0
+                      ? "All Gauss points are positive, so the study runs; do not trust stresses near "
+                        "that place"
+                      : "Gauss points are negative too, so no study can run; repair the patch: move its "
+                        "inner control points, or split it")
+            : fmt::format(
+                  "patch {} could not be certified: its Jacobian determinant comes down to {:.3g} m^3 {}", i,
+                  certificate.smallest, place);
+    warnings.push_back({std::move(text), id.value, certificate.place});
   }
   return warnings;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/warning.hpp"
 #include "geometry/base/progress.hpp"
 #include "geometry/jacobian_certificate.hpp"
 #include "geometry/measures.hpp"
@@ -51,6 +52,6 @@ ModelReport report(const geometry::MultiPatch& model, const Progress& progress =
 
 /// One warning for every patch whose certificate was not accepted, naming patch, parameter and place as the
 /// input does.
-std::vector<std::string> certificate_warnings(const geometry::MultiPatch& model, const ModelReport& report);
+std::vector<Warning> certificate_warnings(const geometry::MultiPatch& model, const ModelReport& report);
 
 }  // namespace isopatch::app

@@ -81,6 +81,7 @@ void remove_earlier_results(const fs::path& directory) {
   std::error_code ignored;
   fs::remove(directory / "summary.json", ignored);
   fs::remove(directory / "results.h5", ignored);
+  fs::remove(directory / "report.html", ignored);
   remove_earlier_fields(directory);
 }
 

@@ -213,7 +213,7 @@ void read_options(const StudyKeys& top, Study& study) {
   const Section output = section(top.output, "output", study.source);
   const auto files = read_table<OutputKeys>(output.table, output.place, "[output]", output_keys());
   study.output = {resolved(files.directory, output.place, study.source), files.fields, files.precision,
-                  files.hdf5};
+                  files.hdf5, files.report};
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ A study is one file (TOML): where the patches come from, materials, supports, lo
   isopatch info examples/link/study.toml             look at the model first: patches, faces, quality
   isopatch compare examples/link/study.toml          solve it with both couplings and compare
   isopatch probe results/results.h5 --point 0.1,0,0  values at a place, without solving again
+  isopatch report results/results.h5                 the page about stored results: pictures, figures
   isopatch keys                                      all keys of the study file)";
 
 constexpr const char* exit_codes =
@@ -39,7 +40,8 @@ constexpr const char* run_examples = R"(Examples:
   isopatch run study.toml --set load.0.traction='["20 MPa", 0, 0]' --set coupling.method=lagrange
   mpiexec -n 4 isopatch run study.toml               the same figures from four processes
   isopatch run study.toml --quiet && jq .results.internal_energy results/summary.json
-Writes summary.json, results.vtm with fields/ (ParaView) and results.h5 (isopatch probe, fields, info).
+Writes report.html (open it in a browser), summary.json, results.vtm with fields/ (ParaView) and
+results.h5 (isopatch report, probe, fields, info).
 Files appear whole or not at all, and only after everything has been computed.)";
 
 constexpr const char* compare_examples = R"(Examples:
@@ -62,6 +64,11 @@ constexpr const char* probe_examples = R"(Examples:
 
 constexpr const char* fields_examples = R"(Examples:
   isopatch fields results/results.h5 --output paraview)";
+
+constexpr const char* report_examples = R"(Examples:
+  isopatch report results/results.h5                 writes results/report.html
+  isopatch report results/results.h5 -o link.html
+The page needs no network and no other file; isopatch run writes it too.)";
 
 constexpr const char* convert_examples = R"(Examples:
   isopatch convert model.g2 --output model.xml
@@ -92,9 +99,11 @@ struct CommandLine {
   InfoCommand info;
   ProbeCommand probe;
   FieldsCommand fields;
+  ReportCommand report;
   ConvertCommand convert;
   std::string topic;
-  std::string output;
+  std::string output;  ///< of run and compare
+  std::string report_output;
   bool quiet = false;
   int threads = 0;
   std::function<ExitCode(const Console&)> action;
@@ -162,6 +171,15 @@ void add_file_commands(CLI::App& app, CommandLine& line) {
   fields->add_option("-o,--output", line.fields.output, "Directory for results.vtm and fields/")
       ->required()
       ->type_name("DIR");
+
+  CLI::App* report = add_command(app, line, "report", "Writes the page about stored results", report_examples,
+                                 [&line](const Console& console) {
+                                   if (!line.report_output.empty()) line.report.output = line.report_output;
+                                   return report_command(line.report, console);
+                                 });
+  report->add_option("results", line.report.results, "A results.h5")->required();
+  report->add_option("-o,--output", line.report_output, "The page (default: report.html beside the results)")
+      ->type_name("FILE");
 
   CLI::App* convert =
       add_command(app, line, "convert", "Writes patches as G+Smo XML", convert_examples,

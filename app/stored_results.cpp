@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/engineering_units.hpp"
-#include "app/internal/json_values.hpp"
+#include "app/stored_model.hpp"
 #include "app/units.hpp"
 #include "geometry/base/error.hpp"
 #include "geometry/measures.hpp"
@@ -11,19 +11,10 @@
 namespace isopatch::app {
 namespace {
 
-/// Whether the patch was turned around when the model was read; the summary stored with the results says so.
-bool was_left_handed(const iga::StoredResult& result, int patch) {
-  const Json summary = Json::parse(result.summary, nullptr, false);
-  const auto pointer = Json::json_pointer("/model/left_handed_patches");
-  if (summary.is_discarded() || !summary.contains(pointer)) return false;
-  for (const Json& index : summary[pointer])
-    if (index == patch) return true;
-  return false;
-}
-
 geometry::Parameter<3> renamed(const iga::StoredResult& result, int patch, geometry::Parameter<3> parameter) {
   const auto& knots = result.field.patches[static_cast<std::size_t>(patch)].knots(0);
-  if (was_left_handed(result, patch)) parameter[0] = knots.first() + knots.last() - parameter[0];
+  if (left_handed_patches(result.summary, result.field.patches.size())[static_cast<std::size_t>(patch)])
+    parameter[0] = knots.first() + knots.last() - parameter[0];
   return parameter;
 }
 

@@ -79,6 +79,7 @@ struct OutputInput {
   bool fields = true;
   FieldPrecision precision = FieldPrecision::automatic;
   bool hdf5 = true;
+  bool report = true;
 };
 
 /// A study: everything that the file says, in SI units. STUDY.md documents the keys.

@@ -28,7 +28,7 @@ ExitCode run_command(const StudyCommand& command, const Console& console) {
   if (!command.processes.is_first()) return ExitCode::ok;
   const std::vector<std::string> files = write_results(study, run, display.progress());
   display.clear();
-  for (const std::string& warning : run.built.warnings) console.warn(warning);
+  for (const Warning& warning : run.built.warnings) console.warn(warning.text);
   if (!console.quiet)
     console.out << summary_text(study, run)
                 << fmt::format("  results in        {}: {}\n", study.output.directory.string(),
@@ -43,7 +43,7 @@ ExitCode compare_command(const StudyCommand& command, const Console& console) {
   if (!command.processes.is_first()) return comparison.agree() ? ExitCode::ok : ExitCode::failed;
   write_in(study.output.directory, "compare.json", comparison_json(study, comparison));
   display.clear();
-  for (const std::string& warning : comparison.warnings) console.warn(warning);
+  for (const Warning& warning : comparison.warnings) console.warn(warning.text);
   if (!console.quiet)
     console.out << comparison_text(study, comparison)
                 << fmt::format("  written to {}\n", (study.output.directory / "compare.json").string());

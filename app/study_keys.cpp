@@ -238,7 +238,9 @@ const Keys<OutputKeys>& output_keys() {
           })
           .with_default("\"auto\""),
       flag_key<O>("hdf5", &O::hdf5,
-                  "Whether results.h5 is written, for `isopatch probe`, `fields` and `info`."),
+                  "Whether results.h5 is written, for `isopatch report`, `probe`, `fields` and `info`."),
+      flag_key<O>("report", &O::report,
+                  "Whether report.html is written: pictures and figures on one page for any browser."),
   };
   return keys;
 }

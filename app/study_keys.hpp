@@ -68,6 +68,7 @@ struct OutputKeys {
   bool fields = true;
   FieldPrecision precision = FieldPrecision::automatic;
   bool hdf5 = true;
+  bool report = true;
 };
 
 /// The whole file: each section is read with its own keys.

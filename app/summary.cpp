@@ -95,6 +95,7 @@ Json loads_json(const std::vector<CaughtRegion>& loads) {
   for (std::size_t i = 0; i < loads.size(); ++i) {
     result[i]["patches"] = loads[i].patches;
     result[i]["volume"] = loads[i].volume;
+    result[i]["total"] = to_json(loads[i].total);
   }
   return result;
 }
@@ -232,7 +233,8 @@ std::string summary_json(const Study& study, const StudyRun& run) {
       {"solver", solver_json(run.solution.solver, run.solution.predicted_bytes)},
       {"results", results_json(run)},
       {"probes", probes_json(run)},
-      {"warnings", run.built.warnings},
+      {"warnings", texts_json(run.built.warnings)},
+      {"warning_places", places_json(run.built.warnings)},
       {"timings", timings_json(run)},
       {"parallel", {{"processes", study.options.processes.count()}, {"threads", omp_get_max_threads()}}},
       {"memory", {{"peak_bytes", peak_memory_bytes() + run.bytes_elsewhere}}}};

@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "app/output_directory.hpp"
+#include "app/report_page.hpp"
 #include "app/summary.hpp"
 #include "geometry/io/vtk_bezier.hpp"
 #include "iga/bezier_output.hpp"
@@ -59,6 +60,11 @@ std::vector<std::string> write_results(const Study& study, StudyRun& run, const 
       iga::write_hdf5(run.solution.field, run.solution.multipliers, study.text, summary, sink);
     });
     written.emplace_back("results.h5");
+  }
+  if (study.output.report) {
+    progress("writing report.html", 0);
+    write_in(directory, "report.html", report_html(run.solution.field, study.text, summary));
+    written.emplace_back("report.html");
   }
   write_in(directory, "summary.json", summary);
   written.emplace_back("summary.json");

@@ -21,6 +21,8 @@ TEST_F(Program, SaysWhatEverySupportAndLoadCaught) {
   EXPECT_EQ(summary["loads"][1]["kind"], "gravity");
   EXPECT_THAT(summary["loads"][1]["patches"], testing::ElementsAre(1));
   EXPECT_NEAR(summary["loads"][1]["volume"], 1, 1e-13);
+  EXPECT_NEAR(summary["loads"][0]["total"][0], 10, 1e-12);
+  EXPECT_NEAR(summary["loads"][1]["total"][2], -2, 1e-12);
   EXPECT_THAT(out_, HasSubstr("  support           support 1 (guides): roller on 5 faces, 5 m^2\n"));
   EXPECT_THAT(out_, HasSubstr("  load              load 1: traction on 1 face, 1 m^2\n"));
   EXPECT_THAT(out_, HasSubstr("  load              load 2 (weight): gravity in 1 patch, 1 m^3\n"));

@@ -35,10 +35,13 @@ TEST_F(Program, ASecondRunReplacesTheFirstWholly) {
   // One patch instead of two: a field file of the first run would be left beside the new ones.
   ASSERT_EQ(run({"run", study(), "-q", "--set", "model.patches=[1,1,1]"}), 0) << err_;
   EXPECT_THAT(files_below(results()),
-              testing::UnorderedElementsAre("summary.json", "results.h5", "results.vtm", "compare.json",
-                                            "notes.txt", "fields/patch_mine.vtu", "fields/patch_000.vtu"));
+              testing::UnorderedElementsAre("summary.json", "results.h5", "results.vtm", "report.html",
+                                            "compare.json", "notes.txt", "fields/patch_mine.vtu",
+                                            "fields/patch_000.vtu"));
   EXPECT_EQ(json::parse(read_file(results() / "summary.json"))["model"]["patches"], 1);
-  ASSERT_EQ(run({"run", study(), "-q", "--set", "output.fields=false", "--set", "output.hdf5=false"}), 0);
+  ASSERT_EQ(run({"run", study(), "-q", "--set", "output.fields=false", "--set", "output.hdf5=false", "--set",
+                 "output.report=false"}),
+            0);
   EXPECT_THAT(files_below(results()), testing::UnorderedElementsAre("summary.json", "compare.json",
                                                                     "notes.txt", "fields/patch_mine.vtu"));
 }

@@ -82,12 +82,12 @@ TEST_F(Program, QuietSaysNothing) {
 
 TEST_F(Program, RunWritesAllFilesOrOnlyThoseAskedFor) {
   ASSERT_EQ(run({"run", study()}), 0);
-  for (const char* file :
-       {"summary.json", "results.h5", "results.vtm", "fields/patch_000.vtu", "fields/patch_001.vtu"})
+  for (const char* file : {"summary.json", "results.h5", "results.vtm", "report.html", "fields/patch_000.vtu",
+                           "fields/patch_001.vtu"})
     EXPECT_TRUE(fs::exists(results() / file)) << file;
   const fs::path other = folder_ / "a/b";
   ASSERT_EQ(run({"run", study(), "-o", other.string(), "--set", "output.fields=false", "--set",
-                 "output.hdf5=false"}),
+                 "output.hdf5=false", "--set", "output.report=false"}),
             0);
   EXPECT_EQ(std::distance(fs::directory_iterator(other), {}), 1);
 }

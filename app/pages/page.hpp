@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/pages/scene.hpp"
+
+namespace isopatch::app {
+
+/// A drawing inside a page.
+struct PagePlot {
+  std::string title;
+  std::string svg;
+};
+
+/// What a page says. Texts in JSON are SI values as the files of that name have them.
+struct Page {
+  std::string kind;     ///< "report", "compare" or "model"
+  std::string program;  ///< "isopatch 0.1.0"
+  std::string title;
+  std::string study;                  ///< text of the study file
+  std::string summary_json = "null";  ///< text of summary.json, or compare.json
+  std::vector<PagePlot> plots;
+  std::optional<Scene> scene;
+};
+
+/// A page as one HTML file that needs nothing else, neither network nor server.
+std::string to_html(const Page& page);
+
+}  // namespace isopatch::app

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "app/pages/page.hpp"
+#include "app/stored_model.hpp"
+
+namespace isopatch::app {
+
+/// The report of a solved study, made of what results.h5 holds.
+///
+/// @param field    the solution
+/// @param model    of its patches; must outlive the page
+/// @param study    text of the study file
+/// @param summary  text of summary.json
+/// @cost  that of sample_part
+Page report_page(const iga::ElasticField& field, const StoredModel& model, const std::string& study,
+                 const std::string& summary);
+
+/// report_page as the text of report.html.
+std::string report_html(const iga::ElasticField& field, const std::string& study, const std::string& summary);
+
+}  // namespace isopatch::app
