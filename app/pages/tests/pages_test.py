@@ -1,0 +1,344 @@
+#!/usr/bin/python3
+"""The pages in a real browser: what they draw, what a click shows, what the controls do.
+
+  pages_test.py [CLASS]      ISOPATCH_PROGRAM in the environment adds the pages of the program itself
+"""
+
+import json
+import math
+import os
+import pathlib
+import random
+import subprocess
+import tempfile
+import unittest
+
+import browser
+import fixture
+
+ROUND_OFF = 2e-6  # of a field's range: the page holds numbers of 32 bits
+
+
+class Pages(unittest.TestCase):
+    """One browser for all tests of a class."""
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory(prefix="isopatch-pages-")
+        cls.folder = pathlib.Path(cls.temporary.name)
+        cls.browser = browser.Browser()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.close()
+        cls.temporary.cleanup()
+
+    def open(self, name):
+        path = self.folder / f"{name}.html"
+        if not path.exists():
+            fixture.write_page(name, self.folder)
+        self.browser.open(path)
+        return path
+
+    def expect_drawn(self):
+        found = self.browser.pixels()
+        self.assertGreater(found["colours"], 50, found)
+        self.assertGreater(found["drawn"], 0.04, found)
+
+    def expect_sound(self):
+        """No message of the browser, nothing loaded from elsewhere, no control without a name."""
+        self.assertEqual(self.browser.messages(), [])
+        self.assertEqual(self.browser.run("return performance.getEntriesByType('resource').map((x) => x.name)"), [])
+        unnamed = self.browser.run("""
+            return [...document.querySelectorAll("input, select, button")].filter((control) => !(
+              control.getAttribute("aria-label") || (control.labels && control.labels.length) ||
+              (control.tagName === "BUTTON" && control.textContent.trim()))).map((control) => control.outerHTML);""")
+        self.assertEqual(unnamed, [])
+
+
+def four_digits(value, unit):
+    """What the program prints: four digits with the prefix that leaves at least 1 before the point."""
+    factor, symbol = next(((f, s) for f, s in [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1, ""), (1e-3, "m"), (1e-6, "u")]
+                           if abs(value) >= f and not (unit == "m" and f >= 1)), (1e-9, "n"))
+    return f"{value / factor:.4g} {symbol}{unit}"
+
+
+class Report(Pages):
+    def setUp(self):
+        self.open("report")
+
+    def test_draws_the_part_without_complaint(self):
+        self.expect_sound()
+        self.expect_drawn()
+
+    def test_slider_deforms_the_part(self):
+        self.browser.run("arguments[0]; isopatch.viewer.change({markers: false})", 0)
+        pictures = []
+        for value in ("0", "20", "0"):
+            self.browser.run("""const slider = document.getElementById("deformation"); slider.value = arguments[0];
+                             slider.dispatchEvent(new Event("input"));""", value)
+            self.browser.settle()
+            pictures.append(self.browser.picture())
+            self.assertIn(f"\u00d7 {value}", self.browser.run("return document.querySelector('.caption').textContent"))
+        self.assertNotEqual(pictures[0], pictures[1])
+        self.assertEqual(pictures[0], pictures[2])
+
+    def expect_tip(self):
+        tip = fixture.ring_report()["summary"]["probes"][0]
+        found = self.browser.values()
+        self.assertEqual(found["title"], "tip")
+        self.assertIn("exact", found["how"])
+        self.assertEqual(found["rows"]["von Mises stress"], four_digits(tip["von_mises"], "Pa"))
+        self.assertEqual(found["rows"]["its length"], four_digits(math.hypot(*tip["displacement"]), "m"))
+        self.assertEqual(found["rows"]["displacement"], "(12.35, -246.9, 59.99) um")
+        self.assertEqual(found["rows"]["place"], "(0, 60, 5) mm")
+
+    def test_click_on_a_marker_shows_the_figures_of_the_summary(self):
+        x, y = self.browser.run("""
+            const {project, places, state} = isopatch.viewer; const tip = places[0];
+            return project(tip.point.map((x, c) => x + state.scale * tip.displacement[c]));""")
+        self.browser.click(x + 3, y - 2)
+        self.expect_tip()
+
+    def test_button_of_a_marker_shows_the_same(self):
+        self.browser.run("[...document.querySelectorAll('button.place')].find((b) => b.textContent === 'tip').click()")
+        self.expect_tip()
+
+    def test_click_on_the_part_shows_the_field_there(self):
+        """The field is linear in the place, so interpolation between points is exact wherever a click falls."""
+        self.browser.change(markers=False)
+        for scale, axis in ((0, -1), (10, -1), (5, 0), (5, 2)):
+            self.browser.change(scale=scale, axis=axis, at=0.37)
+            hits = self.browser.run("""
+                const {canvas, pickAt} = isopatch.viewer; const hits = [];
+                for (let i = 1; i < 40; ++i) for (let j = 1; j < 40; ++j) {
+                  const hit = pickAt(canvas.clientWidth * i / 40, canvas.clientHeight * j / 40);
+                  if (hit) hits.push([hit.place, hit.fields.displacement, hit.fields.von_mises[0]]);
+                }
+                return hits;""")
+            self.assertGreater(len(hits), 20)
+            for place, displacement, stress in hits:
+                expected, expected_stress = fixture.ring_fields(place)
+                for x, y in zip(displacement, expected):
+                    self.assertAlmostEqual(x, y, delta=ROUND_OFF * 3e-4)
+                self.assertAlmostEqual(stress, expected_stress, delta=ROUND_OFF * 2.2e8)
+                if axis >= 0:
+                    low, high = fixture.ring().data()["box"].values()
+                    self.assertLessEqual(place[axis], low[axis] + 0.37 * (high[axis] - low[axis]) + 1e-8)
+
+    def test_click_says_that_it_interpolates(self):
+        self.browser.change(markers=False, scale=0)
+        x, y = self.browser.run("return isopatch.viewer.project(arguments[0])", fixture.ring_place(0.3, 0.5, 1))
+        self.browser.click(x, y)
+        found = self.browser.values()
+        self.assertIn("interpolated", found["how"])
+        self.assertEqual(found["rows"]["patch"], "0, face 0:back")
+        parameters = [float(p) for p in found["rows"]["parameters"].strip("()").split(",")]
+        for p, expected in zip(parameters, (0.3, 0.5, 1)):
+            self.assertAlmostEqual(p, expected, delta=0.01)
+        _, stress = fixture.ring_fields(fixture.ring_place(0.3, 0.5, 1))
+        self.assertAlmostEqual(float(found["rows"]["von Mises stress"].split()[0]), stress / 1e6, delta=1)
+
+    def test_click_beside_the_part_says_so(self):
+        self.browser.click(5, 300)
+        self.assertIn("missed", self.browser.values()["how"])
+
+    def test_section_of_the_ring_has_its_area(self):
+        """Of the polygon through the sampled points: 24 parts of a quarter turn."""
+        areas = self.browser.run("""
+            const {scene} = isopatch.viewer; const cells = isopatch.makeCells(scene);
+            return [0, 0.1, 0.25, 0.5, 0.99].map((part) => {
+              const section = isopatch.cutCells(scene, cells, 2, part * scene.box.max[2]);
+              const p = isopatch.onSection(scene.points, section, 3); let area = 0;
+              for (let t = 0; t < section.count / 3; ++t) {
+                const [ax, ay, , bx, by, , cx, cy] = p.slice(9 * t);
+                area += Math.abs((bx - ax) * (cy - ay) - (cx - ax) * (by - ay)) / 2;
+              }
+              return area;
+            });""")
+        step = math.pi / 2 / 24
+        for area in areas:
+            self.assertAlmostEqual(area, 24 * math.sin(step) / 2 * (0.06**2 - 0.04**2), delta=1e-5 * 1e-3)
+
+    def test_section_is_cut_and_filled(self):
+        self.browser.change(markers=False, supports=False, loads=False, scale=0)
+        self.browser.run("document.getElementById('view-top').click()")
+        self.browser.settle()
+        whole = self.browser.pixels()["drawn"]
+        self.browser.change(axis=0, at=0.5)
+        self.assertLess(self.browser.pixels()["drawn"], 0.8 * whole)
+        # Seen from the side that is cut away there is a section, and not the hollow inside of the surface.
+        self.browser.run("document.getElementById('view-right').click()")
+        self.browser.settle()
+        hit = self.browser.run("""const {project, pickAt, scene} = isopatch.viewer;
+            return pickAt(...project([0.03, 0.046, 0.005])).place;""")
+        self.assertAlmostEqual(hit[0], 0.03, delta=1e-6)
+
+    def test_range_and_colours(self):
+        self.browser.change(markers=False)
+        pictures = [self.browser.picture()]
+        for script in ("document.getElementById('range-percentile').click()",
+                       "const i = document.getElementById('range-high'); i.value = '150'; i.dispatchEvent(new Event('change'))",
+                       "const s = document.getElementById('bands'); s.value = '8'; s.dispatchEvent(new Event('change'))",
+                       "const s = document.getElementById('quantity'); s.value = 'patch'; s.dispatchEvent(new Event('change'))",
+                       "const s = document.getElementById('quantity'); s.value = 'displacement_z'; s.dispatchEvent(new Event('change'))"):
+            self.browser.run(script)
+            self.browser.settle()
+            pictures.append(self.browser.picture())
+            if "150" in script:
+                self.assertIn("up to 220", self.browser.run("return document.querySelector('.bar-hint').textContent"))
+        self.assertEqual(len(set(pictures)), len(pictures))
+
+    def test_keys_turn_move_and_zoom(self):
+        places = []
+        for key, shift in (("1", 0), ("2", 0), ("3", 0), ("4", 0), ("5", 0), ("6", 0), ("7", 0), ("ArrowLeft", 0),
+                           ("ArrowUp", 0), ("+", 0), ("-", 0), ("ArrowRight", 8), ("0", 0)):
+            self.browser.press(key, shift)
+            orbit = self.browser.run("const s = isopatch.viewer.orbit.state; return [s.azimuth, s.elevation, s.distance, s.target.x]")
+            places.append(tuple(round(x, 6) for x in orbit))
+        for before, after, key in zip(places, places[1:], "234567<^+->0"):
+            self.assertNotEqual(before, after, key)
+
+    def test_nothing_is_drawn_while_nothing_changes(self):
+        count = "return isopatch.viewer.pictures"
+        before = self.browser.run(count)
+        for _ in range(5):
+            self.browser.settle()
+        self.assertEqual(self.browser.run(count), before)
+        self.browser.change(scale=3)
+        self.assertEqual(self.browser.run(count), before + 1)
+
+    def test_dark_and_light(self):
+        self.browser.settle()
+        first = self.browser.pixels()["first"]
+        self.browser.run("document.getElementById('theme').click()")
+        self.browser.settle()
+        second = self.browser.pixels()["first"]
+        self.assertGreater(abs(sum(first) - sum(second)), 200)
+
+    def test_warnings_lead_to_their_place(self):
+        self.browser.run("document.querySelector('.warnings button').click()")
+        found = self.browser.values()
+        self.assertEqual((found["title"], found["how"]),
+                         ("warning 1", "patch 1: the sign of its Jacobian could not be certified"))
+        self.assertEqual(self.browser.run("return document.querySelectorAll('.warnings li').length"), 2)
+
+    def test_tables_show_the_summary(self):
+        text = self.browser.run("return document.body.innerText")
+        for expected in ("quarter ring <of two patches>", "275.4 um at (0, 60, 10) mm", "12.35 mJ",
+                         "(0, 200, -50) N", "cg with 3 multigrid levels, matrix-free", "0.80 s", 'faces = ["0:west"]'):
+            self.assertIn(expected, text)
+
+    def test_numbers_are_printed_as_by_printf(self):
+        generator = random.Random(7)
+        values = [0.0, 1.0, 0.5, -1234.5, 1235.5, 999.95, 9999.5, 0.00012345, 99999.0, 1e22, 5e-324, 0.1, 123456.5]
+        values += [generator.uniform(-1, 1) * 10.0 ** generator.randint(-12, 12) for _ in range(2000)]
+        found = self.browser.run("return arguments[0].map((x) => [isopatch.general(x, 4), isopatch.general(x, 6)])", values)
+        self.assertEqual(found, [[f"{x:.4g}", f"{x:.6g}"] for x in values])
+
+
+class OtherPages(Pages):
+    def test_compare_draws_the_tractions_on_the_interface(self):
+        self.open("compare")
+        self.expect_sound()
+        self.expect_drawn()
+        self.browser.change(markers=False, scale=0)
+        self.browser.run("document.getElementById('view-left').click()")
+        hit = self.browser.run("""const {project, pickAt} = isopatch.viewer;
+            const hit = pickAt(...project(arguments[0])); return hit && hit.fields.traction""",
+                               fixture.ring_place(0.5, 0.5, 0.5))
+        # Half the width lies between the points j = 4 of 0 to 8 in the other direction.
+        for found, expected in zip(hit, (3e7 * 5 / 9, -2e7, 5e6 * 2)):
+            self.assertAlmostEqual(found, expected, delta=3e5)
+        self.assertIn("agree", self.browser.run("return document.getElementById('verdict').textContent"))
+        self.assertIn("3,225", self.browser.run("return document.body.innerText"))
+
+    def test_model_without_a_solution(self):
+        self.open("model")
+        self.expect_sound()
+        self.expect_drawn()
+        self.assertIsNone(self.browser.run("return document.getElementById('deformation')"))
+        self.assertIn("Scaled Jacobian", self.browser.run("return document.querySelector('.bar-title').textContent"))
+
+    def test_pages_fit_a_phone(self):
+        self.addCleanup(self.browser.resize, 1280, 800)
+        self.browser.resize(390, 844, is_phone=True)
+        for name in ("report", "compare", "model"):
+            self.open(name)
+            width = self.browser.run("return document.documentElement.scrollWidth")
+            self.assertLessEqual(width, 390, name)
+            self.expect_drawn()
+
+    def test_without_webgl_the_rest_is_there(self):
+        script = self.browser.driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {
+            "source": "HTMLCanvasElement.prototype.getContext = () => null;"})
+        self.addCleanup(self.browser.driver.execute_cdp_cmd, "Page.removeScriptToEvaluateOnNewDocument", script)
+        self.open("report")
+        text = self.browser.run("return document.body.innerText")
+        self.assertIn("WebGL", text)
+        self.assertIn("12.35 mJ", text)
+        self.assertEqual(self.browser.messages(), [])
+
+    def test_values_that_are_absent_are_grey(self):
+        self.open("compare")
+        self.browser.change(markers=False, surface="solid", interfaces=False, patchEdges=False)
+        grey = self.browser.run("""
+            const {canvas} = isopatch.viewer; const gl = canvas.getContext("webgl2"); const p = new Uint8Array(4);
+            gl.readPixels(canvas.width / 2, canvas.height / 2, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, p); return [...p];""")
+        self.assertEqual(len(set(grey[:3])), 1, grey)
+
+    def test_three_hundred_patches(self):
+        """A page of a quarter of a million points stays within its size and answers."""
+        path = self.open("grid")
+        self.assertLess(path.stat().st_size, 15e6)
+        self.expect_sound()
+        self.expect_drawn()
+        milliseconds = self.browser.run("""
+            const {scene} = isopatch.viewer; const cells = isopatch.makeCells(scene); const start = performance.now();
+            isopatch.cutCells(scene, cells, 0, 0.45); return performance.now() - start;""")
+        self.assertLess(milliseconds, 500)
+        hit = self.browser.run("const {canvas, pickAt} = isopatch.viewer; return pickAt(canvas.clientWidth / 2, canvas.clientHeight / 2).place")
+        self.assertEqual(len(hit), 3)
+
+
+@unittest.skipUnless(os.environ.get("ISOPATCH_PROGRAM"), "ISOPATCH_PROGRAM is not set")
+class Program(Pages):
+    """The pages of the program itself: the link's, by the run and by the comparison."""
+
+    def page(self, command, name):
+        source = pathlib.Path(os.environ.get("ISOPATCH_SOURCE_DIR", pathlib.Path(__file__).parents[3]))
+        output = self.folder / command
+        run = subprocess.run([os.environ["ISOPATCH_PROGRAM"], command, source / "examples/link/study.toml", "--output", output],
+                             text=True, capture_output=True, stdin=subprocess.DEVNULL, timeout=60)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        if not (output / name).exists():
+            self.skipTest(f"this program writes no {name}")
+        self.browser.open(output / name)
+        self.expect_sound()
+        self.expect_drawn()
+        return output
+
+    def test_report(self):
+        output = self.page("run", "report.html")
+        summary = json.loads((output / "summary.json").read_text())
+        probe = summary["probes"][0]
+        self.browser.run("[...document.querySelectorAll('button.place')].find((b) => b.textContent === arguments[0]).click()",
+                         probe["name"])
+        rows = self.browser.values()["rows"]
+        self.assertEqual(rows["von Mises stress"], four_digits(probe["von_mises"], "Pa"))
+        # Beside the marker the samples show nearly the same.
+        x, y = self.browser.run("""const {project, places, change} = isopatch.viewer; change({markers: false, scale: 0});
+            return project(places.find((place) => place.name === arguments[0]).point);""", probe["name"])
+        self.browser.click(x, y)
+        hit = self.browser.run("""const hit = isopatch.viewer.pickAt(...arguments[0]);
+            return hit && [hit.place, hit.fields.displacement]""", [x, y])
+        if hit and math.dist(hit[0], probe["point"]) < 1e-3:
+            self.assertLess(math.dist(hit[1], probe["displacement"]), 0.05 * math.hypot(*probe["displacement"]))
+
+    def test_compare(self):
+        self.page("compare", "compare.html")
+        self.assertIn("agree", self.browser.run("return document.getElementById('verdict').textContent"))
+
+
+if __name__ == "__main__":
+    browser.skip_if_absent()
+    unittest.main()

@@ -1,0 +1,158 @@
+// The camera on a sphere about a target: mouse, touch (one finger turns, two move and zoom) and keys.
+globalThis.isopatch = globalThis.isopatch || {};
+(function (isopatch) {
+  "use strict";
+
+  const degrees = Math.PI / 180;
+  // Azimuth and elevation of the camera.
+  isopatch.namedViews = {
+    front: [-90, 0], back: [90, 0], left: [180, 0], right: [0, 0], top: [-90, 90], bottom: [-90, -90],
+    isometric: [-60, 30]};
+
+  function frame(state) {
+    const [ca, sa] = [Math.cos(state.azimuth), Math.sin(state.azimuth)];
+    const [ce, se] = [Math.cos(state.elevation), Math.sin(state.elevation)];
+    return {out: new THREE.Vector3(ce * ca, ce * sa, se), up: new THREE.Vector3(-se * ca, -se * sa, ce),
+            right: new THREE.Vector3(-sa, ca, 0)};
+  }
+
+  // Distance from which all corners of the box about `target` are seen.
+  function fittingDistance(corners, target, state, tangents) {
+    const {out, up, right} = frame(state);
+    let distance = 0;
+    for (const corner of corners) {
+      const from = corner.clone().sub(target);
+      const depth = from.dot(out);
+      distance = Math.max(distance, depth + Math.abs(from.dot(right)) / tangents[0],
+                          depth + Math.abs(from.dot(up)) / tangents[1]);
+    }
+    return distance;
+  }
+
+  function boxCorners(box, margin) {
+    const corners = [];
+    for (let i = 0; i < 8; ++i)
+      corners.push(new THREE.Vector3(...[0, 1, 2].map((c) => (
+        (i >> c) & 1 ? box.max[c] + margin : box.min[c] - margin))));
+    return corners;
+  }
+
+  // handlers: changed() after every movement, clicked(x, y) in pixels of the canvas.
+  isopatch.makeOrbit = function (canvas, camera, scene, handlers) {
+    const [azimuth, elevation] = isopatch.namedViews.isometric;
+    const state = {azimuth: azimuth * degrees, elevation: elevation * degrees, distance: 1,
+                   target: new THREE.Vector3(...scene.centre)};
+
+    function place() {
+      const {out, up} = frame(state);
+      camera.position.copy(state.target).addScaledVector(out, state.distance);
+      camera.up.copy(up);
+      camera.lookAt(state.target);
+      camera.near = Math.max(state.distance - 1.5 * scene.size, 0.002 * scene.size);
+      camera.far = state.distance + 1.5 * scene.size;
+      camera.updateProjectionMatrix();
+      camera.updateMatrixWorld();
+      handlers.changed();
+    }
+
+    function turn(dx, dy) {
+      state.azimuth -= dx;
+      state.elevation = Math.max(-Math.PI / 2, Math.min(Math.PI / 2, state.elevation + dy));
+      place();
+    }
+
+    function zoom(factor) {
+      state.distance = Math.max(0.01 * scene.size, Math.min(20 * scene.size, state.distance * factor));
+      place();
+    }
+
+    // By parts of the canvas' height.
+    function pan(dx, dy) {
+      const {up, right} = frame(state);
+      const height = 2 * state.distance * Math.tan((camera.fov / 2) * degrees);
+      state.target.addScaledVector(right, -dx * height).addScaledVector(up, dy * height);
+      place();
+    }
+
+    function fit(margin) {
+      state.target.set(...scene.centre);
+      const vertical = Math.tan((camera.fov / 2) * degrees) * 0.88;
+      state.distance = fittingDistance(boxCorners(scene.box, margin || 0), state.target, state,
+                                       [vertical * camera.aspect, vertical]);
+      place();
+    }
+
+    function look(name, margin) {
+      [state.azimuth, state.elevation] = isopatch.namedViews[name].map((angle) => angle * degrees);
+      fit(margin);
+    }
+
+    const orbit = {state, place, turn, zoom, pan, fit, look};
+    listen(canvas, orbit, handlers);
+    return orbit;
+  };
+
+  function listen(canvas, orbit, handlers) {
+    const pointers = new Map();
+    let travelled = 0;
+    const middle = () => {
+      const all = [...pointers.values()];
+      const sum = all.reduce((a, p) => [a[0] + p.x / all.length, a[1] + p.y / all.length], [0, 0]);
+      const spread = all.length > 1 ? Math.hypot(all[0].x - all[1].x, all[0].y - all[1].y) : 0;
+      return {x: sum[0], y: sum[1], spread};
+    };
+    canvas.addEventListener("pointerdown", (event) => {
+      canvas.setPointerCapture(event.pointerId);
+      if (pointers.size === 0) travelled = 0;
+      pointers.set(event.pointerId, {x: event.clientX, y: event.clientY});
+      if (pointers.size > 1) travelled = Infinity;
+    });
+    canvas.addEventListener("pointermove", (event) => {
+      if (!pointers.has(event.pointerId)) return;
+      const before = middle();
+      pointers.set(event.pointerId, {x: event.clientX, y: event.clientY});
+      const after = middle();
+      const [dx, dy] = [after.x - before.x, after.y - before.y];
+      travelled += Math.hypot(dx, dy);
+      if (travelled < 4) return;
+      const height = canvas.clientHeight;
+      const isPan = pointers.size > 1 || event.shiftKey || (event.buttons & 6) !== 0;
+      if (isPan) orbit.pan(dx / height, dy / height);
+      else orbit.turn((dx / height) * 4, (dy / height) * 4);
+      if (before.spread > 0 && after.spread > 0) orbit.zoom(before.spread / after.spread);
+    });
+    const lift = (event) => {
+      const isClick = pointers.size === 1 && travelled < 4 && event.type === "pointerup" && event.button === 0;
+      pointers.delete(event.pointerId);
+      if (!isClick) return;
+      const box = canvas.getBoundingClientRect();
+      handlers.clicked(event.clientX - box.left, event.clientY - box.top);
+    };
+    canvas.addEventListener("pointerup", lift);
+    canvas.addEventListener("pointercancel", lift);
+    canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+    canvas.addEventListener("wheel", (event) => {
+      event.preventDefault();
+      const lines = event.deltaMode === 1 ? 16 : 1;
+      orbit.zoom(Math.exp(Math.max(-200, Math.min(200, event.deltaY * lines)) * 0.0015));
+    }, {passive: false});
+    canvas.addEventListener("keydown", (event) => {
+      if (event.ctrlKey || event.altKey || event.metaKey || !pressed(orbit, event)) return;
+      event.preventDefault();
+    });
+  }
+
+  // Arrows turn, with shift they move; + and - zoom; 1 to 7 are the named views, 0 fits the part into the picture.
+  function pressed(orbit, event) {
+    const arrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]};
+    const arrow = arrows[event.key];
+    if (arrow && event.shiftKey) orbit.pan(arrow[0] * 0.05, arrow[1] * 0.05);
+    else if (arrow) orbit.turn(arrow[0] * 10 * degrees, arrow[1] * 10 * degrees);
+    else if (event.key === "+" || event.key === "=") orbit.zoom(0.85);
+    else if (event.key === "-") orbit.zoom(1 / 0.85);
+    else if (event.key === "0") orbit.fit();
+    else if (/^[1-7]$/.test(event.key)) orbit.look(Object.keys(isopatch.namedViews)[Number(event.key) - 1]);
+    else return false;
+    return true;
+  }
+})(globalThis.isopatch);

@@ -1,0 +1,122 @@
+// The page of one run, and of a model that was not solved: the part, the figures, warnings, supports and loads, solver.
+globalThis.isopatch = globalThis.isopatch || {};
+(function (isopatch) {
+  "use strict";
+
+  const element = (...all) => isopatch.element(...all);
+  const size = (scene) => (scene ? scene.size : 1);
+  const counts = (n) => isopatch.withSeparators(n);
+
+  function at(scene, point) {
+    return point ? [" at ", element("span", {class: "nowrap"}, isopatch.placeWithUnit(point, size(scene)))] : [];
+  }
+
+  function modelRows(model) {
+    if (!model) return [];
+    const {box} = model;
+    const rows = [["patches", `${counts(model.patches)}, ${counts(model.interfaces)} interfaces, ${counts(model.boundary_faces)} boundary faces`],
+                  ["volume, surface", `${isopatch.withUnit(model.volume, "m^3")}, ${isopatch.withUnit(model.boundary_area, "m^2")}`]];
+    if (box) rows.push(["box of the control points", isopatch.vectorWithUnit(box.max.map((x, i) => x - box.min[i]), "m")]);
+    rows.push(["smallest scaled Jacobian", isopatch.general(model.min_scaled_jacobian, 4)]);
+    return rows;
+  }
+
+  function spaceRows(space, coupling) {
+    if (!space) return [];
+    return [["degree", space.degree.join(" \u00d7 ")], ["elements", counts(space.elements)],
+            ["unknowns", `${counts(space.dofs)} (${counts(space.dofs_free)} free), coupled by ${coupling}`]];
+  }
+
+  function resultRows(summary, scene) {
+    const results = summary.results;
+    if (!results) return [];
+    const scale = results.max_displacement;
+    const rows = [
+      ["largest displacement", [isopatch.withUnit(scale, "m"), at(scene, results.max_displacement_point)]],
+      ["largest von Mises stress", [isopatch.withUnit(results.max_von_mises, "Pa"), at(scene, results.max_von_mises_point),
+                                    ` (${results.max_von_mises_sampled})`]],
+      ["internal energy", isopatch.withUnit(results.internal_energy, "J")]];
+    if (Number.isFinite(results.external_work)) rows.push(["work of the loads", isopatch.withUnit(results.external_work, "J")]);
+    for (const probe of summary.probes || []) {
+      const moved = probe.displacement.map((x) => isopatch.withoutRoundOff(x, scale));
+      const stress = isopatch.withoutRoundOff(probe.von_mises, results.max_von_mises);
+      rows.push([probe.name, [`displacement ${isopatch.vectorWithUnit(moved, "m")}, von Mises ${isopatch.withUnit(stress, "Pa")}`,
+                              at(scene, probe.point)]]);
+    }
+    return rows;
+  }
+
+  function figures(data, scene) {
+    const summary = data.summary || {};
+    const results = resultRows(summary, scene);
+    const model = [...modelRows(summary.model), ...spaceRows(summary.discretization, summary.coupling)];
+    const materials = (summary.materials || []).map((m) => [m.name, isopatch.withUnit(m.young, "Pa"), isopatch.general(m.poisson, 4),
+                                                            isopatch.general(m.density, 4) + " kg/m^3", counts(m.patches.length)]);
+    if (results.length + model.length === 0) return null;
+    return isopatch.section("Figures",
+      results.length ? element("div", {id: "results"}, isopatch.table(null, results)) : null,
+      element("h3", {}, "Model"), isopatch.table(null, model),
+      materials.length ? [element("h3", {}, "Materials"),
+                          isopatch.table(["material", "Young's modulus", "Poisson's ratio", "density", "patches"], materials)] : null);
+  }
+
+  function extent(region) {
+    if (region.faces && region.faces.length)
+      return `${region.faces.length} ${region.faces.length === 1 ? "face" : "faces"}, ${isopatch.withUnit(region.area, "m^2")}`;
+    if (region.patches && region.patches.length)
+      return `${counts(region.patches.length)} patches, ${isopatch.withUnit(region.volume, "m^3")}`;
+    return "";
+  }
+
+  // Forces that are round-off beside the others appear as 0.
+  function forceScale(summary) {
+    const results = summary.results || {};
+    const forces = [results.total_load || [0, 0, 0], ...(results.reactions || []).map((reaction) => reaction.force)];
+    const surface = (results.max_von_mises || 0) * ((summary.model || {}).boundary_area || 0);
+    return Math.max(surface, ...forces.map((force) => Math.hypot(...force)));
+  }
+
+  function regions(data, scene) {
+    const summary = data.summary || {};
+    const scale = forceScale(summary);
+    const force = (vector) => isopatch.vectorWithUnit(vector.map((x) => isopatch.withoutRoundOff(x, scale)), "N");
+    const reactions = (summary.results || {}).reactions || [];
+    const supports = (summary.supports || []).map((support) => {
+      const found = reactions.find((reaction) => reaction.support === support.name);
+      return [support.name, support.kind, extent(support), found ? force(found.force) : ""];
+    });
+    const totals = new Map((scene ? scene.loads : []).map((load) => [load.name, load.total]));
+    const loads = (summary.loads || []).map((load) => (
+      [load.name, load.kind.replace("_", " "), extent(load), totals.get(load.name) ? force(totals.get(load.name)) : ""]));
+    if (supports.length + loads.length === 0) return null;
+    if (summary.results && summary.results.total_load) loads.push(["all loads", "", "", force(summary.results.total_load)]);
+    return isopatch.section("Supports and loads",
+      isopatch.table(["support", "kind", "on", "reaction on the part"], supports),
+      isopatch.table(["load", "kind", "on", "total force"], loads));
+  }
+
+  function solver(data) {
+    const summary = data.summary || {};
+    const found = summary.solver;
+    if (!found) return null;
+    const rows = [["method", found.levels > 0 ? `${found.method} with ${found.levels} multigrid levels, ${found.operator.replace("_", "-")}` : found.method],
+                  ["why", found.reason], ["iterations", counts(found.iterations)],
+                  ["relative residual", isopatch.general(found.relative_residual, 2)]];
+    if (found.energy_error > 0) rows.push(["error in energy norm", isopatch.general(found.energy_error, 2)]);
+    if (found.matrix_nonzeros > 0) rows.push(["non-zeros of the matrix", counts(found.matrix_nonzeros)]);
+    if (found.factor_nonzeros > 0) rows.push(["non-zeros of the factor", counts(found.factor_nonzeros)]);
+    rows.push(["memory of the solver", isopatch.bytesText(found.memory_bytes)]);
+    if (summary.memory) rows.push(["memory of the program", isopatch.bytesText(summary.memory.peak_bytes)]);
+    if (summary.parallel) rows.push(["processes, threads", `${summary.parallel.processes}, ${summary.parallel.threads}`]);
+    return isopatch.section("Solver", element("div", {class: "figures"},
+      element("figure", {class: "wide"}, isopatch.table(null, rows)),
+      isopatch.timeBars("Time", summary.timings), isopatch.plotFigures(data.plots)));
+  }
+
+  isopatch.buildReport = function (main, data, scene, viewer) {
+    const sections = [
+      isopatch.warningsSection(isopatch.warningTexts(data, scene), viewer), figures(data, scene), regions(data, scene),
+      solver(data), isopatch.qualitySection(scene), isopatch.studySection(data)];
+    main.append(...sections.filter(Boolean));
+  };
+})(globalThis.isopatch);

@@ -1,0 +1,58 @@
+// Reads the page's data and builds the page.
+globalThis.isopatch = globalThis.isopatch || {};
+(function (isopatch) {
+  "use strict";
+
+  const builders = {report: "buildReport", model: "buildReport", compare: "buildCompare"};
+  const titles = {report: "Report", model: "Model", compare: "Comparison of the couplings"};
+
+  // Light, dark, or as the system has it.
+  function themeButton(changed) {
+    const isDark = () => {
+      const chosen = document.documentElement.dataset.theme;
+      return chosen ? chosen === "dark" : window.matchMedia("(prefers-color-scheme: dark)").matches;
+    };
+    const button = isopatch.element("button", {type: "button", id: "theme", class: "small", onclick: () => {
+      document.documentElement.dataset.theme = isDark() ? "light" : "dark";
+      follow();
+    }});
+    const follow = () => {
+      button.textContent = isDark() ? "light" : "dark";
+      button.setAttribute("aria-label", "Change to " + button.textContent + " colours");
+      changed();
+    };
+    window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", follow);
+    button.follow = follow;
+    return button;
+  }
+
+  function firstLook(data, scene) {
+    const traction = scene.quantities.find((quantity) => quantity.on === "interfaces");
+    if (data.kind === "compare" && traction) return {quantity: traction.id, interfaces: true, surface: "translucent"};
+    if (data.kind === "report" && "von_mises" in scene.blocks) return {quantity: "von_mises"};
+    return {};
+  }
+
+  isopatch.start = function () {
+    const data = JSON.parse(document.getElementById("isopatch-data").textContent);
+    const main = document.getElementById("page-main");
+    const scene = data.scene ? isopatch.readScene(data.scene) : null;
+    isopatch.viewer = null;
+    const theme = themeButton(() => isopatch.viewer && isopatch.viewer.setBackground());
+    document.getElementById("page-header").append(
+      isopatch.element("div", {}, isopatch.element("h1", {}, data.title), isopatch.element(
+        "p", {}, `${titles[data.kind] || ""} by ${data.program}`)), theme);
+    if (scene) {
+      const stage = isopatch.makeViewerSection(scene, firstLook(data, scene));
+      main.append(stage.root);
+      isopatch.viewer = stage.viewer;
+      const tolerance = isopatch.toleranceText(scene);
+      if (tolerance && stage.viewer) stage.root.querySelector(".stage-main").append(tolerance);
+    }
+    theme.follow();
+    isopatch[builders[data.kind]](main, data, scene, isopatch.viewer);
+    document.body.dataset.ready = "";
+  };
+
+  if (typeof document !== "undefined") document.addEventListener("DOMContentLoaded", isopatch.start);
+})(globalThis.isopatch);
