@@ -66,6 +66,16 @@ struct ConvertCommand {
 /// Writes patches as G+Smo XML.
 ExitCode convert_command(const ConvertCommand& command, const Console& console);
 
+struct VerifyCommand {
+  std::vector<std::string> suites;  ///< empty: all
+  bool full = false;
+  bool list = false;
+  std::filesystem::path output = "results/verification";
+};
+/// Runs the verification suites, writes verify.json and verify.html, prints the table; `failed` if a claim
+/// fails.
+ExitCode verify_command(const VerifyCommand& command, const Console& console);
+
 /// Prints the documentation of the study file.
 ExitCode keys_command(const std::string& topic, const Console& console);
 

@@ -74,6 +74,13 @@ constexpr const char* convert_examples = R"(Examples:
   isopatch convert model.g2 --output model.xml
   isopatch convert part.mesh --output part.xml)";
 
+constexpr const char* verify_examples = R"(Examples:
+  isopatch verify                                    all quick suites
+  isopatch verify closed_forms published             some
+  isopatch verify --level full                       everything; takes long
+Prints one table and writes verify.json and verify.html. Exit code 1 if a claim fails; the study or test
+that shows it alone is named.)";
+
 constexpr const char* keys_examples = R"(Examples:
   isopatch keys                 everything, as Markdown
   isopatch keys support         one section, or the sections with a key of that name)";
@@ -101,8 +108,10 @@ struct CommandLine {
   FieldsCommand fields;
   ReportCommand report;
   ConvertCommand convert;
+  VerifyCommand verify;
   std::string topic;
   std::string output;  ///< of run and compare
+  std::string level = "quick";
   std::string report_output;
   bool quiet = false;
   int threads = 0;
@@ -188,6 +197,20 @@ void add_file_commands(CLI::App& app, CommandLine& line) {
   convert->add_option("-o,--output", line.convert.output, "The new file (.xml)")
       ->required()
       ->type_name("FILE");
+
+  CLI::App* verify = add_command(app, line, "verify", "Checks what isopatch claims against reference results",
+                                 verify_examples, [&line](const Console& console) {
+                                   line.verify.full = line.level == "full";
+                                   return verify_command(line.verify, console);
+                                 });
+  verify->add_option("suites", line.verify.suites, "Names of suites (default: all of the level)");
+  verify->add_option("--level", line.level, "quick takes minutes, full as long as it needs")
+      ->check(CLI::IsMember({"quick", "full"}))
+      ->capture_default_str();
+  verify->add_flag("--list", line.verify.list, "Only the names of the suites");
+  verify->add_option("-o,--output", line.verify.output, "Directory of verify.json and verify.html")
+      ->type_name("DIR")
+      ->capture_default_str();
 
   CLI::App* keys = add_command(app, line, "keys", "Documents the keys of the study file", keys_examples,
                                [&line](const Console& console) { return keys_command(line.topic, console); });

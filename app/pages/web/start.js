@@ -3,8 +3,8 @@ globalThis.isopatch = globalThis.isopatch || {};
 (function (isopatch) {
   "use strict";
 
-  const builders = {report: "buildReport", model: "buildReport", compare: "buildCompare"};
-  const titles = {report: "Report", model: "Model", compare: "Comparison of the couplings"};
+  const builders = {report: "buildReport", model: "buildReport", compare: "buildCompare", verification: "buildVerification"};
+  const titles = {report: "Report", model: "Model", compare: "Comparison of the couplings", verification: "Checked"};
 
   // Light, dark, or as the system has it.
   function themeButton(changed) {

@@ -1,0 +1,98 @@
+#include "app/tests/program_fixture.hpp"
+
+namespace isopatch::app {
+namespace {
+
+/// A stand-in for the suites: a script that lists two suites and writes the record that it is given.
+class Verify : public Program {
+ protected:
+  void SetUp() override {
+    Program::SetUp();
+    ::setenv("ISOPATCH_VERIFICATION", script().c_str(), 1);
+    suites(
+        R"([{"suite": "ClosedForms", "test": "Bar", "what": "u at the end", "unit": "m", "kind": "closed form",
+      "source": "Hooke", "reference": 2.0, "value": 2.0001, "difference": 5e-5, "relative": true, "allowed": 1e-3,
+      "study": {"file": "bar.toml", "set": ["a.b=1"]}, "verdict": "holds"}])");
+  }
+  void TearDown() override {
+    ::unsetenv("ISOPATCH_VERIFICATION");
+    Program::TearDown();
+  }
+  std::string script() const { return (folder_ / "it's a suite").string(); }
+  fs::path output() const { return folder_ / "verified"; }
+  void suites(const std::string& record, const std::string& last = "exit 1") {
+    write_file(folder_ / "record", record);
+    write_file(
+        script(),
+        "#!/bin/sh\nif [ \"$1\" = --gtest_list_tests ]; then\n"
+        "  printf 'ClosedForms.\\n  Bar\\nPublished.\\n  Cook\\nFullPublished.\\n  Le10\\n'; exit 0\nfi\n"
+        "echo \"$2\" > '" +
+            (folder_ / "filter").string() +
+            "'\n"
+            "echo '[ RUN      ] ClosedForms.Bar'\n" +
+            (record.empty() ? "" : "cp '" + (folder_ / "record").string() + "' \"$ISOPATCH_CLAIMS\"\n") +
+            last + "\n");
+    fs::permissions(script(), fs::perms::owner_all);
+  }
+  int verify(std::vector<std::string> more = {}) {
+    more.insert(more.begin(), {"verify", "--output", output().string()});
+    return run(more);
+  }
+};
+
+TEST_F(Verify, PrintsAndWritesWhatHolds) {
+  ASSERT_EQ(verify(), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("closed_forms\n"));
+  EXPECT_THAT(out_, HasSubstr("u at the end (m)"));
+  EXPECT_THAT(out_, HasSubstr("2.0001     5e-05     0.001  closed form, Hooke\n"));
+  EXPECT_THAT(out_, HasSubstr("1 claims hold, 0 fail, 0 not run\n"));
+  const json written = json::parse(read_file(output() / "verify.json"));
+  EXPECT_EQ(written["level"], "quick");
+  EXPECT_EQ(written["hold"], 1);
+  EXPECT_EQ(written["claims"][0]["suite"], "closed_forms");
+  EXPECT_THAT(read_file(output() / "verify.html"), HasSubstr("u at the end"));
+}
+
+TEST_F(Verify, FailsAndNamesTheStudyWhereAClaimFails) {
+  suites(R"([{"suite": "Published", "test": "Cook", "what": "u_y", "reference": 1, "value": 3,
+    "study": {"file": "cook.toml", "set": ["discretization.degree=2"]}, "verdict": "FAILS"},
+    {"suite": "Published", "test": "Le10", "what": "crashed", "verdict": "FAILS"},
+    {"suite": "Published", "test": "Chair", "what": "no such file", "verdict": "not run"}])");
+  EXPECT_EQ(verify(), 1);
+  EXPECT_THAT(out_, HasSubstr("0 claims hold, 2 fail, 1 not run\n"));
+  EXPECT_THAT(out_, HasSubstr("alone: isopatch run cook.toml --set discretization.degree=2\n"));
+  EXPECT_THAT(out_, HasSubstr("alone: isopatch-verification --gtest_filter='*Le10'\n"));
+  EXPECT_THAT(err_, HasSubstr("2 of the claims fail"));
+  EXPECT_TRUE(fs::exists(output() / "verify.json"));
+}
+
+TEST_F(Verify, ChoosesSuitesByNameAndLevel) {
+  ASSERT_EQ(verify(), 0);
+  EXPECT_EQ(read_file(folder_ / "filter"), "--gtest_filter=ClosedForms.*:Published.*\n");
+  ASSERT_EQ(verify({"published", "--level", "full"}), 0);
+  EXPECT_EQ(read_file(folder_ / "filter"), "--gtest_filter=Published.*:FullPublished.*\n");
+  ASSERT_EQ(run({"verify", "--list"}), 0);
+  EXPECT_EQ(out_, "closed_forms\npublished\n");
+  EXPECT_EQ(verify({"closed_from"}), 2);
+  EXPECT_THAT(err_, HasSubstr("did you mean 'closed_forms'?"));
+  EXPECT_EQ(verify({"--level", "some"}), 2);
+}
+
+TEST_F(Verify, SaysInWhichTestTheSuitesBroke) {
+  suites("", "kill -SEGV $$");
+  EXPECT_EQ(verify(), 3);
+  EXPECT_THAT(err_, HasSubstr("signal 11 without a record, in ClosedForms.Bar"));
+  EXPECT_FALSE(fs::exists(output() / "verify.json"));
+}
+
+TEST_F(Verify, IsNotContentWithNothing) {
+  suites("[]", "exit 0");
+  EXPECT_EQ(verify(), 1);
+  EXPECT_THAT(err_, HasSubstr("no claim was checked"));
+  ::setenv("ISOPATCH_VERIFICATION", "/proc/none", 1);
+  EXPECT_EQ(verify(), 3);
+  EXPECT_THAT(err_, HasSubstr("/proc/none"));
+}
+
+}  // namespace
+}  // namespace isopatch::app

@@ -1,0 +1,33 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "app/commands.hpp"
+#include "app/output_directory.hpp"
+#include "app/verification_report.hpp"
+
+namespace isopatch::app {
+
+ExitCode verify_command(const VerifyCommand& command, const Console& console) {
+  const auto level = command.full ? VerificationLevel::full : VerificationLevel::quick;
+  const std::filesystem::path program = verification_program();
+  if (command.list) {
+    console.out << fmt::format("{}\n", fmt::join(verification_suites(program, level), "\n"));
+    return ExitCode::ok;
+  }
+  check_writable(command.output);
+  ProgressDisplay display(console);
+  const std::string claims = run_verification(program, command.suites, level, display.progress());
+  display.clear();
+  const std::string json = verification_json(claims, level);
+  write_in(command.output, "verify.json", json);
+  write_in(command.output, "verify.html", to_html(verification_page(json)));
+  if (!console.quiet)
+    console.out << verification_text(claims)
+                << fmt::format("written to {0}/verify.json and {0}/verify.html\n", command.output.string());
+  const VerificationCounts counts = count_claims(claims);
+  if (counts.fail == 0 && counts.hold > 0) return ExitCode::ok;
+  console.fail(counts.fail > 0 ? fmt::format("{} of the claims fail", counts.fail) : "no claim was checked");
+  return ExitCode::failed;
+}
+
+}  // namespace isopatch::app

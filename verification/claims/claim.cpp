@@ -1,0 +1,69 @@
+#include "verification/claims/claim.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "verification/claims/claim_record.hpp"
+
+namespace isopatch::verification {
+namespace {
+
+std::vector<double> orders(const Convergence& c) {
+  std::vector<double> result;
+  for (std::size_t i = 1; i < c.errors.size(); ++i)
+    result.push_back(std::log(c.errors[i - 1] / c.errors[i]) / std::log(c.sizes[i - 1] / c.sizes[i]));
+  return result;
+}
+
+// What a claim of an order must have to mean anything; empty if it has.
+std::string objection(const Convergence& c) {
+  if (c.sizes.size() < 4 || c.sizes.size() != c.errors.size()) return "needs four levels, with an error each";
+  if (!(c.allowed <= 0.2)) return "allows too much";
+  for (std::size_t i = 0; i < c.errors.size(); ++i) {
+    if (!(c.errors[i] > 1e-11)) return fmt::format("level {} is near round-off: {}", i, c.errors[i]);
+    if (i > 0 && !(c.sizes[i] < c.sizes[i - 1])) return "needs finer and finer levels";
+  }
+  return "";
+}
+
+}  // namespace
+
+double difference(const Claim& claim) {
+  const double absolute = std::abs(claim.value - claim.reference);
+  return claim.reference == 0 ? absolute : absolute / std::abs(claim.reference);
+}
+
+bool is_within(const Claim& claim) {
+  return difference(claim) <= claim.allowed;
+}
+
+double farthest_order(const Convergence& convergence) {
+  double farthest = convergence.order;
+  for (const double order : orders(convergence))
+    if (!(std::abs(order - convergence.order) <= std::abs(farthest - convergence.order))) farthest = order;
+  return farthest;
+}
+
+void expect(const Claim& claim) {
+  record(claim, is_within(claim));
+  EXPECT_TRUE(is_within(claim)) << fmt::format(
+      "{}: {:.10g} {} where {} says {:.10g}: differs by {:.3g}, allowed are {:.3g}", claim.what, claim.value,
+      claim.unit, claim.source, claim.reference, difference(claim), claim.allowed);
+}
+
+void expect(const Convergence& convergence) {
+  const std::string why = objection(convergence);
+  const double order = farthest_order(convergence);
+  const bool holds = why.empty() && std::abs(order - convergence.order) <= convergence.allowed;
+  record(convergence, holds);
+  EXPECT_TRUE(holds) << convergence.what << " "
+                     << (why.empty()
+                             ? fmt::format("has order {:.3g} where {:.3g} is expected, allowed are {:.3g}",
+                                           order, convergence.order, convergence.allowed)
+                             : why);
+}
+
+}  // namespace isopatch::verification

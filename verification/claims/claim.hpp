@@ -1,0 +1,65 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace isopatch::verification {
+
+/// Where a reference value comes from.
+enum class ReferenceKind {
+  closed_form,
+  manufactured,
+  independent_fe,
+  published,
+  seed_figure,
+  other_method,
+  exact
+};
+
+/// A study that shows a claim: a file of the tree and the keys that are set differently, so that a user can
+/// run it alone.
+struct ClaimStudy {
+  std::string file = "";                    ///< from the root of the tree; empty: no study file can say it
+  std::vector<std::string> overrides = {};  ///< "discretization.degree=3"
+};
+
+/// A number that must be what a reference says.
+struct Claim {
+  std::string what;  ///< "u_r at the inner wall, nu = 0.3, p = 3"
+  std::string unit;  ///< "m"; empty for numbers without one
+  ReferenceKind kind = ReferenceKind::closed_form;
+  std::string source;  ///< "Lame", "NAFEMS LE10"
+  double reference = 0;
+  double value = 0;
+  double allowed = 0;  ///< largest difference, relative to the reference unless that is 0
+  ClaimStudy study = {};
+};
+
+/// The difference that counts against `allowed`.
+double difference(const Claim& claim);
+/// NaN is never within.
+bool is_within(const Claim& claim);
+
+/// Errors on finer and finer meshes, whose order is claimed from both sides.
+struct Convergence {
+  std::string what;  ///< "displacement in L2, p = 2, elimination"
+  ReferenceKind kind = ReferenceKind::closed_form;
+  std::string source;
+  std::vector<double> sizes;   ///< of the elements, falling
+  std::vector<double> errors;  ///< relative
+  double order = 0;
+  double allowed = 0.15;  ///< difference of the order between any two levels
+  ClaimStudy study = {};
+};
+
+/// The order measured between two levels that is farthest from the expected one.
+double farthest_order(const Convergence& convergence);
+
+/// Records a claim and fails the running test if it does not hold.
+void expect(const Claim& claim);
+
+/// Records an order of convergence and fails the running test if it does not hold. Needs four levels, and
+/// refuses errors below 1e-11, where round-off decides, and an `allowed` above 0.2.
+void expect(const Convergence& convergence);
+
+}  // namespace isopatch::verification

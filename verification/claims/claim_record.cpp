@@ -1,0 +1,128 @@
+#include "verification/claims/claim_record.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "geometry/base/atomic_file.hpp"
+
+namespace isopatch::verification {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json& all() {
+  static Json claims = Json::array();
+  return claims;
+}
+
+const char* name(ReferenceKind kind) {
+  switch (kind) {
+    case ReferenceKind::closed_form:
+      return "closed form";
+    case ReferenceKind::manufactured:
+      return "manufactured";
+    case ReferenceKind::independent_fe:
+      return "independent FE";
+    case ReferenceKind::published:
+      return "published";
+    case ReferenceKind::seed_figure:
+      return "seed figure";
+    case ReferenceKind::other_method:
+      return "other method";
+    case ReferenceKind::exact:
+      return "exact";
+  }
+  return "";
+}
+
+// Null where JSON has no number.
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json();
+}
+
+Json of_test(const testing::TestInfo& test) {
+  return {{"suite", test.test_suite_name()}, {"test", test.name()}};
+}
+
+Json of_running_test() {
+  const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
+  return test ? of_test(*test) : Json{{"suite", ""}, {"test", ""}};
+}
+
+Json study_json(const ClaimStudy& study) {
+  return study.file.empty() ? Json() : Json{{"file", study.file}, {"set", study.overrides}};
+}
+
+class Writer : public testing::EmptyTestEventListener {
+ public:
+  explicit Writer(std::string path) : path_(std::move(path)) {}
+
+ private:
+  void OnTestStart(const testing::TestInfo&) override { before_ = all().size(); }
+  void OnTestEnd(const testing::TestInfo& test) override {
+    const testing::TestResult& result = *test.result();
+    Json entry = of_test(test);
+    if (result.Skipped()) {
+      entry["what"] = result.total_part_count() > 0 ? result.GetTestPartResult(0).message() : "skipped";
+      entry["verdict"] = "not run";
+      all().push_back(entry);
+    }
+    bool told = false;
+    for (std::size_t i = before_; i < all().size(); ++i) told = told || all()[i]["verdict"] == "FAILS";
+    if (!result.Failed() || told) return;
+    entry["what"] = "the test fails outside its claims";
+    for (int i = 0; i < result.total_part_count(); ++i)
+      if (result.GetTestPartResult(i).failed()) entry["what"] = result.GetTestPartResult(i).message();
+    entry["verdict"] = "FAILS";
+    all().push_back(entry);
+  }
+  void OnTestProgramEnd(const testing::UnitTest&) override { write_file(path_, all().dump(1) + "\n"); }
+
+  std::string path_;
+  std::size_t before_ = 0;
+};
+
+}  // namespace
+
+void record(const Claim& claim, bool holds) {
+  Json entry = of_running_test();
+  entry.update({{"what", claim.what},
+                {"unit", claim.unit},
+                {"kind", name(claim.kind)},
+                {"source", claim.source},
+                {"reference", number(claim.reference)},
+                {"value", number(claim.value)},
+                {"difference", number(difference(claim))},
+                {"relative", claim.reference != 0},
+                {"allowed", claim.allowed},
+                {"study", study_json(claim.study)},
+                {"verdict", holds ? "holds" : "FAILS"}});
+  all().push_back(entry);
+}
+
+void record(const Convergence& c, bool holds) {
+  Json entry = of_running_test();
+  entry.update({{"what", "order of " + c.what},
+                {"unit", ""},
+                {"kind", name(c.kind)},
+                {"source", c.source},
+                {"reference", c.order},
+                {"value", number(farthest_order(c))},
+                {"difference", number(std::abs(farthest_order(c) - c.order))},
+                {"relative", false},
+                {"allowed", c.allowed},
+                {"study", study_json(c.study)},
+                {"convergence", {{"sizes", c.sizes}, {"errors", c.errors}}},
+                {"verdict", holds ? "holds" : "FAILS"}});
+  all().push_back(entry);
+}
+
+void write_record_at_the_end() {
+  if (const char* path = std::getenv("ISOPATCH_CLAIMS"))
+    testing::UnitTest::GetInstance()->listeners().Append(new Writer(path));  // GoogleTest owns it
+}
+
+}  // namespace isopatch::verification
