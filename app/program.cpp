@@ -13,6 +13,7 @@
 #include "app/summary.hpp"
 #include "geometry/base/error.hpp"
 #include "geometry/base/nearest_name.hpp"
+#include "solvers/blas_core.hpp"
 #include "solvers/blas_threads.hpp"
 #include "solvers/process_failure.hpp"
 
@@ -217,10 +218,18 @@ void add_file_commands(CLI::App& app, CommandLine& line) {
   keys->add_option("topic", line.topic, "A section or a key, for example support");
 }
 
+/// The program's, and the core whose kernels the BLAS uses: a wrong one costs factorizations most of their
+/// speed.
+std::string versions() {
+  const std::string core = solvers::blas_core();
+  return fmt::format("isopatch {}\nBLAS: {}", version(),
+                     core.empty() ? "not OpenBLAS" : "OpenBLAS for " + core);
+}
+
 std::unique_ptr<CLI::App> make_parser(CommandLine& line) {
   auto app = std::make_unique<CLI::App>(introduction, "isopatch");
   app->footer(exit_codes);
-  app->set_version_flag("--version", std::string("isopatch ") + std::string(version()));
+  app->set_version_flag("--version", [] { return versions(); });
   app->require_subcommand(1);
   add_study_commands(*app, line);
   add_file_commands(*app, line);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "app/tests/program_fixture.hpp"
+#include "solvers/blas_core.hpp"
 #include "solvers/blas_threads.hpp"
 
 namespace isopatch::app {
@@ -25,6 +26,18 @@ TEST_F(Program, TheBlasHasOneThreadOutsideOfFactorizations) {
   solvers::set_blas_threads(2);
   EXPECT_EQ(run({"run", study(), "-q"}), 0);
   EXPECT_EQ(solvers::blas_threads(), 1);
+}
+
+TEST_F(Program, TheUserChoosesTheCoreOfTheBlas) {
+  if (solvers::blas_core().empty()) GTEST_SKIP() << "the BLAS is not OpenBLAS";
+  // Not the best core of any CPU with AVX2, and one of those that are replaced without the variable.
+  EXPECT_EQ(
+      shell(fmt::format("OPENBLAS_CORETYPE=Nehalem {} --version | grep -qx 'BLAS: OpenBLAS for Nehalem'",
+                        ISOPATCH_PROGRAM)),
+      0);
+  EXPECT_EQ(shell(fmt::format("env -u OPENBLAS_CORETYPE {} --version | grep -qx 'BLAS: OpenBLAS for {}'",
+                              ISOPATCH_PROGRAM, solvers::blas_core())),
+            0);
 }
 
 TEST_F(Program, ASecondRunReplacesTheFirstWholly) {

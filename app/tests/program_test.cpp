@@ -241,6 +241,7 @@ TEST_F(Program, HelpTeachesByExample) {
   }
   ASSERT_EQ(run({"--version"}), 0);
   EXPECT_THAT(out_, StartsWith("isopatch "));
+  EXPECT_THAT(out_, HasSubstr("\nBLAS: "));
   ASSERT_EQ(run({"keys", "where"}), 0);
   EXPECT_THAT(out_, HasSubstr("cylinder"));
 }

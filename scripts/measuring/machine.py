@@ -66,7 +66,7 @@ def commit(root):
 def version(program):
     """"0.1.0" of an isopatch program."""
     said = subprocess.run([str(program), "--version"], capture_output=True, text=True, check=True).stdout
-    return said.split()[-1]
+    return said.split()[1]  # "isopatch 0.1.0", then other lines
 
 
 def provenance(root, program):
