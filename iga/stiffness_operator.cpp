@@ -34,56 +34,81 @@ void check(const std::vector<PatchSpace>& spaces, const std::vector<PatchPart>& 
   }
 }
 
+// What one box gives, added up afterwards: so a box needs nobody's leave to write, and the sums of a node are
+// added in the order of the boxes.
 struct Task {
   int patch;
   SweepBox box;
+  BoxFunctions functions;
+  std::ptrdiff_t start;  // of its functions among those of all boxes
 };
 
-bool overlap(const std::array<std::array<int, 2>, 3>& a, const std::array<std::array<int, 2>, 3>& b) {
-  for (std::size_t d = 0; d < 3; ++d)
-    if (a[d][1] < b[d][0] || b[d][1] < a[d][0]) return false;
-  return true;
-}
+// Functions of a patch with one index in direction 3.
+struct Plane {
+  int patch;
+  int index;
+};
 
-// Boxes of one patch by colour: those of one colour have no function in common.
-std::vector<std::vector<Task>> coloured(int patch, const PatchOperator& kernel,
-                                        const std::vector<SweepBox>& boxes) {
-  std::vector<std::vector<Task>> colours;
-  std::vector<std::vector<std::array<std::array<int, 2>, 3>>> taken;
-  for (const SweepBox& box : boxes) {
-    const auto functions = kernel.functions_of(box);
-    std::size_t colour = 0;
-    while (colour < taken.size() && std::any_of(taken[colour].begin(), taken[colour].end(),
-                                                [&](const auto& other) { return overlap(functions, other); }))
-      ++colour;
-    if (colour == taken.size()) {
-      taken.emplace_back();
-      colours.emplace_back();
-    }
-    taken[colour].push_back(functions);
-    colours[colour].push_back({patch, box});
+// Adds what a box has for one plane of its patch, C numbers a function.
+template <int C>
+void add_plane(const Task& task, int plane, const double* sums, const std::array<int, 3>& sizes, double* to) {
+  const auto& [first, count] = task.functions;
+  const int k = plane - first[2];
+  if (k < 0 || k >= count[2]) return;
+  const std::ptrdiff_t length = static_cast<std::ptrdiff_t>(C) * count[0];
+  const double* from = sums + C * task.start + length * count[1] * k;
+  for (int j = first[1]; j < first[1] + count[1]; ++j, from += length) {
+    double* const line = to + C * (first[0] + static_cast<std::ptrdiff_t>(sizes[0]) *
+                                                  (j + static_cast<std::ptrdiff_t>(sizes[1]) * plane));
+    for (std::ptrdiff_t i = 0; i < length; ++i) line[i] += from[i];
   }
-  return colours;
 }
 
 }  // namespace
 
 struct StiffnessOperator::State {
   std::vector<Material> materials;
+  std::vector<std::array<int, 3>> sizes;  // of the patches
   std::vector<std::int64_t> first_node = {0};
   std::vector<std::unique_ptr<const PatchOperator>> kernels;  // of each patch that has a part
-  std::vector<std::vector<Task>> colours;                     // of one colour: no function in common
+  std::vector<Task> tasks;                                    // patch by patch
+  std::vector<std::size_t> first_task = {0};                  // of each patch
+  std::vector<Plane> planes;                                  // of all patches
+  std::ptrdiff_t functions = 0;                               // of all boxes
 
-  // Runs body(kernel, first node, box, scratch) for all boxes, colour by colour.
-  template <class Body>
-  void for_each_box(Body body) const {
+  void add_tasks(int patch, const std::vector<SweepBox>& boxes) {
+    const auto p = static_cast<std::size_t>(patch);
+    for (const SweepBox& box : boxes) {
+      tasks.push_back({patch, box, kernels[p]->functions_of(box), functions});
+      functions += tasks.back().functions.count();
+    }
+    first_task.push_back(tasks.size());
+    for (int k = 0; k < sizes[p][2]; ++k) planes.push_back({patch, k});
+  }
+
+  // C numbers per node: the sums of what body(kernel, first node, box, C numbers of each of the box's
+  // functions, scratch) adds to zeros.
+  template <int C, class Body>
+  Eigen::Matrix<double, C, Eigen::Dynamic> sum_of_boxes(Body body) const {
     std::vector<PatchOperatorScratch> scratch(static_cast<std::size_t>(omp_get_max_threads()));
-    for (const std::vector<Task>& tasks : colours)
-      parallel_for(static_cast<std::int64_t>(tasks.size()), [&](std::int64_t i, int thread) {
-        const Task& task = tasks[static_cast<std::size_t>(i)];
-        const auto patch = static_cast<std::size_t>(task.patch);
-        body(*kernels[patch], first_node[patch], task.box, scratch[static_cast<std::size_t>(thread)]);
-      });
+    const auto results = std::make_unique_for_overwrite<double[]>(static_cast<std::size_t>(C * functions));
+    parallel_for(static_cast<std::int64_t>(tasks.size()), [&](std::int64_t i, int thread) {
+      const Task& task = tasks[static_cast<std::size_t>(i)];
+      const auto patch = static_cast<std::size_t>(task.patch);
+      double* const own = results.get() + C * task.start;
+      std::fill_n(own, C * task.functions.count(), 0.0);
+      body(*kernels[patch], first_node[patch], task.box, own, scratch[static_cast<std::size_t>(thread)]);
+    });
+    Eigen::Matrix<double, C, Eigen::Dynamic> sums(C, first_node.back());
+    parallel_for(static_cast<std::int64_t>(planes.size()), [&](std::int64_t i, int) {
+      const Plane& plane = planes[static_cast<std::size_t>(i)];
+      const auto patch = static_cast<std::size_t>(plane.patch);
+      const std::int64_t nodes = std::int64_t{sizes[patch][0]} * sizes[patch][1];
+      sums.middleCols(first_node[patch] + nodes * plane.index, nodes).setZero();
+      for (std::size_t t = first_task[patch]; t < first_task[patch + 1]; ++t)
+        add_plane<C>(tasks[t], plane.index, results.get(), sizes[patch], sums.col(first_node[patch]).data());
+    });
+    return sums;
   }
 };
 
@@ -94,7 +119,10 @@ StiffnessOperator::StiffnessOperator(const std::vector<PatchSpace>& spaces, std:
   state->materials = std::move(materials);
   std::vector<std::vector<SweepBox>> boxes(spaces.size());
   state->kernels.resize(spaces.size());
-  for (const PatchSpace& space : spaces) state->first_node.push_back(state->first_node.back() + space.size());
+  for (const PatchSpace& space : spaces) {
+    state->sizes.push_back(space.sizes());
+    state->first_node.push_back(state->first_node.back() + space.size());
+  }
   for (const PatchPart& part : parts) {
     const auto patch = static_cast<std::size_t>(part.patch);
     if (part.first_layer == part.last_layer) continue;
@@ -104,13 +132,7 @@ StiffnessOperator::StiffnessOperator(const std::vector<PatchSpace>& spaces, std:
     const std::vector<SweepBox> more = state->kernels[patch]->boxes(part.first_layer, part.last_layer);
     boxes[patch].insert(boxes[patch].end(), more.begin(), more.end());
   }
-  for (std::size_t p = 0; p < spaces.size(); ++p) {
-    if (!state->kernels[p]) continue;
-    const auto colours = coloured(static_cast<int>(p), *state->kernels[p], boxes[p]);
-    if (colours.size() > state->colours.size()) state->colours.resize(colours.size());
-    for (std::size_t c = 0; c < colours.size(); ++c)
-      state->colours[c].insert(state->colours[c].end(), colours[c].begin(), colours[c].end());
-  }
+  for (std::size_t p = 0; p < spaces.size(); ++p) state->add_tasks(static_cast<int>(p), boxes[p]);
   state_ = std::move(state);
 }
 
@@ -118,20 +140,16 @@ Eigen::Matrix3Xd StiffnessOperator::apply(const Eigen::Matrix3Xd& displacement) 
   if (displacement.cols() != node_count())
     throw Error(ErrorCode::invalid_argument, fmt::format("the displacement has {} nodes, the operator {}",
                                                          displacement.cols(), node_count()));
-  Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, displacement.cols());
-  state_->for_each_box([&](const PatchOperator& kernel, std::int64_t first, const SweepBox& box,
-                           PatchOperatorScratch& scratch) {
-    kernel.add_forces(box, displacement.data() + 3 * first, forces.data() + 3 * first, scratch);
+  return state_->sum_of_boxes<3>([&](const PatchOperator& kernel, std::int64_t first, const SweepBox& box,
+                                     double* forces, PatchOperatorScratch& scratch) {
+    kernel.add_forces(box, displacement.data() + 3 * first, forces, scratch);
   });
-  return forces;
 }
 
 std::vector<Eigen::Matrix3d> StiffnessOperator::diagonal_blocks() const {
-  Eigen::Matrix<double, 6, Eigen::Dynamic> sums(6, node_count());
-  sums.setZero();
-  state_->for_each_box(
-      [&](const PatchOperator& kernel, std::int64_t first, const SweepBox& box,
-          PatchOperatorScratch& scratch) { kernel.add_squares(box, sums.data() + 6 * first, scratch); });
+  const Eigen::Matrix<double, 6, Eigen::Dynamic> sums =
+      state_->sum_of_boxes<6>([](const PatchOperator& kernel, std::int64_t, const SweepBox& box, double* own,
+                                 PatchOperatorScratch& scratch) { kernel.add_squares(box, own, scratch); });
   std::vector<Eigen::Matrix3d> blocks(static_cast<std::size_t>(node_count()));
   for (std::size_t p = 0; p + 1 < state_->first_node.size(); ++p) {
     const Material& material = state_->materials[p];
@@ -155,9 +173,8 @@ std::int64_t StiffnessOperator::bytes() const {
   std::int64_t result = 0;
   for (const auto& kernel : state_->kernels)
     if (kernel) result += kernel->bytes();
-  for (const std::vector<Task>& tasks : state_->colours)
-    result += static_cast<std::int64_t>(tasks.size() * sizeof(Task));
-  return result;
+  return result + static_cast<std::int64_t>(state_->tasks.size() * sizeof(Task) +
+                                            state_->planes.size() * sizeof(Plane));
 }
 
 }  // namespace isopatch::iga

@@ -17,7 +17,7 @@ namespace isopatch::iga {
 /// quadrature to round-off. The result does not depend on the number of threads, to the last bit.
 ///
 /// @source  Sangalli, Tani, arXiv 1712.08565, section 4 (patch-wise products); Kronbichler, Kormann 2012
-/// (colours instead of locks, vectors across quadrature points)
+/// (vectors across quadrature points)
 class StiffnessOperator {
  public:
   /// @param spaces     must outlive the operator; nodes are numbered over all of them, patch after patch
@@ -34,8 +34,8 @@ class StiffnessOperator {
   /// @throws Error fold_over         a Gauss point with det J <= 0, naming patch, parameter and place
   /// @throws Error invalid_argument  another number of nodes
   /// @cost   at degree p about 54 (p + 1)^4 + 172 (p + 1)^3 flops per control point, 1.4 times that if
-  /// rational
-  ///         (9 and 13 kflop per unknown for p = 3); memory is read and written a few times
+  ///         rational (9 and 13 kflop per unknown for p = 3); memory is read and written a few times; the
+  ///         boxes' shares of the result are about two of it, three or more on small patches
   Eigen::Matrix3Xd apply(const Eigen::Matrix3Xd& displacement) const;
 
   /// The 3 x 3 diagonal block of every node, with the same quadrature; 0 for nodes outside the parts.

@@ -12,10 +12,9 @@
 namespace isopatch::iga {
 namespace {
 
-// Number of blocks of at least `smallest` that `count` is cut into: one or an even number, so that every
-// second one can be worked on at the same time.
+// Number of blocks of at least `smallest` that `count` is cut into.
 int block_count(int count, int smallest) {
-  return std::max(1, count / smallest / 2 * 2);
+  return std::max(1, count / smallest);
 }
 
 std::array<int, 2> block(int begin, int end, int index, int blocks) {
@@ -79,15 +78,17 @@ PatchOperator::PatchOperator(int patch, const PatchSpace& space, const Material&
 }
 
 std::vector<SweepBox> PatchOperator::boxes(int first_layer, int last_layer) const {
-  constexpr int bands_worth_cutting = 4;
-  constexpr int enough = 4;
-  const auto smallest = [&](std::size_t d) { return std::max(6, 2 * space_->knots[d].degree()); };
+  constexpr int enough = 16;
+  // Neighbours in directions 2 and 3 expand the lines of p functions twice, neighbours in direction 1 share
+  // nothing but results.
+  const auto smallest = [&](std::size_t d) { return std::max(8, 2 * space_->knots[d].degree()); };
   const int elements2 = static_cast<int>(elements_[1].elements.size());
   const int bands = static_cast<int>(functions_.bands.size());
   const int blocks2 = block_count(elements2, smallest(1));
   const int blocks3 = block_count(last_layer - first_layer, smallest(2));
-  const int blocks1 =
-      blocks2 * blocks3 >= enough ? 1 : std::min(enough, block_count(bands, bands_worth_cutting));
+  const int wanted1 = std::clamp(enough / (blocks2 * blocks3), 1, bands);
+  const int length1 = (bands + wanted1 - 1) / wanted1;  // all blocks about as long, for equal tasks
+  const int blocks1 = (bands + length1 - 1) / length1;
   std::vector<SweepBox> result;
   for (int k = 0; k < blocks3; ++k)
     for (int j = 0; j < blocks2; ++j)
@@ -100,15 +101,17 @@ std::vector<SweepBox> PatchOperator::boxes(int first_layer, int last_layer) cons
   return result;
 }
 
-std::array<std::array<int, 2>, 3> PatchOperator::functions_of(const SweepBox& box) const {
-  std::array<std::array<int, 2>, 3> result;
+BoxFunctions PatchOperator::functions_of(const SweepBox& box) const {
   const LaneBand& low = functions_.bands[static_cast<std::size_t>(box.begin[0])];
   const LaneBand& high = functions_.bands[static_cast<std::size_t>(box.end[0]) - 1];
-  result[0] = {low.first, high.first + high.functions - 1};
-  for (std::size_t d = 1; d < 3; ++d)
-    result[d] = {
-        elements_[d].elements[static_cast<std::size_t>(box.begin[d])].first,
-        elements_[d].elements[static_cast<std::size_t>(box.end[d]) - 1].first + space_->knots[d].degree()};
+  BoxFunctions result{{low.first, 0, 0}, {high.first + high.functions - low.first, 0, 0}};
+  for (std::size_t d = 1; d < 3; ++d) {
+    const auto first = [&](int element) {
+      return elements_[d].elements[static_cast<std::size_t>(element)].first;
+    };
+    result.first[d] = first(box.begin[d]);
+    result.sizes[d] = first(box.end[d] - 1) + space_->knots[d].degree() + 1 - result.first[d];
+  }
   return result;
 }
 

@@ -18,25 +18,32 @@ struct PatchOperatorScratch {
   Sweep functions, geometry, results;
 };
 
+/// The functions of a patch that live in a box, a grid of their own, direction 1 fastest.
+struct BoxFunctions {
+  std::array<int, 3> first;
+  std::array<int, 3> sizes;
+  std::ptrdiff_t count() const { return static_cast<std::ptrdiff_t>(sizes[0]) * sizes[1] * sizes[2]; }
+};
+
 /// The stiffness of one patch as an operator, in boxes of elements.
 class PatchOperator {
  public:
   /// @param points  Gauss points per element of the functions and direction; 0: degree + 1
   PatchOperator(int patch, const PatchSpace& space, const Material& material, int points);
 
-  /// Cuts the elements of a range of layers into boxes whose buffers fit a second-level cache. The cut
-  /// depends on nothing but the patch and the range.
+  /// Cuts the elements of a range of layers into boxes whose buffers fit a second-level cache, and enough of
+  /// them for many threads. The cut depends on nothing but the patch and the range.
   std::vector<SweepBox> boxes(int first_layer, int last_layer) const;
-  /// First and last function of a box in each direction.
-  std::array<std::array<int, 2>, 3> functions_of(const SweepBox& box) const;
+  BoxFunctions functions_of(const SweepBox& box) const;
 
   /// Adds K u of a box.
   /// @param displacement  three numbers per function of the patch
-  /// @param forces        three numbers per function of the patch
+  /// @param forces        three numbers per function of the box
   /// @throws Error fold_over
   void add_forces(const SweepBox& box, const double* displacement, double* forces,
                   PatchOperatorScratch& scratch) const;
-  /// Adds the integrals of grad N grad N^T of each function over a box: entries 00, 11, 22, 01, 02, 12.
+  /// Adds the integrals of grad N grad N^T over a box, six numbers per function of the box: entries 00, 11,
+  /// 22, 01, 02, 12.
   /// @throws Error fold_over
   void add_squares(const SweepBox& box, double* squares, PatchOperatorScratch& scratch) const;
 

@@ -52,9 +52,12 @@ void gather(const LaneBand& band, const Lanes* plane, const double* weights, dou
   }
 }
 
+// Into the numbers of the functions of a box.
 template <int C, int Kinds>
-void gather_all(const std::array<int, 2>& sizes, const LaneBand& band, const Eigen::VectorXd& weights,
-                Sweep& sweep, double* target) {
+void gather_all(const std::array<int, 2>& sizes, const BoxFunctions& box, const LaneBand& band,
+                const Eigen::VectorXd& weights, Sweep& sweep, double* target) {
+  double* const first = target + static_cast<std::ptrdiff_t>(C) * (band.first - box.first[0]);
+  const std::ptrdiff_t line = static_cast<std::ptrdiff_t>(C) * box.sizes[0];
   for (int k = 0; k < sweep.planes(); ++k)
     for (int r = 0; r < sweep.rows(); ++r) {
       const std::ptrdiff_t node =
@@ -62,7 +65,7 @@ void gather_all(const std::array<int, 2>& sizes, const LaneBand& band, const Eig
           static_cast<std::ptrdiff_t>(sizes[0]) *
               (sweep.first_row() + r + static_cast<std::ptrdiff_t>(sizes[1]) * (sweep.first_plane() + k));
       gather<C, Kinds>(band, sweep.plane(r, k), weights.size() > 0 ? weights.data() + node : nullptr,
-                       target + C * node);
+                       first + line * (r + static_cast<std::ptrdiff_t>(box.sizes[1]) * k));
     }
 }
 
@@ -197,8 +200,9 @@ void PatchOperator::add_forces(const SweepBox& box, const double* displacement, 
       break;
   }
   const SweepStages stages = force_stages(space_->is_rational());
+  const BoxFunctions functions = functions_of(box);
   integrate(box, displacement, functions_, stages, evaluate, scratch, [&](const LaneBand& band) {
-    gather_all<3, 2>(functions_.sizes, band, space_->weights, scratch.results, forces);
+    gather_all<3, 2>(functions_.sizes, functions, band, space_->weights, scratch.results, forces);
   });
 }
 
@@ -222,8 +226,9 @@ void PatchOperator::add_squares(const SweepBox& box, double* sums, PatchOperator
       break;
   }
   const SweepStages stages = square_stages(space_->is_rational());
+  const BoxFunctions functions = functions_of(box);
   integrate(box, nullptr, squares_, stages, evaluate, scratch, [&](const LaneBand& band) {
-    gather_all<6, 3>(squares_.sizes, band, space_->weights, scratch.results, sums);
+    gather_all<6, 3>(squares_.sizes, functions, band, space_->weights, scratch.results, sums);
   });
 }
 

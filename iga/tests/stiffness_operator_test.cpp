@@ -13,6 +13,7 @@
 #include "geometry/models/sphere.hpp"
 #include "geometry/quadrature.hpp"
 #include "iga/assembly.hpp"
+#include "iga/internal/patch_operator.hpp"
 #include "iga/tests/small_models.hpp"
 
 namespace isopatch::iga {
@@ -261,6 +262,29 @@ TEST(StiffnessOperator, SumsOverPartsToTheWhole) {
   EXPECT_GT(first.leftCols(nodes).cwiseAbs().maxCoeff(), 0);
   // All elements of layers 0 .. 7 end below the functions of the last layers.
   EXPECT_EQ(first.middleCols(nodes - 5, 5).cwiseAbs().maxCoeff(), 0);
+}
+
+// Small patches too have work for several threads, in boxes of about one size.
+TEST(PatchOperator, CutsEveryPatchIntoEqualBoxes) {
+  for (const auto& [degree, elements] : {std::array{2, 16}, std::array{3, 16}, std::array{4, 12}}) {
+    SCOPED_TRACE(degree);
+    const Discretization d = discretize(
+        geometry::connect(geometry::box_model({})),
+        {.degree = {degree, degree, degree}, .elements_per_direction = {elements, elements, elements}});
+    const std::vector<PatchSpace> spaces = isoparametric_spaces(d);
+    const PatchOperator patch(0, spaces[0], different_materials(1)[0], 0);
+    const std::vector<SweepBox> boxes = patch.boxes(0, elements);
+    int whole = 0, largest = 0;
+    for (const SweepBox& box : boxes) {
+      int size = 1;
+      for (std::size_t k = 0; k < 3; ++k) size *= box.end[k] - box.begin[k];
+      whole += size;
+      largest = std::max(largest, size);
+    }
+    const int bands = (elements * (degree + 1) + lane_count - 1) / lane_count;
+    EXPECT_EQ(whole, bands * elements * elements);
+    EXPECT_GE(whole, 8 * largest);
+  }
 }
 
 TEST(StiffnessOperator, GivesTheSameBitsForAnyNumberOfThreads) {
