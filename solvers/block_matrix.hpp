@@ -15,7 +15,7 @@ namespace isopatch::solvers {
 struct SymmetricBlockMatrix {
   static constexpr int block_size = 3;
   std::vector<std::int64_t> row_start = {0};
-  std::vector<int> columns;
+  ZeroedVector<int> columns;
   ZeroedVector<double> values;  ///< 9 per block, row by row
 
   /// Number of block rows.
