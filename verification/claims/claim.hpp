@@ -45,8 +45,8 @@ struct Convergence {
   std::string what;  ///< "displacement in L2, p = 2, elimination"
   ReferenceKind kind = ReferenceKind::closed_form;
   std::string source;
-  std::vector<double> sizes;   ///< of the elements, falling
-  std::vector<double> errors;  ///< relative
+  std::vector<double> sizes = {};   ///< of the elements, falling
+  std::vector<double> errors = {};  ///< relative
   double order = 0;
   double allowed = 0.15;  ///< difference of the order between any two levels
   ClaimStudy study = {};
