@@ -47,6 +47,12 @@ std::string with_unit(double value, std::string_view unit) {
   return fmt::format("{:.4g} {}{}", value / prefix.factor, prefix.symbol, unit);
 }
 
+UnitPrefix unit_for(double value, std::string_view unit) {
+  if (unit.empty()) return {};
+  const Prefix prefix = suitable(value, unit);
+  return {prefix.factor, fmt::format("{}{}", prefix.symbol, unit)};
+}
+
 std::string place_with_unit(const Eigen::Vector3d& place, double model_size) {
   const bool metres = model_size >= 10;
   const double factor = metres ? 1 : 1e-3;
