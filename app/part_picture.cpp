@@ -1,6 +1,7 @@
 #include "app/part_picture.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/engineering_units.hpp"
 #include "app/pictures/annotations.hpp"
@@ -62,15 +63,16 @@ Colouring colouring(const Surface& surface, const PictureOptions& options) {
   return result;
 }
 
-std::string value_text(double value, PictureField field) {
-  return field == PictureField::jacobian ? fmt::format("{:.3g}", value) : with_unit(value, si_unit(field));
+/// In the unit of the scale, so that all values of a picture compare.
+std::string value_text(double value, const UnitPrefix& unit) {
+  return fmt::format("{:.4g}{}{}", value / unit.factor, unit.symbol.empty() ? "" : " ", unit.symbol);
 }
 
 /// Smallest and largest value, which may lie outside of the colours' range.
-std::vector<std::string> extremes(const Colouring& colours, PictureField field) {
+std::vector<std::string> extremes(const Colouring& colours) {
   std::vector<std::string> texts;
-  texts.push_back("max " + value_text(colours.full.high, field));
-  if (!colours.is_length_of_vector) texts.push_back("min " + value_text(colours.full.low, field));
+  texts.push_back("max " + value_text(colours.full.high, colours.unit));
+  if (!colours.is_length_of_vector) texts.push_back("min " + value_text(colours.full.low, colours.unit));
   return texts;
 }
 
@@ -79,15 +81,15 @@ ColourBar bar_of(const Colouring& colours, const PictureOptions& options) {
   bar.title = {field_name(options)};
   if (!colours.unit.symbol.empty()) bar.title.push_back(in_picture(colours.unit.symbol));
   bar.ticks = colours.scale.ticks;
-  for (const std::string& text : extremes(colours, options.field)) bar.notes.push_back(in_picture(text));
+  for (const std::string& text : extremes(colours)) bar.notes.push_back(in_picture(text));
   return bar;
 }
 
 std::string range_text(const Colouring& colours, const PictureOptions& options) {
   std::string text =
-      fmt::format("{} {} to {}", field_name(options), value_text(colours.scale.range.low, options.field),
-                  value_text(colours.scale.range.high, options.field));
-  const auto found = extremes(colours, options.field);
+      fmt::format("{} {} to {}", field_name(options), value_text(colours.scale.range.low, colours.unit),
+                  value_text(colours.scale.range.high, colours.unit));
+  const auto found = extremes(colours);
   return text + fmt::format(" ({})", fmt::join(found, ", "));
 }
 
@@ -117,8 +119,10 @@ void add_part(Picture& picture, const LoadedInput& input, const std::vector<Patc
   if (options.edges != PictureEdges::none) picture.patch_lines = patch_edges(input.model, shape);
   if (elements) picture.element_lines = element_edges(input.model, shape);
   if (!options.cut) return;
+  const Lines outline = cut_outline(picture.surface, *options.cut);
   picture.surface = joined(clipped(picture.surface, *options.cut), section(shape, *options.cut));
-  picture.patch_lines = clipped(picture.patch_lines, *options.cut);
+  if (options.edges != PictureEdges::none)
+    picture.patch_lines = joined(clipped(picture.patch_lines, *options.cut), outline);
   picture.element_lines = clipped(picture.element_lines, *options.cut);
   if (picture.surface.triangles.empty())
     throw Error(ErrorCode::invalid_argument,

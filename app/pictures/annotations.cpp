@@ -48,7 +48,7 @@ void add_colour_bar(Picture& picture, const Layout& layout, const ColourBar& bar
   const double line = std::max(1.0, 0.04 * layout.font);
   const double step = 1.25 * layout.font;
   add_strip(picture, layout.bar, line);
-  double y = layout.bar.top + 1.1 * layout.font + step * static_cast<double>(bar.title.size());
+  double y = layout.bar.top + 1.4 * layout.font + step * static_cast<double>(bar.title.size());
   for (const std::string& text : bar.title)
     picture.texts.push_back({text, layout.bar.left, y -= step, layout.font, Align::left, ink});
   for (const Tick& tick : bar.ticks) {

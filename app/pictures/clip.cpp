@@ -1,6 +1,8 @@
 #include "app/pictures/clip.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 
 namespace isopatch::app {
 namespace {
@@ -23,6 +25,24 @@ Vertex between(const Vertex& a, const Vertex& b) {
 
 bool kept(const Vertex& vertex) {
   return vertex.height <= 0;
+}
+
+Vertex vertex_of(const Surface& surface, int i, const Cut& cut) {
+  return {surface.points.col(i), surface.undeformed.col(i), surface.normals.col(i), surface.values[i],
+          surface.undeformed(cut.axis, i) - cut.position};
+}
+
+/// Each two ends are a line.
+Lines lines_between(const std::vector<Vertex>& ends) {
+  Lines result;
+  result.points.resize(3, static_cast<Eigen::Index>(ends.size()));
+  result.undeformed.resize(3, static_cast<Eigen::Index>(ends.size()));
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    result.points.col(static_cast<Eigen::Index>(i)) = ends[i].point;
+    result.undeformed.col(static_cast<Eigen::Index>(i)) = ends[i].undeformed;
+    if (i % 2 == 1) result.segments.push_back({static_cast<int>(i) - 1, static_cast<int>(i)});
+  }
+  return result;
 }
 
 /// A surface as it grows.
@@ -84,32 +104,36 @@ std::vector<Vertex> cut_polygon(const std::array<Vertex, 4>& corners) {
 constexpr std::array<std::array<int, 4>, 6> tetrahedra = {
     {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}}};
 
-std::array<Vertex, 8> cell(const PatchShape& patch, int i, int j, int k, const Cut& cut) {
+/// @param round_off  less than this above or below the cut is on it
+std::array<Vertex, 8> cell(const PatchShape& patch, int i, int j, int k, const Cut& cut, double round_off) {
   std::array<Vertex, 8> corners;
   for (int c = 0; c < 8; ++c) {
     const int at = patch.index(i + (c & 1), j + (c >> 1 & 1), k + (c >> 2));
+    const double above = patch.undeformed(cut.axis, at) - cut.position;
+    const double height = std::abs(above) < round_off ? 0 : above;
     corners[static_cast<std::size_t>(c)] = {patch.points.col(at), patch.undeformed.col(at),
-                                            Eigen::Vector3d::Unit(cut.axis), patch.values[at],
-                                            patch.undeformed(cut.axis, at) - cut.position};
+                                            Eigen::Vector3d::Unit(cut.axis), patch.values[at], height};
   }
   return corners;
 }
 
-/// The normal of the deformed section, on the side of what was removed.
-void set_normals(std::vector<Vertex>& polygon, const Cut& cut) {
-  Eigen::Vector3d normal =
-      (polygon[1].point - polygon[0].point).cross(polygon[2].point - polygon[0].point).normalized();
-  if (normal[cut.axis] < 0) normal = -normal;
-  if (normal.norm() > 0)
-    for (Vertex& vertex : polygon) vertex.normal = normal;
+/// Twice the area of a polygon in the undeformed part, positive if counter-clockwise from the far end of an
+/// axis.
+double area_along(const std::vector<Vertex>& polygon, int axis) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t i = 2; i < polygon.size(); ++i)
+    sum += (polygon[i - 1].undeformed - polygon[0].undeformed)
+               .cross(polygon[i].undeformed - polygon[0].undeformed);
+  return sum[axis];
 }
 
-void add_sections(SurfaceBuilder& builder, const std::array<Vertex, 8>& corners, const Cut& cut) {
+void add_sections(SurfaceBuilder& builder, const std::array<Vertex, 8>& corners, int axis) {
   for (const auto& four : tetrahedra) {
     const auto corner = [&](std::size_t i) { return corners[static_cast<std::size_t>(four[i])]; };
     std::vector<Vertex> polygon = cut_polygon({corner(0), corner(1), corner(2), corner(3)});
-    if (polygon.size() < 3) continue;
-    set_normals(polygon, cut);
+    const double area = area_along(polygon, axis);
+    if (area == 0) continue;
+    if (area < 0) std::reverse(polygon.begin(), polygon.end());
     builder.add(polygon);
   }
 }
@@ -124,13 +148,10 @@ bool is_cut(const std::array<Vertex, 8>& corners) {
 
 Surface clipped(const Surface& surface, const Cut& cut) {
   SurfaceBuilder builder;
-  const auto vertex = [&](int i) {
-    return Vertex{surface.points.col(i), surface.undeformed.col(i), surface.normals.col(i), surface.values[i],
-                  surface.undeformed(cut.axis, i) - cut.position};
-  };
   for (const auto& triangle : surface.triangles) {
     const std::vector<Vertex> polygon =
-        kept_part({vertex(triangle[0]), vertex(triangle[1]), vertex(triangle[2])});
+        kept_part({vertex_of(surface, triangle[0], cut), vertex_of(surface, triangle[1], cut),
+                   vertex_of(surface, triangle[2], cut)});
     if (polygon.size() >= 3) builder.add(polygon);
   }
   return builder.surface();
@@ -149,26 +170,32 @@ Lines clipped(const Lines& lines, const Cut& cut) {
     ends.push_back(kept(first) ? first : between(first, second));
     ends.push_back(kept(second) ? second : between(first, second));
   }
-  Lines result;
-  result.points.resize(3, static_cast<Eigen::Index>(ends.size()));
-  result.undeformed.resize(3, static_cast<Eigen::Index>(ends.size()));
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    result.points.col(static_cast<Eigen::Index>(i)) = ends[i].point;
-    result.undeformed.col(static_cast<Eigen::Index>(i)) = ends[i].undeformed;
-    if (i % 2 == 1) result.segments.push_back({static_cast<int>(i) - 1, static_cast<int>(i)});
-  }
-  return result;
+  return lines_between(ends);
+}
+
+Lines cut_outline(const Surface& surface, const Cut& cut) {
+  std::vector<Vertex> ends;
+  for (const auto& triangle : surface.triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vertex here = vertex_of(surface, triangle[i], cut);
+      const Vertex next = vertex_of(surface, triangle[(i + 1) % 3], cut);
+      if (kept(here) != kept(next)) ends.push_back(between(here, next));  // two sides of a triangle or none
+    }
+  return lines_between(ends);
 }
 
 Surface section(const std::vector<PatchShape>& shape, const Cut& cut) {
   SurfaceBuilder builder;
-  for (const PatchShape& patch : shape)
+  for (const PatchShape& patch : shape) {
+    const auto along = patch.undeformed.row(cut.axis);
+    const double round_off = 1e-9 * (along.maxCoeff() - along.minCoeff());
     for (int k = 0; k + 1 < patch.sizes[2]; ++k)
       for (int j = 0; j + 1 < patch.sizes[1]; ++j)
         for (int i = 0; i + 1 < patch.sizes[0]; ++i) {
-          const auto corners = cell(patch, i, j, k, cut);
-          if (is_cut(corners)) add_sections(builder, corners, cut);
+          const auto corners = cell(patch, i, j, k, cut, round_off);
+          if (is_cut(corners)) add_sections(builder, corners, cut.axis);
         }
+  }
   return builder.surface();
 }
 

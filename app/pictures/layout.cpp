@@ -17,7 +17,7 @@ Layout layout(const PictureSize& size, const LayoutParts& parts) {
   result.axes = 2.2 * font;
   result.axes_x = left + (parts.bar ? 3.6 : 3) * font;
   result.axes_y = 4.2 * font;
-  result.bar = {left + 0.6 * font, 10.5 * font, left + 1.9 * font, size.height - 5 * font};
+  result.bar = {left + 0.6 * font, 11.5 * font, left + 1.9 * font, size.height - 5.2 * font};
   return result;
 }
 

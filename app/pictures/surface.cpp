@@ -45,6 +45,12 @@ Eigen::Matrix3Xd own_normals(const Surface& surface) {
   return sums;
 }
 
+Eigen::Matrix3Xd beside(const Eigen::Matrix3Xd& first, const Eigen::Matrix3Xd& second) {
+  Eigen::Matrix3Xd both(3, first.cols() + second.cols());
+  both << first, second;
+  return both;
+}
+
 }  // namespace
 
 Eigen::Vector3d area_vector(const Surface& surface, const std::array<int, 3>& triangle) {
@@ -67,11 +73,6 @@ Eigen::Matrix3Xd smooth_normals(const Surface& surface) {
 }
 
 Surface joined(const Surface& first, const Surface& second) {
-  const auto beside = [](const auto& a, const auto& b) {
-    Eigen::Matrix3Xd both(3, a.cols() + b.cols());
-    both << a, b;
-    return both;
-  };
   Surface result;
   result.points = beside(first.points, second.points);
   result.undeformed = beside(first.undeformed, second.undeformed);
@@ -82,6 +83,14 @@ Surface joined(const Surface& first, const Surface& second) {
   const auto offset = static_cast<int>(first.points.cols());
   for (const auto& t : second.triangles)
     result.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+  return result;
+}
+
+Lines joined(const Lines& first, const Lines& second) {
+  Lines result{beside(first.points, second.points), beside(first.undeformed, second.undeformed),
+               first.segments};
+  const auto offset = static_cast<int>(first.points.cols());
+  for (const auto& s : second.segments) result.segments.push_back({s[0] + offset, s[1] + offset});
   return result;
 }
 

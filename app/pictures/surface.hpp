@@ -33,5 +33,6 @@ Eigen::Matrix3Xd smooth_normals(const Surface& surface);
 
 /// Both, one after the other.
 Surface joined(const Surface& first, const Surface& second);
+Lines joined(const Lines& first, const Lines& second);
 
 }  // namespace isopatch::app

@@ -8,6 +8,9 @@
 namespace isopatch::app {
 namespace {
 
+/// Of a step: so far may values lie outside of a round range.
+constexpr double left_out = 0.02;
+
 struct Piece {
   double value;
   double area;
@@ -23,9 +26,9 @@ double quantile(const std::vector<Piece>& sorted, double total, double share) {
   return sorted.back().value;
 }
 
-/// 1, 2 or 5 times a power of ten: a fifth of the range or somewhat more.
+/// 1, 2 or 5 times a power of ten: an eighth of the range or somewhat more.
 double round_step(double range) {
-  const double least = range / 6;
+  const double least = range / 8;
   const double power = std::pow(10, std::floor(std::log10(least)));
   for (const double leading : {1.0, 2.0, 5.0})
     if (leading * power >= least * (1 - 1e-9)) return leading * power;
@@ -80,8 +83,8 @@ ValueScale round_scale(const ValueRange& range, double unit) {
   const ValueRange wide = with_length(range);
   const ValueRange in_unit = {wide.low / unit, wide.high / unit};
   const double step = round_step(in_unit.high - in_unit.low);
-  const ValueRange round = {step * std::floor(in_unit.low / step + 1e-6),
-                            step * std::ceil(in_unit.high / step - 1e-6)};
+  const ValueRange round = {step * std::floor(in_unit.low / step + left_out),
+                            step * std::ceil(in_unit.high / step - left_out)};
   return {{round.low * unit, round.high * unit}, ticks(round, step)};
 }
 

@@ -31,7 +31,8 @@ struct ValueScale {
   std::vector<Tick> ticks;
 };
 
-/// A range widened to round numbers, which are its ticks; four to ten of them.
+/// A range widened to round numbers, which are its ticks; five to ten of them. Up to a fiftieth of a step
+/// may lie outside.
 /// @param unit  what one unit of the ticks' numbers is worth: 1e6 for MPa
 ValueScale round_scale(const ValueRange& range, double unit);
 

@@ -78,20 +78,18 @@ vtkSmartPointer<vtkActor> surface_actor(const Surface& surface, const std::vecto
   mapper->SetLookupTable(table_of(palette));
   mapper->UseLookupTableScalarRangeOn();
   mapper->InterpolateScalarsBeforeMappingOn();
-  // Lines on the surface are drawn before it.
-  mapper->SetResolveCoincidentTopologyToPolygonOffset();
-  mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(2, 2);
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->SetInterpolationToPhong();
-  actor->GetProperty()->SetAmbient(0.5);
-  actor->GetProperty()->SetDiffuse(0.52);
+  actor->GetProperty()->SetAmbient(0.55);
+  actor->GetProperty()->SetDiffuse(0.58);
   actor->GetProperty()->SetSpecular(0.04);
   actor->GetProperty()->SetSpecularPower(20);
   return actor;
 }
 
-vtkSmartPointer<vtkActor> lines_actor(const Lines& lines, double width, const Colour& colour) {
+vtkSmartPointer<vtkActor> lines_actor(const Lines& lines, double width, const Colour& colour,
+                                      const Eigen::Vector3d& shift) {
   vtkNew<vtkPolyData> data;
   data->SetPoints(points_of(lines.points));
   data->SetLines(cells_of(lines.segments));
@@ -100,6 +98,7 @@ vtkSmartPointer<vtkActor> lines_actor(const Lines& lines, double width, const Co
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
+  actor->SetPosition(shift.x(), shift.y(), shift.z());
   actor->GetProperty()->SetLineWidth(static_cast<float>(width));
   actor->GetProperty()->LightingOff();
   return actor;

@@ -25,8 +25,11 @@ int samples_per_pixel(const PictureSize& size) {
   return std::max(size.width, size.height) <= 4096 ? 2 : 1;
 }
 
-void aim(vtkCamera* camera, const Camera& wanted, const Eigen::Matrix3Xd& points) {
-  const double distance = 2 * (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
+double size_of(const Surface& surface) {
+  return (surface.points.rowwise().maxCoeff() - surface.points.rowwise().minCoeff()).norm();
+}
+
+void aim(vtkCamera* camera, const Camera& wanted, double distance) {
   const Eigen::Vector3d eye = wanted.focus + distance * wanted.view.toward_eye;
   camera->ParallelProjectionOn();
   camera->SetFocalPoint(wanted.focus.data());
@@ -54,14 +57,17 @@ void fill(vtkRenderer* renderer, const Picture& picture, double scale) {
   renderer->SetBackground(1, 1, 1);
   renderer->SetBackgroundAlpha(picture.transparent ? 0 : 1);
   renderer->AddActor(surface_actor(picture.surface, picture.palette));
+  // In parallel projection this changes nothing but the depth.
+  const Eigen::Vector3d shift = 1.5e-3 * size_of(picture.surface) * picture.camera.view.toward_eye;
   if (!picture.element_lines.segments.empty())
-    renderer->AddActor(lines_actor(picture.element_lines, 0.5 * scale * picture.line_width, {90, 90, 90}));
+    renderer->AddActor(
+        lines_actor(picture.element_lines, 0.5 * scale * picture.line_width, {90, 90, 90}, shift));
   if (!picture.patch_lines.segments.empty())
-    renderer->AddActor(lines_actor(picture.patch_lines, scale * picture.line_width, {25, 25, 25}));
+    renderer->AddActor(lines_actor(picture.patch_lines, scale * picture.line_width, {25, 25, 25}, shift));
   if (!picture.polygons.empty()) renderer->AddActor2D(polygons_actor(picture.polygons, scale));
   for (const PictureText& text : picture.texts) renderer->AddActor2D(text_actor(text, scale));
   add_lights(renderer);
-  aim(renderer->GetActiveCamera(), picture.camera, picture.surface.points);
+  aim(renderer->GetActiveCamera(), picture.camera, 2 * size_of(picture.surface));
   renderer->ResetCameraClippingRange();
 }
 
