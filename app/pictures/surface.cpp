@@ -35,12 +35,20 @@ class Places {
   std::unordered_map<std::uint64_t, std::vector<int>> here_;
 };
 
-/// At each point the sum over its own triangles.
+double angle_at(const Surface& surface, const std::array<int, 3>& triangle, std::size_t corner) {
+  const Eigen::Vector3d origin = surface.points.col(triangle[corner]);
+  const Eigen::Vector3d first = surface.points.col(triangle[(corner + 1) % 3]) - origin;
+  const Eigen::Vector3d second = surface.points.col(triangle[(corner + 2) % 3]) - origin;
+  return std::atan2(first.cross(second).norm(), first.dot(second));
+}
+
+/// At each point the sum over its own triangles. Each counts by its angle, so that it does not matter how
+/// quadrilaterals were divided.
 Eigen::Matrix3Xd own_normals(const Surface& surface) {
   Eigen::Matrix3Xd sums = Eigen::Matrix3Xd::Zero(3, surface.points.cols());
   for (const auto& triangle : surface.triangles) {
-    const Eigen::Vector3d vector = area_vector(surface, triangle);
-    for (const int corner : triangle) sums.col(corner) += vector;
+    const Eigen::Vector3d normal = area_vector(surface, triangle).normalized();
+    for (std::size_t c = 0; c < 3; ++c) sums.col(triangle[c]) += angle_at(surface, triangle, c) * normal;
   }
   return sums;
 }
