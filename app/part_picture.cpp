@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+
 #include "app/engineering_units.hpp"
 #include "app/pictures/annotations.hpp"
 #include "geometry/base/error.hpp"
@@ -10,9 +12,11 @@
 namespace isopatch::app {
 namespace {
 
+/// Finer than on a page that one turns: chords of a tenth of a pixel.
 iga::PartSamples samples_of(const LoadedInput& input) {
-  return input.result ? iga::sample_part(input.model, input.result->field)
-                      : iga::sample_part(input.model, input.model.patches());
+  const iga::SamplingOptions options{.chord = 1e-4, .most_per_element = 32, .most_points = 1'000'000};
+  return input.result ? iga::sample_part(input.model, input.result->field, options)
+                      : iga::sample_part(input.model, input.model.patches(), options);
 }
 
 std::string field_name(const PictureOptions& options) {
@@ -65,7 +69,10 @@ Colouring colouring(const Surface& surface, const PictureOptions& options) {
 
 /// In the unit of the scale, so that all values of a picture compare.
 std::string value_text(double value, const UnitPrefix& unit) {
-  return fmt::format("{:.4g}{}{}", value / unit.factor, unit.symbol.empty() ? "" : " ", unit.symbol);
+  const double number = value / unit.factor;
+  const bool long_one = std::abs(number) >= 1e4 && std::abs(number) < 1e7;
+  return fmt::format("{}{}{}", long_one ? fmt::format("{:.0f}", number) : fmt::format("{:.4g}", number),
+                     unit.symbol.empty() ? "" : " ", unit.symbol);
 }
 
 /// Smallest and largest value, which may lie outside of the colours' range.
