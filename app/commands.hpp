@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "app/console.hpp"
+#include "app/load_input.hpp"
+#include "app/picture_options.hpp"
 #include "app/program.hpp"
 #include "solvers/processes.hpp"
 
@@ -26,9 +28,7 @@ ExitCode run_command(const StudyCommand& command, const Console& console);
 ExitCode compare_command(const StudyCommand& command, const Console& console);
 
 struct InfoCommand {
-  std::filesystem::path input;         ///< patches, a study (.toml) or results (.h5)
-  std::vector<std::string> overrides;  ///< for a study
-  std::string length_unit = "m";       ///< for patches
+  InputFile input;
   bool json = false;
   bool all = false;
 };
@@ -58,6 +58,14 @@ struct ReportCommand {
 };
 /// Writes the page about stored results.
 ExitCode report_command(const ReportCommand& command, const Console& console);
+
+struct RenderCommand {
+  InputFile input;
+  std::filesystem::path output;  ///< .png
+  PictureWords words;
+};
+/// Draws a model or results as a picture.
+ExitCode render_command(const RenderCommand& command, const Console& console);
 
 struct ConvertCommand {
   std::filesystem::path input;

@@ -56,6 +56,12 @@ std::string with_unit(double value, std::string_view unit) {
   return fmt::format("{:.4g} {}{}", value / prefix.factor, prefix.symbol, unit);
 }
 
+UnitPrefix unit_for(double value, std::string_view unit) {
+  if (unit.empty()) return {};
+  const Prefix prefix = suitable(value, unit);
+  return {prefix.factor, fmt::format("{}{}", prefix.symbol, unit)};
+}
+
 std::string place_with_unit(const Eigen::Vector3d& place, double model_size) {
   const DisplayUnit unit = model_length_unit(model_size);
   // Digits to a hundred thousandth of the model's size; adding 0 turns -0 into 0.

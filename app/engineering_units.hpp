@@ -19,6 +19,13 @@ DisplayUnit model_length_unit(double model_size);
 /// @param unit  m, Pa, J, N or g and the like; powers of m ("m^2", "m^3") get prefixes of the length
 std::string with_unit(double value, std::string_view unit);
 
+/// A unit with the prefix that suits a size: {1e6, "MPa"}; powers of m as above, no unit for pure numbers.
+struct UnitPrefix {
+  double factor = 1;
+  std::string symbol;
+};
+UnitPrefix unit_for(double value, std::string_view unit);
+
 /// "(198.02, -179.69, -27.44) mm": metres, with the unit that suits a model of this size.
 std::string place_with_unit(const Eigen::Vector3d& place, double model_size);
 

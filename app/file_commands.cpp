@@ -7,7 +7,6 @@
 #include "app/output_directory.hpp"
 #include "app/report_page.hpp"
 #include "app/stored_results.hpp"
-#include "app/units.hpp"
 #include "app/write_results.hpp"
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/io/read_patches.hpp"
@@ -16,34 +15,13 @@
 namespace isopatch::app {
 namespace {
 
-double length_unit(const std::string& text) {
-  const Quantity unit = parse_scale(text);
-  const bool plain = unit.dimension == dimensions::none;
-  if ((unit.dimension != dimensions::length && !plain) || !(unit.value > 0))
-    throw Error(ErrorCode::invalid_argument,
-                fmt::format("--length-unit: expected a length such as mm or '225 mm', got '{}'", text));
-  return unit.value;
-}
-
-geometry::MultiPatch load(const InfoCommand& command) {
-  const auto extension = command.input.extension();
-  if (extension == ".toml") return load_model(read_study(command.input, command.overrides).model);
-  if (extension == ".h5") {
-    const iga::StoredResult result = iga::read_result(command.input);
-    return stored_model(result.field.patches, result.summary).model;
-  }
-  ModelInput input;
-  input.file = command.input;
-  input.length_unit = length_unit(command.length_unit);
-  return load_model(input);
-}
-
-std::string heading(const InfoCommand& command) {
-  if (command.input.extension() != ".h5") return command.input.string() + "\n";
-  const Json summary = Json::parse(iga::read_result(command.input).summary, nullptr, false);
-  if (summary.is_discarded()) return command.input.string() + "\n";
-  std::string text = command.input.string() + ": results of " + summary.value("study", "a study") + "\n";
-  const auto number = [&](const char* path) { return summary.value(Json::json_pointer(path), 0.0); };
+std::string heading(const InfoCommand& command, const LoadedInput& input) {
+  const std::string path = command.input.path.string();
+  if (!input.result) return path + "\n";
+  const Json summary = Json::parse(input.result->summary, nullptr, false);
+  if (summary.is_discarded()) return path + "\n";
+  std::string text = path + ": results of " + summary.value("study", "a study") + "\n";
+  const auto number = [&](const char* place) { return summary.value(Json::json_pointer(place), 0.0); };
   text += fmt::format("max displacement {}, max von Mises {}, internal energy {}, {} unknowns\n",
                       with_unit(number("/results/max_displacement"), "m"),
                       with_unit(number("/results/max_von_mises"), "Pa"),
@@ -85,14 +63,15 @@ std::string values_json(const StoredValues& found) {
 
 ExitCode info_command(const InfoCommand& command, const Console& console) {
   ProgressDisplay display(console);
-  const geometry::MultiPatch model = load(command);
+  const LoadedInput input = load_input(command.input);
+  const geometry::MultiPatch& model = input.model;
   const ModelReport seen = report(model, display.progress());
   display.clear();
   if (command.json) {
     console.out << model_json_text(model, seen);
     return ExitCode::ok;
   }
-  console.out << heading(command) << model_text(model, seen, command.all);
+  console.out << heading(command, input) << model_text(model, seen, command.all);
   for (const auto& face : model.degenerate_faces())
     console.out << "collapsed face " << model.label(face) << "\n";
   for (const Warning& warning : certificate_warnings(model, seen)) console.warn(warning.text);

@@ -28,6 +28,7 @@ A study is one file (TOML): where the patches come from, materials, supports, lo
   isopatch compare examples/link/study.toml          solve it with both couplings and compare
   isopatch probe results/results.h5 --point 0.1,0,0  values at a place, without solving again
   isopatch report results/results.h5                 the page about stored results: pictures, figures
+  isopatch render results/results.h5 -o link.png     a picture of results or of a model
   isopatch keys                                      all keys of the study file)";
 
 constexpr const char* exit_codes =
@@ -71,6 +72,16 @@ constexpr const char* report_examples = R"(Examples:
   isopatch report results/results.h5 -o link.html
 The page needs no network and no other file; isopatch run writes it too.)";
 
+constexpr const char* render_examples = R"(Examples:
+  isopatch render results/results.h5 -o link.png     von Mises stress on the deformed shape
+  isopatch render results/results.h5 -o u.png --field displacement --component y --view front
+  isopatch render results/results.h5 -o s.png --range '0,300 MPa' --deformation 1 --edges elements
+  isopatch render results/results.h5 -o in.png --clip 'z=6 mm' --view top
+  isopatch render study.toml -o model.png            the study's model, coloured by patch
+Without --range the colours span the values of 99.9 % of the surface (--percentile), so that a singular corner
+does not take them all; the largest value stands below the bar. Needs an X display; where there is none, Xvfb
+(Debian package xvfb) is started for the time of drawing.)";
+
 constexpr const char* convert_examples = R"(Examples:
   isopatch convert model.g2 --output model.xml
   isopatch convert part.mesh --output part.xml)";
@@ -108,6 +119,7 @@ struct CommandLine {
   ProbeCommand probe;
   FieldsCommand fields;
   ReportCommand report;
+  RenderCommand render;
   ConvertCommand convert;
   VerifyCommand verify;
   std::string topic;
@@ -150,18 +162,55 @@ void add_study_commands(CLI::App& app, CommandLine& line) {
       [with_output](const Console& console) { return compare_command(with_output(), console); }));
 }
 
+void add_input(CLI::App* command, InputFile& input) {
+  command->add_option("input", input.path, "Patches (.xml, .g2, .mesh), a study (.toml) or results (.h5)")
+      ->required();
+  command->add_option("--set", input.overrides, "Replaces a key of the study")
+      ->take_all()
+      ->expected(1)
+      ->type_name("KEY=VALUE");
+  command->add_option("--length-unit", input.length_unit, "What one unit of the patches measures")
+      ->capture_default_str();
+}
+
+void add_render_command(CLI::App& app, CommandLine& line) {
+  CLI::App* render =
+      add_command(app, line, "render", "Draws a model or results as a picture", render_examples,
+                  [&line](const Console& console) { return render_command(line.render, console); });
+  PictureWords& words = line.render.words;
+  const auto option = [&](const char* name, auto& target, const char* meaning, const char* type) {
+    return render->add_option(name, target, meaning)->type_name(type);
+  };
+  add_input(render, line.render.input);
+  option("-o,--output", line.render.output, "The picture (.png)", "FILE")->required();
+  option("--field", words.field,
+         "von_mises, displacement, patch, jacobian or none; default: von_mises for results, else patch",
+         "NAME");
+  option("--component", words.component, "x, y or z of the displacement; default: its length", "AXIS");
+  option("--range", words.range, "The values of the first and the last colour, SI or with units", "LOW,HIGH");
+  option("--percentile", words.percentile, "How much of the surface the range holds without --range, %", "P")
+      ->capture_default_str();
+  option("--deformation", words.deformation, "Factor of the displacement in the picture; auto: well visible",
+         "FACTOR")
+      ->capture_default_str();
+  option("--view", words.view,
+         "iso, front, back, left, right, top, bottom, or X,Y,Z from the part to the eye", "VIEW")
+      ->capture_default_str();
+  option("--up", words.up, "What points upwards: x, y, z or X,Y,Z; default: z, along z y", "AXIS");
+  option("--zoom", words.zoom, "Above 1: larger than the picture", "F")->capture_default_str();
+  option("--size", words.size, "Pixels", "WxH")->capture_default_str();
+  option("--edges", words.edges, "Lines: patches, elements or none", "NAME")->capture_default_str();
+  option("--clip", words.clip, "Cuts the undeformed part: 'x=20 mm' keeps what lies below", "AXIS=POSITION");
+  option("--caption", words.caption, "Instead of title and deformation; '' for none", "TEXT");
+  render->add_flag("--transparent-background", words.transparent, "No white behind the part");
+  render->add_flag("--no-bar", words.no_bar, "No colour bar");
+}
+
 void add_file_commands(CLI::App& app, CommandLine& line) {
   CLI::App* info =
       add_command(app, line, "info", "Describes a model, a study's model or a result file", info_examples,
                   [&line](const Console& console) { return info_command(line.info, console); });
-  info->add_option("input", line.info.input, "Patches (.xml, .g2, .mesh), a study (.toml) or results (.h5)")
-      ->required();
-  info->add_option("--set", line.info.overrides, "Replaces a key of the study")
-      ->take_all()
-      ->expected(1)
-      ->type_name("KEY=VALUE");
-  info->add_option("--length-unit", line.info.length_unit, "What one unit of the patches measures")
-      ->capture_default_str();
+  add_input(info, line.info.input);
   info->add_flag("--json", line.info.json, "JSON instead of text, complete, in SI units");
   info->add_flag("--all", line.info.all, "Long lists in full");
 
@@ -190,6 +239,8 @@ void add_file_commands(CLI::App& app, CommandLine& line) {
   report->add_option("results", line.report.results, "A results.h5")->required();
   report->add_option("-o,--output", line.report_output, "The page (default: report.html beside the results)")
       ->type_name("FILE");
+
+  add_render_command(app, line);
 
   CLI::App* convert =
       add_command(app, line, "convert", "Writes patches as G+Smo XML", convert_examples,

@@ -1,0 +1,51 @@
+#include "app/load_input.hpp"
+
+#include <fmt/format.h>
+
+#include "app/build_problem.hpp"
+#include "app/internal/json_values.hpp"
+#include "app/stored_model.hpp"
+#include "app/units.hpp"
+#include "geometry/base/error.hpp"
+
+namespace isopatch::app {
+namespace {
+
+double length_unit(const std::string& text) {
+  const Quantity unit = parse_scale(text);
+  const bool plain = unit.dimension == dimensions::none;
+  if ((unit.dimension != dimensions::length && !plain) || !(unit.value > 0))
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("--length-unit: expected a length such as mm or '225 mm', got '{}'", text));
+  return unit.value;
+}
+
+std::string title_of(const Study& study, const std::filesystem::path& path) {
+  return study.title.empty() ? path.filename().string() : study.title;
+}
+
+LoadedInput load_result(const std::filesystem::path& path) {
+  iga::StoredResult result = iga::read_result(path);
+  geometry::MultiPatch model = stored_model(result.field.patches, result.summary).model;
+  const Json summary = Json::parse(result.summary, nullptr, false);
+  const bool titled = summary.is_object() && summary.contains("title") && summary["title"].is_string();
+  const std::string title = titled ? summary["title"].get<std::string>() : "";
+  return {std::move(model), std::move(result), title.empty() ? path.filename().string() : title};
+}
+
+}  // namespace
+
+LoadedInput load_input(const InputFile& input) {
+  const auto extension = input.path.extension();
+  if (extension == ".h5") return load_result(input.path);
+  if (extension == ".toml") {
+    const Study study = read_study(input.path, input.overrides);
+    return {load_model(study.model), std::nullopt, title_of(study, input.path)};
+  }
+  ModelInput model;
+  model.file = input.path;
+  model.length_unit = length_unit(input.length_unit);
+  return {load_model(model), std::nullopt, input.path.filename().string()};
+}
+
+}  // namespace isopatch::app
