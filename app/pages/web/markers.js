@@ -25,15 +25,16 @@ globalThis.isopatch = globalThis.isopatch || {};
     }
   }
 
-  // place: {name, kind, point, displacement}; project(point) gives pixels or null outside of the picture.
+  // place: {name, kind, point, displacement}; project(point) gives pixels or null outside of the picture,
+  // isCut(point) tells what the section has cut away.
   isopatch.makeMarkers = function (layer, places) {
     const items = places.map((place) => addDot(layer, place));
     const picked = {dot: isopatch.element("span", {class: "marker marker-picked"}), place: null};
     layer.append(picked.dot);
 
-    function put(item, scale, project) {
+    function put(item, scale, project, isCut) {
       const {point, displacement} = item.place;
-      const pixel = project(point.map((x, c) => x + scale * (displacement ? displacement[c] : 0)));
+      const pixel = isCut(point) ? null : project(point.map((x, c) => x + scale * (displacement ? displacement[c] : 0)));
       item.dot.hidden = pixel === null;
       if (item.label) item.label.hidden = pixel === null;
       if (pixel === null) return false;
@@ -43,9 +44,10 @@ globalThis.isopatch = globalThis.isopatch || {};
     }
 
     return {
-      update(scale, project) {
-        spread(items.filter((item) => put(item, scale, project)));
-        picked.dot.hidden = picked.place === null || !put(picked, scale, project);
+      // Places that the section has cut away are left out.
+      update(scale, project, isCut) {
+        spread(items.filter((item) => put(item, scale, project, isCut)));
+        picked.dot.hidden = picked.place === null || !put(picked, scale, project, () => false);
       },
       setPicked(place) { picked.place = place; },
       at(x, y) {

@@ -16,28 +16,31 @@ globalThis.isopatch = globalThis.isopatch || {};
             right: new THREE.Vector3(-sa, ca, 0)};
   }
 
-  // Distance from which all corners of the box about `target` are seen.
-  function fittingDistance(corners, target, state, tangents) {
-    const {out, up, right} = frame(state);
+  // Target in the middle of what is seen, and distance from which all points (three numbers each) are seen.
+  function fitting(points, centre, state, tangents) {
+    const axes = Object.values(frame(state)).map((axis) => axis.toArray());
+    const along = (axis, i) => (axis[0] * (points[i] - centre[0]) + axis[1] * (points[i + 1] - centre[1])
+                                + axis[2] * (points[i + 2] - centre[2]));
+    const range = (axis) => {
+      let [low, high] = [Infinity, -Infinity];
+      for (let i = 0; i < points.length; i += 3) {
+        low = Math.min(low, along(axis, i));
+        high = Math.max(high, along(axis, i));
+      }
+      return (low + high) / 2;
+    };
+    const [out, up, right] = axes;
+    const middle = axes.map(range);
     let distance = 0;
-    for (const corner of corners) {
-      const from = corner.clone().sub(target);
-      const depth = from.dot(out);
-      distance = Math.max(distance, depth + Math.abs(from.dot(right)) / tangents[0],
-                          depth + Math.abs(from.dot(up)) / tangents[1]);
+    for (let i = 0; i < points.length; i += 3) {
+      const depth = along(out, i) - middle[0];
+      distance = Math.max(distance, depth + Math.abs(along(right, i) - middle[2]) / tangents[0],
+                          depth + Math.abs(along(up, i) - middle[1]) / tangents[1]);
     }
-    return distance;
+    return {target: centre.map((x, c) => x + middle.reduce((sum, m, a) => sum + m * axes[a][c], 0)), distance};
   }
 
-  function boxCorners(box, margin) {
-    const corners = [];
-    for (let i = 0; i < 8; ++i)
-      corners.push(new THREE.Vector3(...[0, 1, 2].map((c) => (
-        (i >> c) & 1 ? box.max[c] + margin : box.min[c] - margin))));
-    return corners;
-  }
-
-  // handlers: changed() after every movement, clicked(x, y) in pixels of the canvas.
+  // handlers: changed() after every movement, clicked(x, y) in pixels of the canvas, points() that a fit must show.
   isopatch.makeOrbit = function (canvas, camera, scene, handlers) {
     const [azimuth, elevation] = isopatch.namedViews.isometric;
     const state = {azimuth: azimuth * degrees, elevation: elevation * degrees, distance: 1,
@@ -48,8 +51,8 @@ globalThis.isopatch = globalThis.isopatch || {};
       camera.position.copy(state.target).addScaledVector(out, state.distance);
       camera.up.copy(up);
       camera.lookAt(state.target);
-      camera.near = Math.max(state.distance - 1.5 * scene.size, 0.002 * scene.size);
-      camera.far = state.distance + 1.5 * scene.size;
+      camera.near = Math.max(state.distance - 1.2 * scene.size, 0.002 * scene.size);
+      camera.far = state.distance + 1.2 * scene.size;
       camera.updateProjectionMatrix();
       camera.updateMatrixWorld();
       handlers.changed();
@@ -74,17 +77,17 @@ globalThis.isopatch = globalThis.isopatch || {};
       place();
     }
 
-    function fit(margin) {
-      state.target.set(...scene.centre);
-      const vertical = Math.tan((camera.fov / 2) * degrees) * 0.88;
-      state.distance = fittingDistance(boxCorners(scene.box, margin || 0), state.target, state,
-                                       [vertical * camera.aspect, vertical]);
+    function fit() {
+      const vertical = Math.tan((camera.fov / 2) * degrees) * 0.9;
+      const found = fitting(handlers.points(), scene.centre, state, [vertical * camera.aspect, vertical]);
+      state.target.set(...found.target);
+      state.distance = found.distance;
       place();
     }
 
-    function look(name, margin) {
+    function look(name) {
       [state.azimuth, state.elevation] = isopatch.namedViews[name].map((angle) => angle * degrees);
-      fit(margin);
+      fit();
     }
 
     const orbit = {state, place, turn, zoom, pan, fit, look};

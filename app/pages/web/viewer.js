@@ -28,7 +28,7 @@ globalThis.isopatch = globalThis.isopatch || {};
     return {largest: Math.max(1, niceScale(largest)), first: niceScale(largest / 2)};
   };
 
-  function makeParts(scene, shared, options) {
+  function makeParts(scene, shared) {
     const surface = isopatch.makeSurface(scene, isopatch.makeFaceMesh(scene, "boundary"), shared);
     const interfaceField = (scene.fields.find((field) => field.on === "interfaces") || {}).key;
     const interfaceMesh = isopatch.makeFaceMesh(scene, "interface", interfaceField);
@@ -38,7 +38,7 @@ globalThis.isopatch = globalThis.isopatch || {};
     const loads = isopatch.makeLoads(scene, surface.mesh, shared);
     const world = new THREE.Scene();
     surface.faces.renderOrder = 1;  // translucent after what is inside
-    world.add(interfaces.faces, interfaces.patchEdges, interfaces.elementEdges, section.faces, supports, loads,
+    world.add(interfaces.faces, interfaces.patchEdges, interfaces.elementEdges, section.faces, section.outlines, supports, loads,
               surface.faces, surface.patchEdges, surface.elementEdges);
     return {surface, interfaces, section, supports, loads, world};
   }
@@ -64,7 +64,7 @@ globalThis.isopatch = globalThis.isopatch || {};
     host.append(canvas, layer, bar, caption);
 
     const shared = isopatch.makeUniforms();
-    const parts = makeParts(scene, shared, options);
+    const parts = makeParts(scene, shared);
     const camera = new THREE.PerspectiveCamera(fieldOfView, 1, 1, 10);
     const state = firstState(scene, options);
     const places = isopatch.placesOf(scene);
@@ -73,7 +73,7 @@ globalThis.isopatch = globalThis.isopatch || {};
     const tell = (event, value) => listeners[event].forEach((f) => f(value));
     const statistics = new Map();
     const bodies = new Map();
-    let cells = null;
+    let cells = null;  // made for the first section
     let asked = false;
     let isCutStale = false;
     let isColourStale = false;
@@ -90,14 +90,15 @@ globalThis.isopatch = globalThis.isopatch || {};
       bodies.delete("section");
       if (state.axis < 0) {
         shared.plane.value.set(...noPlane);
-        parts.section.cut(null);
+        parts.section.cut(null, null);
         return;
       }
       const plane = [0, 0, 0, state.isFlipped ? -coordinate() : coordinate()];
       plane[state.axis] = state.isFlipped ? -1 : 1;
       shared.plane.value.set(...plane);
-      if (!cells) cells = isopatch.makeCells(scene);
-      parts.section.cut(isopatch.cutCells(scene, cells, state.axis, coordinate()));
+      if (!cells) cells = {all: isopatch.makeCells(scene), ranges: isopatch.patchRanges(scene)};
+      const at = [state.axis, coordinate()];
+      parts.section.cut(isopatch.cutCells(scene, cells.all, ...at), isopatch.cutFaces(scene, cells.ranges, ...at));
       parts.section.show(state.quantity);
     }
 
@@ -116,6 +117,8 @@ globalThis.isopatch = globalThis.isopatch || {};
       isopatch.setOpacity(surface.material, state.surface === "translucent" ? 0.22 : 1);
       surface.patchEdges.visible = isShown && state.patchEdges;
       surface.elementEdges.visible = isShown && state.elementEdges;
+      const {outlines, section} = parts.section;
+      outlines.visible = state.patchEdges && section !== null && outlines.geometry.attributes.position !== undefined;
       interfaces.faces.visible = state.interfaces;
       interfaces.patchEdges.visible = state.interfaces && state.patchEdges;
       interfaces.elementEdges.visible = state.interfaces && state.elementEdges;
@@ -147,7 +150,7 @@ globalThis.isopatch = globalThis.isopatch || {};
       if (isStale) apply();
       isStale = false;
       renderer.render(parts.world, camera);
-      markers.update(state.scale, project);
+      markers.update(state.scale, project, isCut);
       viewer.pictures += 1;
     }
 
@@ -217,8 +220,9 @@ globalThis.isopatch = globalThis.isopatch || {};
       return place;
     }
 
-    const orbit = isopatch.makeOrbit(canvas, camera, scene, {changed: ask, clicked: pickAt});
-    const margin = () => 0.5 * state.scale * scene.maxDisplacement;
+    const orbit = isopatch.makeOrbit(canvas, camera, scene, {
+      changed: ask, clicked: pickAt,
+      points: () => body("surface", () => isopatch.meshBody(scene, parts.surface.mesh, state.scale)).moved});
 
     function resize() {
       const [width, height] = [host.clientWidth, host.clientHeight];
@@ -227,7 +231,7 @@ globalThis.isopatch = globalThis.isopatch || {};
       renderer.domElement.dataset.sized = "";
       renderer.setSize(width, height, false);
       camera.aspect = width / height;
-      if (isFirst) orbit.fit(margin());
+      if (isFirst) orbit.fit();
       else orbit.place();
     }
 
@@ -238,7 +242,7 @@ globalThis.isopatch = globalThis.isopatch || {};
 
     const viewer = {
       scene, state, places, canvas, change, choose, pickAt, orbit, statisticsOf, project, pictures: 0, setBackground, draw,
-      look: (name) => orbit.look(name, margin()), fit: () => orbit.fit(margin()),
+      look: orbit.look, fit: orbit.fit,
       on: (event, f) => listeners[event].push(f)};
     state.range = isopatch.defaultRange(state.quantity, statisticsOf(state.quantity));
     isColourStale = isCutStale = true;
