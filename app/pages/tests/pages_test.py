@@ -173,6 +173,47 @@ class Report(Pages):
             return pickAt(...project([0.03, 0.046, 0.005])).place;""")
         self.assertAlmostEqual(hit[0], 0.03, delta=1e-6)
 
+    def test_outlines_of_the_section_close(self):
+        """Across z the section of each patch is a closed line: every end of a line meets another one."""
+        ends = self.browser.run("""
+            const {scene} = isopatch.viewer;
+            const lines = isopatch.cutFaces(scene, isopatch.patchRanges(scene), 2, 0.004);
+            const p = isopatch.onSection(scene.points, lines, 3); const ends = [];
+            for (let i = 0; i < lines.count; ++i) ends.push([...p.slice(3 * i, 3 * i + 3)].map((x) => Math.round(x * 1e6)).join());
+            return ends;""")
+        counts = {end: ends.count(end) for end in set(ends)}
+        self.assertGreater(len(counts), 40)
+        self.assertEqual({count % 2 for count in counts.values()}, {0})
+
+    def test_markers_that_are_cut_off_or_covered(self):
+        classes = """return [...document.querySelectorAll('.marker-label')].map((label) => [
+            label.textContent, label.hidden, label.classList.contains('marker-behind')]);"""
+        def state():
+            self.browser.driver.execute_async_script("setTimeout(arguments[0], 300)")
+            return {name: (hidden, behind) for name, hidden, behind in self.browser.run(classes)}
+        self.browser.change(scale=0)
+        self.assertEqual(state()["largest displacement"], (False, False))
+        self.browser.run("document.getElementById('view-bottom').click()")
+        self.assertEqual(state()["warning 1"], (False, True))
+        self.browser.change(axis=1, at=0.2)
+        self.assertEqual(state()["largest displacement"], (True, False))
+
+    def test_fit_shows_all_of_the_part_beside_the_colour_bar(self):
+        for name in ("isometric", "front", "top"):
+            self.browser.run("document.getElementById(arguments[0]).click()", f"view-{name}")
+            low, high, width, height, bar = self.browser.run("""
+                const {scene, project, canvas} = isopatch.viewer; const [low, high] = [[1e9, 1e9], [-1e9, -1e9]];
+                isopatch.viewer.change({scale: 0}); isopatch.viewer.fit();
+                for (let v = 0; v < scene.count; ++v) project(isopatch.pointOf(scene, v)).forEach((x, c) => {
+                  low[c] = Math.min(low[c], x); high[c] = Math.max(high[c], x); });
+                return [low, high, canvas.clientWidth, canvas.clientHeight, document.querySelector(".colour-bar").offsetWidth];""")
+            self.assertGreaterEqual(low[0], bar, name)
+            self.assertLessEqual(high[0], width, name)
+            self.assertGreaterEqual(low[1], 0, name)
+            self.assertLessEqual(high[1], height, name)
+            # It is as large as that allows.
+            self.assertGreater(max((high[0] - low[0]) / (width - bar), (high[1] - low[1]) / height), 0.85, name)
+
     def test_range_and_colours(self):
         self.browser.change(markers=False)
         pictures = [self.browser.picture()]
@@ -281,10 +322,16 @@ class OtherPages(Pages):
     def test_values_that_are_absent_are_grey(self):
         self.open("compare")
         self.browser.change(markers=False, surface="solid", interfaces=False, patchEdges=False)
-        grey = self.browser.run("""
-            const {canvas} = isopatch.viewer; const gl = canvas.getContext("webgl2"); const p = new Uint8Array(4);
-            gl.readPixels(canvas.width / 2, canvas.height / 2, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, p); return [...p];""")
-        self.assertEqual(len(set(grey[:3])), 1, grey)
+        self.browser.change(scale=0)
+        pixel = """
+            const {canvas, project} = isopatch.viewer; const gl = canvas.getContext("webgl2"); const p = new Uint8Array(4);
+            const [x, y] = project(arguments[0]);
+            gl.readPixels(x, canvas.height - 1 - y, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, p); return [...p.slice(0, 3)];"""
+        grey = self.browser.run(pixel, fixture.ring_place(0.3, 0.5, 1))
+        self.assertEqual(len(set(grey)), 1, grey)
+        self.browser.run("const s = document.getElementById('quantity'); s.value = 'von_mises'; s.dispatchEvent(new Event('change'))")
+        self.browser.settle()
+        self.assertEqual(len(set(self.browser.run(pixel, fixture.ring_place(0.3, 0.5, 1)))), 3)
 
     def test_three_hundred_patches(self):
         """A page of a quarter of a million points stays within its size and answers."""

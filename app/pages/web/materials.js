@@ -83,7 +83,7 @@ globalThis.isopatch = globalThis.isopatch || {};
     void main() {
       cutBehindPlane();
       float brightness = dot(colourOf(shade), vec3(0.3, 0.6, 0.1));
-      gl_FragColor = vec4(brightness < 0.3 ? vec3(0.72) : vec3(0.06), opacity);
+      gl_FragColor = vec4(brightness < 0.2 ? vec3(0.62) : vec3(0.06), opacity);
     }`;
 
   // Cones and arrows keep their shape: only the point they stand on moves.

@@ -16,35 +16,35 @@ globalThis.isopatch = globalThis.isopatch || {};
             right: new THREE.Vector3(-sa, ca, 0)};
   }
 
-  // Target in the middle of what is seen, and distance from which all points (three numbers each) are seen.
+  // Target and distance from which all points (three numbers each) are just seen. With x to the right, z towards the
+  // camera and t the tangent of half the angle, a camera at x = c, z = d sees a point if |x - c| <= t (d - z).
   function fitting(points, centre, state, tangents) {
-    const axes = Object.values(frame(state)).map((axis) => axis.toArray());
+    const {out, up, right} = frame(state);
+    const [across, upwards, depth] = [right, up, out].map((axis) => axis.toArray());
     const along = (axis, i) => (axis[0] * (points[i] - centre[0]) + axis[1] * (points[i + 1] - centre[1])
                                 + axis[2] * (points[i + 2] - centre[2]));
-    const range = (axis) => {
+    const bounds = [[across, tangents[0]], [upwards, tangents[1]], [depth, 0]].map(([axis, t]) => {
       let [low, high] = [Infinity, -Infinity];
       for (let i = 0; i < points.length; i += 3) {
-        low = Math.min(low, along(axis, i));
-        high = Math.max(high, along(axis, i));
+        const [x, z] = [along(axis, i), t * along(depth, i)];
+        low = Math.min(low, x - z);
+        high = Math.max(high, x + z);
       }
-      return (low + high) / 2;
-    };
-    const [out, up, right] = axes;
-    const middle = axes.map(range);
-    let distance = 0;
-    for (let i = 0; i < points.length; i += 3) {
-      const depth = along(out, i) - middle[0];
-      distance = Math.max(distance, depth + Math.abs(along(right, i) - middle[2]) / tangents[0],
-                          depth + Math.abs(along(up, i) - middle[1]) / tangents[1]);
-    }
-    return {target: centre.map((x, c) => x + middle.reduce((sum, m, a) => sum + m * axes[a][c], 0)), distance};
+      return {middle: (low + high) / 2, half: (high - low) / 2};
+    });
+    const [horizontal, vertical, forwards] = bounds;
+    const target = new THREE.Vector3(...centre).addScaledVector(right, horizontal.middle)
+      .addScaledVector(up, vertical.middle).addScaledVector(out, forwards.middle);
+    const distance = Math.max(horizontal.half / tangents[0], vertical.half / tangents[1]);
+    return {target, distance: distance - forwards.middle};
   }
 
-  // handlers: changed() after every movement, clicked(x, y) in pixels of the canvas, points() that a fit must show.
+  // handlers: changed() after every movement, clicked(x, y) in pixels of the canvas, points() that a
+  // fit must show, insets() the parts of the picture at the left and at the top that it must leave free.
   isopatch.makeOrbit = function (canvas, camera, scene, handlers) {
     const [azimuth, elevation] = isopatch.namedViews.isometric;
     const state = {azimuth: azimuth * degrees, elevation: elevation * degrees, distance: 1,
-                   target: new THREE.Vector3(...scene.centre)};
+                   target: new THREE.Vector3(...scene.centre), insets: [0, 0]};
 
     function place() {
       const {out, up} = frame(state);
@@ -53,7 +53,8 @@ globalThis.isopatch = globalThis.isopatch || {};
       camera.lookAt(state.target);
       camera.near = Math.max(state.distance - 1.2 * scene.size, 0.002 * scene.size);
       camera.far = state.distance + 1.2 * scene.size;
-      camera.updateProjectionMatrix();
+      const {aspect} = camera;
+      camera.setViewOffset(aspect, 1, (-state.insets[0] / 2) * aspect, -state.insets[1] / 2, aspect, 1);
       camera.updateMatrixWorld();
       handlers.changed();
     }
@@ -79,8 +80,10 @@ globalThis.isopatch = globalThis.isopatch || {};
 
     function fit() {
       const vertical = Math.tan((camera.fov / 2) * degrees) * 0.9;
-      const found = fitting(handlers.points(), scene.centre, state, [vertical * camera.aspect, vertical]);
-      state.target.set(...found.target);
+      const [left, top] = state.insets = handlers.insets();
+      const tangents = [vertical * camera.aspect * (1 - left), vertical * (1 - top)];
+      const found = fitting(handlers.points(), scene.centre, state, tangents);
+      state.target.copy(found.target);
       state.distance = found.distance;
       place();
     }

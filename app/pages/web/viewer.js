@@ -21,11 +21,13 @@ globalThis.isopatch = globalThis.isopatch || {};
     return [5, 2, 1].find((n) => n * power <= value * (1 + 1e-9)) * power;
   }
 
-  // The scale at which the largest displacement is a tenth of the part's size, and the one shown first.
+  // The scale at which the largest displacement is about a tenth of the part's size, and the one shown first.
   isopatch.scalesOf = function (scene) {
     if (!(scene.maxDisplacement > 0)) return {largest: 1, first: 0};
-    const largest = (0.1 * scene.size) / scene.maxDisplacement;
-    return {largest: Math.max(1, niceScale(largest)), first: niceScale(largest / 2)};
+    // Half of a tenth, and the true one where that is not much more.
+    const half = (0.05 * scene.size) / scene.maxDisplacement;
+    const first = half < 1 && half > 0.1 ? 1 : niceScale(half);
+    return {largest: Math.max(1, 2 * first), first};
   };
 
   function makeParts(scene, shared) {
@@ -144,14 +146,24 @@ globalThis.isopatch = globalThis.isopatch || {};
       return [((v.x + 1) / 2) * canvas.clientWidth, ((1 - v.y) / 2) * canvas.clientHeight];
     }
 
+    // Whether the part covers a displaced point.
+    function isHidden(point) {
+      const ray = rayTo(new THREE.Vector3(...point));
+      const hit = isopatch.pick(scene, ray, pickable());
+      return hit !== null && hit.distance < camera.position.distanceTo(new THREE.Vector3(...point)) - 0.004 * scene.size;
+    }
+
     let isStale = true;
+    let resting = null;
     function draw() {
       asked = false;
       if (isStale) apply();
       isStale = false;
       renderer.render(parts.world, camera);
-      markers.update(state.scale, project, isCut);
+      markers.update(state.scale, project, isCut, canvas.clientWidth);
       viewer.pictures += 1;
+      clearTimeout(resting);
+      resting = setTimeout(() => markers.markHidden(isHidden), 150);
     }
 
     function ask() {
@@ -200,12 +212,14 @@ globalThis.isopatch = globalThis.isopatch || {};
       return result;
     }
 
+    const rayTo = (point) => ({origin: camera.position.toArray(),
+                               direction: point.clone().sub(camera.position).normalize().toArray()});
+
     function pickAt(x, y) {
       const marker = state.markers ? markers.at(x, y) : null;
       if (marker) return choose(marker);
       const to = new THREE.Vector3((2 * x) / canvas.clientWidth - 1, 1 - (2 * y) / canvas.clientHeight, 0.5);
-      const direction = to.unproject(camera).sub(camera.position).normalize().toArray();
-      const picked = isopatch.pick(scene, {origin: camera.position.toArray(), direction}, pickable());
+      const picked = isopatch.pick(scene, rayTo(to.unproject(camera)), pickable());
       markers.setPicked(picked && {point: picked.place, displacement: picked.fields.displacement || null});
       ask();
       tell("picked", picked && isopatch.valuesOfPick(scene, picked));
@@ -220,8 +234,16 @@ globalThis.isopatch = globalThis.isopatch || {};
       return place;
     }
 
+    // What the colour bar takes from the picture: on its left or, across narrow ones, at its top.
+    function insets() {
+      if (isStale) apply();
+      isStale = false;
+      const isAcross = bar.offsetWidth > 0.8 * host.clientWidth;
+      return isAcross ? [0, bar.offsetHeight / host.clientHeight] : [bar.offsetWidth / host.clientWidth, 0];
+    }
+
     const orbit = isopatch.makeOrbit(canvas, camera, scene, {
-      changed: ask, clicked: pickAt,
+      changed: ask, clicked: pickAt, insets,
       points: () => body("surface", () => isopatch.meshBody(scene, parts.surface.mesh, state.scale)).moved});
 
     function resize() {
