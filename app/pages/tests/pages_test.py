@@ -82,6 +82,27 @@ class Report(Pages):
         self.assertNotEqual(pictures[0], pictures[1])
         self.assertEqual(pictures[0], pictures[2])
 
+    def test_deformed_part_is_where_its_points_are(self):
+        self.browser.change(markers=False, supports=False, loads=False)
+        for scale in (0, 20):
+            self.browser.change(scale=scale)
+            drawn, expected = self.browser.run("""
+                const {canvas, project, scene, state} = isopatch.viewer; const gl = canvas.getContext("webgl2");
+                const [width, height] = [canvas.width, canvas.height]; const bytes = new Uint8Array(4 * width * height);
+                gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+                const all = new Uint32Array(bytes.buffer);
+                const boxes = [0, 1].map(() => [1e9, 1e9, -1e9, -1e9]);
+                const extend = (box, x, y) => { box[0] = Math.min(box[0], x); box[1] = Math.min(box[1], y);
+                                                box[2] = Math.max(box[2], x); box[3] = Math.max(box[3], y); };
+                for (let i = 0; i < all.length; ++i)
+                  if (all[i] !== all[0]) extend(boxes[0], i % width + 0.5, height - Math.floor(i / width) - 0.5);
+                for (let v = 0; v < scene.count; ++v)
+                  extend(boxes[1], ...project([0, 1, 2].map((c) => (
+                    scene.points[3 * v + c] + state.scale * scene.displacement[3 * v + c]))));
+                return boxes;""")
+            for pixel, point in zip(drawn, expected):
+                self.assertAlmostEqual(pixel, point, delta=2)
+
     def expect_tip(self):
         tip = fixture.ring_report()["summary"]["probes"][0]
         found = self.browser.values()
@@ -126,8 +147,12 @@ class Report(Pages):
                     self.assertLessEqual(place[axis], low[axis] + 0.37 * (high[axis] - low[axis]) + 1e-8)
 
     def test_click_says_that_it_interpolates(self):
-        self.browser.change(markers=False, scale=0)
-        x, y = self.browser.run("return isopatch.viewer.project(arguments[0])", fixture.ring_place(0.3, 0.5, 1))
+        place = fixture.ring_place(0.3, 0.5, 1)
+        moved = [x + 10 * u for x, u in zip(place, fixture.ring_fields(place)[0])]
+        self.browser.change(markers=False, scale=10)
+        x, y = self.browser.run("return isopatch.viewer.project(arguments[0])", moved)
+        for hit, expected in zip(self.browser.run("return isopatch.viewer.pickAt(...arguments[0]).place", [x, y]), place):
+            self.assertAlmostEqual(hit, expected, delta=1e-5)
         self.browser.click(x, y)
         found = self.browser.values()
         self.assertIn("interpolated", found["how"])
@@ -149,6 +174,8 @@ class Report(Pages):
             return [0, 0.1, 0.25, 0.5, 0.99].map((part) => {
               const section = isopatch.cutCells(scene, cells, 2, part * scene.box.max[2]);
               const p = isopatch.onSection(scene.points, section, 3); let area = 0;
+              for (let i = 2; i < p.length; i += 3)
+                if (Math.abs(p[i] - part * scene.box.max[2]) > 1e-8) return "a point off the plane";
               for (let t = 0; t < section.count / 3; ++t) {
                 const [ax, ay, , bx, by, , cx, cy] = p.slice(9 * t);
                 area += Math.abs((bx - ax) * (cy - ay) - (cx - ax) * (by - ay)) / 2;

@@ -52,7 +52,7 @@ globalThis.isopatch = globalThis.isopatch || {};
     const results = resultRows(summary, scene);
     const model = [...modelRows(summary.model), ...spaceRows(summary.discretization, summary.coupling)];
     const materials = (summary.materials || []).map((m) => [m.name, isopatch.withUnit(m.young, "Pa"), isopatch.general(m.poisson, 4),
-                                                            isopatch.general(m.density, 4) + " kg/m^3", counts(m.patches.length)]);
+                                                            m.density > 0 ? isopatch.general(m.density, 4) + " kg/m^3" : "not given", counts(m.patches.length)]);
     if (results.length + model.length === 0) return null;
     const part = (title, head, rows, id) => (rows.length === 0 ? null : element(
       "figure", {id}, element("figcaption", {}, title), isopatch.table(head, rows)));
