@@ -68,7 +68,7 @@ globalThis.isopatch = globalThis.isopatch || {};
     }`;
 
   // Lines are drawn a little towards the viewer, so that the faces they lie on do not swallow them, and light on dark
-  // colours.
+  // colours. Plain ones, of a surface that is seen through, have the colour of the page's text.
   const lineVertex = moved + `
     attribute float value;
     varying float shade;
@@ -79,11 +79,14 @@ globalThis.isopatch = globalThis.isopatch || {};
     }`;
   const lineFragment = cut + colourOf + `
     uniform float opacity;
+    uniform vec3 ink;
+    uniform float isPlain;
     varying float shade;
     void main() {
       cutBehindPlane();
       float brightness = dot(colourOf(shade), vec3(0.3, 0.6, 0.1));
-      gl_FragColor = vec4(brightness < 0.2 ? vec3(0.62) : vec3(0.06), opacity);
+      vec3 contrast = brightness < 0.2 ? vec3(0.62) : vec3(0.06);
+      gl_FragColor = vec4(isPlain > 0.5 ? ink : contrast, opacity);
     }`;
 
   // Cones and arrows keep their shape: only the point they stand on moves.
@@ -118,7 +121,7 @@ globalThis.isopatch = globalThis.isopatch || {};
   isopatch.makeUniforms = function () {
     return {
       scale: {value: 0}, plane: {value: new THREE.Vector4(0, 0, 0, 1)}, range: {value: new THREE.Vector2(0, 1)},
-      bands: {value: 0}, categories: {value: 0}, colours: {value: null},
+      bands: {value: 0}, ink: {value: new THREE.Color()}, categories: {value: 0}, colours: {value: null},
       noValue: {value: new THREE.Color(isopatch.noValueColour)},
       maps: {continuous: texture(isopatch.mapBytes(256), THREE.LinearFilter),
              categorical: texture(isopatch.categoryBytes(), THREE.NearestFilter)}};
@@ -132,7 +135,7 @@ globalThis.isopatch = globalThis.isopatch || {};
 
   isopatch.surfaceMaterial = (shared) => material(shared, {opacity: {value: 1}}, surfaceVertex, surfaceFragment, {});
   isopatch.lineMaterial = (shared, opacity) => material(
-    shared, {opacity: {value: opacity}}, lineVertex, lineFragment,
+    shared, {opacity: {value: opacity}, isPlain: {value: 0}}, lineVertex, lineFragment,
     {transparent: true, depthWrite: false});  // drawn after all that is opaque
   isopatch.symbolMaterial = (shared, colour) => material(
     shared, {colour: {value: new THREE.Color(colour)}}, symbolVertex, symbolFragment, {});

@@ -116,7 +116,10 @@ globalThis.isopatch = globalThis.isopatch || {};
       const isShown = state.surface !== "hidden";
       const {surface, interfaces} = parts;
       surface.faces.visible = isShown;
-      isopatch.setOpacity(surface.material, state.surface === "translucent" ? 0.22 : 1);
+      const isTranslucent = state.surface === "translucent";
+      isopatch.setOpacity(surface.material, isTranslucent ? 0.22 : 1);
+      for (const lines of [surface.patchEdges, surface.elementEdges])
+        lines.material.uniforms.isPlain.value = isTranslucent ? 1 : 0;
       surface.patchEdges.visible = isShown && state.patchEdges;
       surface.elementEdges.visible = isShown && state.elementEdges;
       const {outlines, section} = parts.section;
@@ -258,7 +261,9 @@ globalThis.isopatch = globalThis.isopatch || {};
     }
 
     function setBackground() {
-      renderer.setClearColor(new THREE.Color(getComputedStyle(host).backgroundColor), 1);
+      const {backgroundColor, color} = getComputedStyle(host);
+      renderer.setClearColor(new THREE.Color(backgroundColor), 1);
+      shared.ink.value.set(color);
       ask();
     }
 
