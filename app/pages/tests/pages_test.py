@@ -266,6 +266,28 @@ class Report(Pages):
         for before, after, key in zip(places, places[1:], "234567<^+->0"):
             self.assertNotEqual(before, after, key)
 
+    def test_fingers_turn_and_zoom(self):
+        def orbit():
+            return self.browser.run("const s = isopatch.viewer.orbit.state; return [s.azimuth, s.distance]")
+        def touch(kind, *points):
+            self.browser.driver.execute_cdp_cmd("Input.dispatchTouchEvent", {
+                "type": kind, "touchPoints": [{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(points)]})
+        self.browser.driver.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": True, "maxTouchPoints": 2})
+        self.addCleanup(self.browser.driver.execute_cdp_cmd, "Emulation.setTouchEmulationEnabled", {"enabled": False})
+        start = orbit()
+        touch("touchStart", (400, 300))
+        touch("touchMove", (460, 300))
+        touch("touchEnd")
+        turned = orbit()
+        self.assertNotAlmostEqual(turned[0], start[0], places=2)
+        self.assertEqual(turned[1], start[1])
+        touch("touchStart", (400, 300), (500, 300))
+        touch("touchMove", (350, 300), (550, 300))
+        touch("touchEnd")
+        pinched = orbit()
+        self.assertAlmostEqual(pinched[1], turned[1] / 2, delta=0.05 * turned[1])
+        self.assertEqual(pinched[0], turned[0])
+
     def test_nothing_is_drawn_while_nothing_changes(self):
         count = "return isopatch.viewer.pictures"
         before = self.browser.run(count)

@@ -85,6 +85,7 @@ globalThis.isopatch = globalThis.isopatch || {};
         object.geometry.setAttribute("value", attribute(values, 1));
       }
     };
+    result.hasOutlines = () => drawn.some(([object]) => object === outlines);
     result.cut(null, null);
     return result;
   };
