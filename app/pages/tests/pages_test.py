@@ -305,6 +305,16 @@ class Report(Pages):
         second = self.browser.pixels()["first"]
         self.assertGreater(abs(sum(first) - sum(second)), 200)
 
+    def test_paper_is_white_also_of_a_dark_page(self):
+        self.browser.run("document.documentElement.dataset.theme = 'dark'; isopatch.viewer.setBackground()")
+        self.browser.settle()
+        screen = self.browser.pixels()["first"]
+        self.browser.run("window.dispatchEvent(new Event('beforeprint'))")
+        self.assertEqual(self.browser.pixels()["first"], [255, 255, 255])
+        self.browser.run("window.dispatchEvent(new Event('afterprint'))")
+        self.browser.settle()
+        self.assertEqual(self.browser.pixels()["first"], screen)
+
     def test_warnings_lead_to_their_place(self):
         self.browser.run("document.querySelector('.warnings button').click()")
         found = self.browser.values()

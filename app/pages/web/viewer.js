@@ -164,12 +164,20 @@ globalThis.isopatch = globalThis.isopatch || {};
       ask();
     }
 
+    // On paper the part stands on white.
+    function printed() {
+      renderer.setClearColor(new THREE.Color("white"), 1);
+      draw();
+    }
+
     const viewer = {
-      scene, state, places, canvas, change, choose, pickAt, orbit, statisticsOf, project: pointing.project, pictures: 0, setBackground, draw,
-      look: orbit.look, fit: orbit.fit,
+      scene, state, places, canvas, change, choose, pickAt, orbit, statisticsOf, project: pointing.project, pictures: 0,
+      setBackground, draw, look: orbit.look, fit: orbit.fit,
       on: (event, f) => listeners[event].push(f)};
     state.range = isopatch.defaultRange(state.quantity, statisticsOf(state.quantity));
     canvas.addEventListener("webglcontextrestored", ask);
+    window.addEventListener("beforeprint", printed);
+    window.addEventListener("afterprint", setBackground);
     new ResizeObserver(resize).observe(host);
     setBackground();
     return viewer;
