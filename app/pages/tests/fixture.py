@@ -199,7 +199,8 @@ def ring_compare():
         for k in range(n2):
             for j in range(n1):
                 for i in range(n0):
-                    on = patch["name"] == "0" and i == n0 - 1
+                    # The second side of the interface alone has values.
+                    on = patch["name"] == "1" and i == 0
                     traction.extend([3e7 * (j + 1) / n1, -2e7, 5e6 * k] if on else [NAN] * 3)
     point = ring_place(0.5, 1, 1)
     data = scene.data(traction=block(traction), markers=[

@@ -82,6 +82,27 @@ class Report(Pages):
         self.assertNotEqual(pictures[0], pictures[1])
         self.assertEqual(pictures[0], pictures[2])
 
+    def test_deformed_part_is_where_its_points_are(self):
+        self.browser.change(markers=False, supports=False, loads=False)
+        for scale in (0, 20):
+            self.browser.change(scale=scale)
+            drawn, expected = self.browser.run("""
+                const {canvas, project, scene, state} = isopatch.viewer; const gl = canvas.getContext("webgl2");
+                const [width, height] = [canvas.width, canvas.height]; const bytes = new Uint8Array(4 * width * height);
+                gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+                const all = new Uint32Array(bytes.buffer);
+                const boxes = [0, 1].map(() => [1e9, 1e9, -1e9, -1e9]);
+                const extend = (box, x, y) => { box[0] = Math.min(box[0], x); box[1] = Math.min(box[1], y);
+                                                box[2] = Math.max(box[2], x); box[3] = Math.max(box[3], y); };
+                for (let i = 0; i < all.length; ++i)
+                  if (all[i] !== all[0]) extend(boxes[0], i % width + 0.5, height - Math.floor(i / width) - 0.5);
+                for (let v = 0; v < scene.count; ++v)
+                  extend(boxes[1], ...project([0, 1, 2].map((c) => (
+                    scene.points[3 * v + c] + state.scale * scene.displacement[3 * v + c]))));
+                return boxes;""")
+            for pixel, point in zip(drawn, expected):
+                self.assertAlmostEqual(pixel, point, delta=2)
+
     def expect_tip(self):
         tip = fixture.ring_report()["summary"]["probes"][0]
         found = self.browser.values()
@@ -126,8 +147,12 @@ class Report(Pages):
                     self.assertLessEqual(place[axis], low[axis] + 0.37 * (high[axis] - low[axis]) + 1e-8)
 
     def test_click_says_that_it_interpolates(self):
-        self.browser.change(markers=False, scale=0)
-        x, y = self.browser.run("return isopatch.viewer.project(arguments[0])", fixture.ring_place(0.3, 0.5, 1))
+        place = fixture.ring_place(0.3, 0.5, 1)
+        moved = [x + 10 * u for x, u in zip(place, fixture.ring_fields(place)[0])]
+        self.browser.change(markers=False, scale=10)
+        x, y = self.browser.run("return isopatch.viewer.project(arguments[0])", moved)
+        for hit, expected in zip(self.browser.run("return isopatch.viewer.pickAt(...arguments[0]).place", [x, y]), place):
+            self.assertAlmostEqual(hit, expected, delta=1e-5)
         self.browser.click(x, y)
         found = self.browser.values()
         self.assertIn("interpolated", found["how"])
@@ -149,6 +174,8 @@ class Report(Pages):
             return [0, 0.1, 0.25, 0.5, 0.99].map((part) => {
               const section = isopatch.cutCells(scene, cells, 2, part * scene.box.max[2]);
               const p = isopatch.onSection(scene.points, section, 3); let area = 0;
+              for (let i = 2; i < p.length; i += 3)
+                if (Math.abs(p[i] - part * scene.box.max[2]) > 1e-8) return "a point off the plane";
               for (let t = 0; t < section.count / 3; ++t) {
                 const [ax, ay, , bx, by, , cx, cy] = p.slice(9 * t);
                 area += Math.abs((bx - ax) * (cy - ay) - (cx - ax) * (by - ay)) / 2;
@@ -172,6 +199,47 @@ class Report(Pages):
         hit = self.browser.run("""const {project, pickAt, scene} = isopatch.viewer;
             return pickAt(...project([0.03, 0.046, 0.005])).place;""")
         self.assertAlmostEqual(hit[0], 0.03, delta=1e-6)
+
+    def test_outlines_of_the_section_close(self):
+        """Across z the section of each patch is a closed line: every end of a line meets another one."""
+        ends = self.browser.run("""
+            const {scene} = isopatch.viewer;
+            const lines = isopatch.cutFaces(scene, isopatch.patchRanges(scene), 2, 0.004);
+            const p = isopatch.onSection(scene.points, lines, 3); const ends = [];
+            for (let i = 0; i < lines.count; ++i) ends.push([...p.slice(3 * i, 3 * i + 3)].map((x) => Math.round(x * 1e6)).join());
+            return ends;""")
+        counts = {end: ends.count(end) for end in set(ends)}
+        self.assertGreater(len(counts), 40)
+        self.assertEqual({count % 2 for count in counts.values()}, {0})
+
+    def test_markers_that_are_cut_off_or_covered(self):
+        classes = """return [...document.querySelectorAll('.marker-label')].map((label) => [
+            label.textContent, label.hidden, label.classList.contains('marker-behind')]);"""
+        def state():
+            self.browser.driver.execute_async_script("setTimeout(arguments[0], 300)")
+            return {name: (hidden, behind) for name, hidden, behind in self.browser.run(classes)}
+        self.browser.change(scale=0)
+        self.assertEqual(state()["largest displacement"], (False, False))
+        self.browser.run("document.getElementById('view-bottom').click()")
+        self.assertEqual(state()["warning 1"], (False, True))
+        self.browser.change(axis=1, at=0.2)
+        self.assertEqual(state()["largest displacement"], (True, False))
+
+    def test_fit_shows_all_of_the_part_beside_the_colour_bar(self):
+        for name in ("isometric", "front", "top"):
+            self.browser.run("document.getElementById(arguments[0]).click()", f"view-{name}")
+            low, high, width, height, bar = self.browser.run("""
+                const {scene, project, canvas} = isopatch.viewer; const [low, high] = [[1e9, 1e9], [-1e9, -1e9]];
+                isopatch.viewer.change({scale: 0}); isopatch.viewer.fit();
+                for (let v = 0; v < scene.count; ++v) project(isopatch.pointOf(scene, v)).forEach((x, c) => {
+                  low[c] = Math.min(low[c], x); high[c] = Math.max(high[c], x); });
+                return [low, high, canvas.clientWidth, canvas.clientHeight, document.querySelector(".colour-bar").offsetWidth];""")
+            self.assertGreaterEqual(low[0], bar, name)
+            self.assertLessEqual(high[0], width, name)
+            self.assertGreaterEqual(low[1], 0, name)
+            self.assertLessEqual(high[1], height, name)
+            # It is as large as that allows.
+            self.assertGreater(max((high[0] - low[0]) / (width - bar), (high[1] - low[1]) / height), 0.85, name)
 
     def test_range_and_colours(self):
         self.browser.change(markers=False)
@@ -198,6 +266,28 @@ class Report(Pages):
         for before, after, key in zip(places, places[1:], "234567<^+->0"):
             self.assertNotEqual(before, after, key)
 
+    def test_fingers_turn_and_zoom(self):
+        def orbit():
+            return self.browser.run("const s = isopatch.viewer.orbit.state; return [s.azimuth, s.distance]")
+        def touch(kind, *points):
+            self.browser.driver.execute_cdp_cmd("Input.dispatchTouchEvent", {
+                "type": kind, "touchPoints": [{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(points)]})
+        self.browser.driver.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": True, "maxTouchPoints": 2})
+        self.addCleanup(self.browser.driver.execute_cdp_cmd, "Emulation.setTouchEmulationEnabled", {"enabled": False})
+        start = orbit()
+        touch("touchStart", (400, 300))
+        touch("touchMove", (460, 300))
+        touch("touchEnd")
+        turned = orbit()
+        self.assertNotAlmostEqual(turned[0], start[0], places=2)
+        self.assertEqual(turned[1], start[1])
+        touch("touchStart", (400, 300), (500, 300))
+        touch("touchMove", (350, 300), (550, 300))
+        touch("touchEnd")
+        pinched = orbit()
+        self.assertAlmostEqual(pinched[1], turned[1] / 2, delta=0.05 * turned[1])
+        self.assertEqual(pinched[0], turned[0])
+
     def test_nothing_is_drawn_while_nothing_changes(self):
         count = "return isopatch.viewer.pictures"
         before = self.browser.run(count)
@@ -214,6 +304,16 @@ class Report(Pages):
         self.browser.settle()
         second = self.browser.pixels()["first"]
         self.assertGreater(abs(sum(first) - sum(second)), 200)
+
+    def test_paper_is_white_also_of_a_dark_page(self):
+        self.browser.run("document.documentElement.dataset.theme = 'dark'; isopatch.viewer.setBackground()")
+        self.browser.settle()
+        screen = self.browser.pixels()["first"]
+        self.browser.run("window.dispatchEvent(new Event('beforeprint'))")
+        self.assertEqual(self.browser.pixels()["first"], [255, 255, 255])
+        self.browser.run("window.dispatchEvent(new Event('afterprint'))")
+        self.browser.settle()
+        self.assertEqual(self.browser.pixels()["first"], screen)
 
     def test_warnings_lead_to_their_place(self):
         self.browser.run("document.querySelector('.warnings button').click()")
@@ -281,10 +381,16 @@ class OtherPages(Pages):
     def test_values_that_are_absent_are_grey(self):
         self.open("compare")
         self.browser.change(markers=False, surface="solid", interfaces=False, patchEdges=False)
-        grey = self.browser.run("""
-            const {canvas} = isopatch.viewer; const gl = canvas.getContext("webgl2"); const p = new Uint8Array(4);
-            gl.readPixels(canvas.width / 2, canvas.height / 2, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, p); return [...p];""")
-        self.assertEqual(len(set(grey[:3])), 1, grey)
+        self.browser.change(scale=0)
+        pixel = """
+            const {canvas, project} = isopatch.viewer; const gl = canvas.getContext("webgl2"); const p = new Uint8Array(4);
+            const [x, y] = project(arguments[0]);
+            gl.readPixels(x, canvas.height - 1 - y, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, p); return [...p.slice(0, 3)];"""
+        grey = self.browser.run(pixel, fixture.ring_place(0.3, 0.5, 1))
+        self.assertEqual(len(set(grey)), 1, grey)
+        self.browser.run("const s = document.getElementById('quantity'); s.value = 'von_mises'; s.dispatchEvent(new Event('change'))")
+        self.browser.settle()
+        self.assertEqual(len(set(self.browser.run(pixel, fixture.ring_place(0.3, 0.5, 1)))), 3)
 
     def test_three_hundred_patches(self):
         """A page of a quarter of a million points stays within its size and answers."""

@@ -30,13 +30,13 @@ globalThis.isopatch = globalThis.isopatch || {};
   };
   isopatch.categoryBytes = () => new Uint8Array(isopatch.categories.flatMap((hex) => [...channels(hex), 255]));
 
-  // A CSS gradient upwards, smooth or in bands.
+  // A CSS gradient, smooth or in bands, upwards unless the style sheet sets --direction.
   isopatch.gradient = function (bands) {
     const stops = [];
     const css = (t) => "rgb(" + isopatch.colourAt(t).join(",") + ")";
     if (bands === 0) for (let i = 0; i <= 18; ++i) stops.push(css(i / 18));
     for (let i = 0; i < bands; ++i)
       stops.push(`${css((i + 0.5) / bands)} ${(100 * i) / bands}% ${(100 * (i + 1)) / bands}%`);
-    return "linear-gradient(to top, " + stops.join(", ") + ")";
+    return "linear-gradient(var(--direction, to top), " + stops.join(", ") + ")";
   };
 })(globalThis.isopatch);

@@ -13,8 +13,9 @@ globalThis.isopatch = globalThis.isopatch || {};
     return value.toFixed(Math.max(0, -power));
   }
 
-  function hint(arrow, value, quantity) {
-    return isopatch.element("div", {class: "bar-hint"}, arrow + " " + isopatch.general(value * quantity.factor, 4));
+  function hint(words, value, quantity) {
+    const field = {key: quantity.field === "von_mises" ? "von_mises" : "", factor: quantity.factor, unit: quantity.unit};
+    return isopatch.element("div", {class: "bar-hint"}, words + " " + isopatch.scalarText(field, value));
   }
 
   function continuous(quantity, range, bands, statistics) {
@@ -23,7 +24,7 @@ globalThis.isopatch = globalThis.isopatch || {};
     const ticks = isopatch.ticks(low, high, 6);
     const step = ticks.length > 1 ? ticks[1] - ticks[0] : high - low || 1;
     const marks = ticks.map((value) => element(
-      "span", {class: "bar-tick", style: `bottom: ${(100 * (value - low)) / (high - low || 1)}%`}, tickText(value, step)));
+      "span", {class: "bar-tick", style: `--at: ${(100 * (value - low)) / (high - low || 1)}%`}, tickText(value, step)));
     const slack = 1e-6 * Math.abs(high - low);
     const above = statistics && statistics.max * quantity.factor > high + slack;
     const below = statistics && statistics.min * quantity.factor < low - slack;

@@ -88,7 +88,7 @@ globalThis.isopatch = globalThis.isopatch || {};
     const elements = isopatch.elementMinima(scene, values);
     const bad = elements.filter(({value}) => !(value > 0)).length;
     return isopatch.section("Quality of the elements",
-      element("p", {}, "The scaled Jacobian is 1 for a brick, and must not reach 0. ", bad === 0
+      element("p", {}, "The scaled Jacobian is 1 for a brick, and must not reach 0. The samples include the corners of the elements, which the Gauss points do not. ", bad === 0
         ? "It is positive at all sampled points."
         : element("strong", {}, `It is not positive in ${isopatch.withSeparators(bad)} of ${isopatch.withSeparators(elements.length)} elements.`)),
       element("div", {class: "figures"},

@@ -12,28 +12,31 @@ globalThis.isopatch = globalThis.isopatch || {};
     return {dot, label, place};
   }
 
-  // Labels to the right of their dots, pushed down where they would cover each other.
-  function spread(shown) {
+  // Labels beside their dots: to the right where there is room, pushed down where they would cover each other.
+  function spread(shown, width) {
     const taken = [];
     for (const item of [...shown].sort((a, b) => a.y - b.y)) {
+      item.width = item.width || item.label.offsetWidth;
+      const x = item.x + 10 + item.width > width ? item.x - 10 - item.width : item.x + 10;
       let y = item.y - 8;
-      const width = 7 * item.place.name.length + 14;
       for (const other of taken)
-        if (item.x < other.x + other.width && other.x < item.x + width && Math.abs(y - other.y) < 17) y = other.y + 17;
-      taken.push({x: item.x, y, width});
-      item.label.style.transform = `translate(${Math.round(item.x + 10)}px, ${Math.round(y)}px)`;
+        if (x < other.x + other.width && other.x < x + item.width && Math.abs(y - other.y) < 17) y = other.y + 17;
+      taken.push({x, y, width: item.width});
+      item.label.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px)`;
     }
   }
 
-  // place: {name, kind, point, displacement}; project(point) gives pixels or null outside of the picture.
+  // place: {name, kind, point, displacement}; project(point) gives pixels or null outside of the picture,
+  // isCut(point) tells what the section has cut away.
   isopatch.makeMarkers = function (layer, places) {
     const items = places.map((place) => addDot(layer, place));
     const picked = {dot: isopatch.element("span", {class: "marker marker-picked"}), place: null};
     layer.append(picked.dot);
 
-    function put(item, scale, project) {
+    function put(item, scale, project, isCut) {
       const {point, displacement} = item.place;
-      const pixel = project(point.map((x, c) => x + scale * (displacement ? displacement[c] : 0)));
+      item.point = point.map((x, c) => x + scale * (displacement ? displacement[c] : 0));
+      const pixel = isCut(point) ? null : project(item.point);
       item.dot.hidden = pixel === null;
       if (item.label) item.label.hidden = pixel === null;
       if (pixel === null) return false;
@@ -43,9 +46,18 @@ globalThis.isopatch = globalThis.isopatch || {};
     }
 
     return {
-      update(scale, project) {
-        spread(items.filter((item) => put(item, scale, project)));
-        picked.dot.hidden = picked.place === null || !put(picked, scale, project);
+      // Places that the section has cut away are left out.
+      update(scale, project, isCut, width) {
+        for (const {dot, label} of items) for (const part of [dot, label]) part.classList.remove("marker-behind");
+        spread(items.filter((item) => put(item, scale, project, isCut)), width);
+        picked.dot.hidden = picked.place === null || !put(picked, scale, project, () => false);
+      },
+      // Those that the part covers are drawn faintly; for when the picture has come to rest.
+      markHidden(isHidden) {
+        for (const {dot, label, point} of items) {
+          const isBehind = !dot.hidden && isHidden(point);
+          for (const part of [dot, label]) part.classList.toggle("marker-behind", isBehind);
+        }
       },
       setPicked(place) { picked.place = place; },
       at(x, y) {

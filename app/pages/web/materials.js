@@ -25,6 +25,21 @@ globalThis.isopatch = globalThis.isopatch || {};
                   + 0.15 * max(dot(n, vec3(0.0, 0.0, 1.0)), 0.0);
     }`;
 
+  const colourOf = `
+    uniform sampler2D colours;
+    uniform vec2 range;
+    uniform float bands;
+    uniform float categories;
+    uniform vec3 noValue;
+    vec3 colourOf(float x) {
+      if (!(x < 1e30)) return noValue;
+      if (categories > 0.0)
+        return texture2D(colours, vec2((mod(floor(x + 0.5), categories) + 0.5) / categories, 0.5)).rgb;
+      float t = clamp((x - range.x) / (range.y - range.x), 0.0, 1.0);
+      if (bands > 0.0) t = (min(floor(t * bands), bands - 1.0) + 0.5) / bands;
+      return texture2D(colours, vec2((t * 255.0 + 0.5) / 256.0, 0.5)).rgb;
+    }`;
+
   const surfaceVertex = moved + `
     attribute float value;
     attribute vec3 normal0;
@@ -41,42 +56,37 @@ globalThis.isopatch = globalThis.isopatch || {};
       gl_Position = projectionMatrix * at;
     }`;
   // Without normals (sections, collapsed edges) the screen's derivatives give those of the triangle.
-  const surfaceFragment = cut + light + `
-    uniform sampler2D colours;
-    uniform vec2 range;
-    uniform float bands;
-    uniform float categories;
-    uniform vec3 noValue;
+  const surfaceFragment = cut + light + colourOf + `
     uniform float opacity;
     varying float shade;
     varying vec3 bent;
     varying vec3 view;
-    vec3 colourOf(float x) {
-      if (!(x < 1e30)) return noValue;
-      if (categories > 0.0)
-        return texture2D(colours, vec2((mod(floor(x + 0.5), categories) + 0.5) / categories, 0.5)).rgb;
-      float t = clamp((x - range.x) / (range.y - range.x), 0.0, 1.0);
-      if (bands > 0.0) t = (min(floor(t * bands), bands - 1.0) + 0.5) / bands;
-      return texture2D(colours, vec2((t * 255.0 + 0.5) / 256.0, 0.5)).rgb;
-    }
     void main() {
       cutBehindPlane();
       vec3 normal = length(bent) > 1e-4 ? normalize(bent) : normalize(cross(dFdx(view), dFdy(view)));
       gl_FragColor = vec4(colourOf(shade) * lightOn(normal, view), opacity);
     }`;
 
-  // Lines are drawn a little towards the viewer, so that the faces they lie on do not swallow them.
+  // Lines are drawn a little towards the viewer, so that the faces they lie on do not swallow them, and light on dark
+  // colours. Plain ones, of a surface that is seen through, have the colour of the page's text.
   const lineVertex = moved + `
+    attribute float value;
+    varying float shade;
     void main() {
-      gl_Position = projectionMatrix * movedView();
-      gl_Position.z -= 4e-4 * gl_Position.w;
+      shade = value;
+      vec4 at = movedView();
+      gl_Position = projectionMatrix * vec4(0.9985 * at.xyz, 1.0);
     }`;
-  const lineFragment = cut + `
-    uniform vec3 colour;
+  const lineFragment = cut + colourOf + `
     uniform float opacity;
+    uniform vec3 ink;
+    uniform float isPlain;
+    varying float shade;
     void main() {
       cutBehindPlane();
-      gl_FragColor = vec4(colour, opacity);
+      float brightness = dot(colourOf(shade), vec3(0.3, 0.6, 0.1));
+      vec3 contrast = brightness < 0.2 ? vec3(0.62) : vec3(0.06);
+      gl_FragColor = vec4(isPlain > 0.5 ? ink : contrast, opacity);
     }`;
 
   // Cones and arrows keep their shape: only the point they stand on moves.
@@ -111,7 +121,7 @@ globalThis.isopatch = globalThis.isopatch || {};
   isopatch.makeUniforms = function () {
     return {
       scale: {value: 0}, plane: {value: new THREE.Vector4(0, 0, 0, 1)}, range: {value: new THREE.Vector2(0, 1)},
-      bands: {value: 0}, categories: {value: 0}, colours: {value: null},
+      bands: {value: 0}, ink: {value: new THREE.Color()}, categories: {value: 0}, colours: {value: null},
       noValue: {value: new THREE.Color(isopatch.noValueColour)},
       maps: {continuous: texture(isopatch.mapBytes(256), THREE.LinearFilter),
              categorical: texture(isopatch.categoryBytes(), THREE.NearestFilter)}};
@@ -124,9 +134,9 @@ globalThis.isopatch = globalThis.isopatch || {};
   }
 
   isopatch.surfaceMaterial = (shared) => material(shared, {opacity: {value: 1}}, surfaceVertex, surfaceFragment, {});
-  isopatch.lineMaterial = (shared, colour, opacity) => material(
-    shared, {colour: {value: new THREE.Color(colour)}, opacity: {value: opacity}}, lineVertex, lineFragment,
-    {transparent: opacity < 1, depthWrite: false});
+  isopatch.lineMaterial = (shared, opacity) => material(
+    shared, {opacity: {value: opacity}, isPlain: {value: 0}}, lineVertex, lineFragment,
+    {transparent: true, depthWrite: false});  // drawn after all that is opaque
   isopatch.symbolMaterial = (shared, colour) => material(
     shared, {colour: {value: new THREE.Color(colour)}}, symbolVertex, symbolFragment, {});
 

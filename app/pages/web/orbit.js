@@ -16,41 +16,45 @@ globalThis.isopatch = globalThis.isopatch || {};
             right: new THREE.Vector3(-sa, ca, 0)};
   }
 
-  // Distance from which all corners of the box about `target` are seen.
-  function fittingDistance(corners, target, state, tangents) {
+  // Target and distance from which all points (three numbers each) are just seen. With x to the right, z towards the
+  // camera and t the tangent of half the angle, a camera at x = c, z = d sees a point if |x - c| <= t (d - z).
+  function fitting(points, centre, state, tangents) {
     const {out, up, right} = frame(state);
-    let distance = 0;
-    for (const corner of corners) {
-      const from = corner.clone().sub(target);
-      const depth = from.dot(out);
-      distance = Math.max(distance, depth + Math.abs(from.dot(right)) / tangents[0],
-                          depth + Math.abs(from.dot(up)) / tangents[1]);
-    }
-    return distance;
+    const [across, upwards, depth] = [right, up, out].map((axis) => axis.toArray());
+    const along = (axis, i) => (axis[0] * (points[i] - centre[0]) + axis[1] * (points[i + 1] - centre[1])
+                                + axis[2] * (points[i + 2] - centre[2]));
+    const bounds = [[across, tangents[0]], [upwards, tangents[1]], [depth, 0]].map(([axis, t]) => {
+      let [low, high] = [Infinity, -Infinity];
+      for (let i = 0; i < points.length; i += 3) {
+        const [x, z] = [along(axis, i), t * along(depth, i)];
+        low = Math.min(low, x - z);
+        high = Math.max(high, x + z);
+      }
+      return {middle: (low + high) / 2, half: (high - low) / 2};
+    });
+    const [horizontal, vertical, forwards] = bounds;
+    const target = new THREE.Vector3(...centre).addScaledVector(right, horizontal.middle)
+      .addScaledVector(up, vertical.middle).addScaledVector(out, forwards.middle);
+    const distance = Math.max(horizontal.half / tangents[0], vertical.half / tangents[1]);
+    return {target, distance: distance - forwards.middle};
   }
 
-  function boxCorners(box, margin) {
-    const corners = [];
-    for (let i = 0; i < 8; ++i)
-      corners.push(new THREE.Vector3(...[0, 1, 2].map((c) => (
-        (i >> c) & 1 ? box.max[c] + margin : box.min[c] - margin))));
-    return corners;
-  }
-
-  // handlers: changed() after every movement, clicked(x, y) in pixels of the canvas.
+  // handlers: changed() after every movement, clicked(x, y) in pixels of the canvas, points() that a
+  // fit must show, insets() the parts of the picture at the left and at the top that it must leave free.
   isopatch.makeOrbit = function (canvas, camera, scene, handlers) {
     const [azimuth, elevation] = isopatch.namedViews.isometric;
     const state = {azimuth: azimuth * degrees, elevation: elevation * degrees, distance: 1,
-                   target: new THREE.Vector3(...scene.centre)};
+                   target: new THREE.Vector3(...scene.centre), insets: [0, 0]};
 
     function place() {
       const {out, up} = frame(state);
       camera.position.copy(state.target).addScaledVector(out, state.distance);
       camera.up.copy(up);
       camera.lookAt(state.target);
-      camera.near = Math.max(state.distance - 1.5 * scene.size, 0.002 * scene.size);
-      camera.far = state.distance + 1.5 * scene.size;
-      camera.updateProjectionMatrix();
+      camera.near = Math.max(state.distance - 1.2 * scene.size, 0.002 * scene.size);
+      camera.far = state.distance + 1.2 * scene.size;
+      const {aspect} = camera;
+      camera.setViewOffset(aspect, 1, (-state.insets[0] / 2) * aspect, -state.insets[1] / 2, aspect, 1);
       camera.updateMatrixWorld();
       handlers.changed();
     }
@@ -74,17 +78,19 @@ globalThis.isopatch = globalThis.isopatch || {};
       place();
     }
 
-    function fit(margin) {
-      state.target.set(...scene.centre);
-      const vertical = Math.tan((camera.fov / 2) * degrees) * 0.88;
-      state.distance = fittingDistance(boxCorners(scene.box, margin || 0), state.target, state,
-                                       [vertical * camera.aspect, vertical]);
+    function fit() {
+      const vertical = Math.tan((camera.fov / 2) * degrees) * 0.9;
+      const [left, top] = state.insets = handlers.insets();
+      const tangents = [vertical * camera.aspect * (1 - left), vertical * (1 - top)];
+      const found = fitting(handlers.points(), scene.centre, state, tangents);
+      state.target.copy(found.target);
+      state.distance = found.distance;
       place();
     }
 
-    function look(name, margin) {
+    function look(name) {
       [state.azimuth, state.elevation] = isopatch.namedViews[name].map((angle) => angle * degrees);
-      fit(margin);
+      fit();
     }
 
     const orbit = {state, place, turn, zoom, pan, fit, look};

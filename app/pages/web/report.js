@@ -6,6 +6,7 @@ globalThis.isopatch = globalThis.isopatch || {};
   const element = (...all) => isopatch.element(...all);
   const size = (scene) => (scene ? scene.size : 1);
   const counts = (n) => isopatch.withSeparators(n);
+  const many = (n, one, several) => counts(n) + " " + (n === 1 ? one : several || one + "s");
 
   function at(scene, point) {
     return point ? [" at ", element("span", {class: "nowrap"}, isopatch.placeWithUnit(point, size(scene)))] : [];
@@ -14,10 +15,10 @@ globalThis.isopatch = globalThis.isopatch || {};
   function modelRows(model) {
     if (!model) return [];
     const {box} = model;
-    const rows = [["patches", `${counts(model.patches)}, ${counts(model.interfaces)} interfaces, ${counts(model.boundary_faces)} boundary faces`],
+    const rows = [["patches", `${counts(model.patches)}, ${many(model.interfaces, "interface")}, ${many(model.boundary_faces, "boundary face")}`],
                   ["volume, surface", `${isopatch.withUnit(model.volume, "m^3")}, ${isopatch.withUnit(model.boundary_area, "m^2")}`]];
     if (box) rows.push(["box of the control points", isopatch.vectorWithUnit(box.max.map((x, i) => x - box.min[i]), "m")]);
-    rows.push(["smallest scaled Jacobian", isopatch.general(model.min_scaled_jacobian, 4)]);
+    rows.push(["smallest scaled Jacobian", isopatch.general(model.min_scaled_jacobian, 4) + " (at the Gauss points)"]);
     return rows;
   }
 
@@ -51,20 +52,20 @@ globalThis.isopatch = globalThis.isopatch || {};
     const results = resultRows(summary, scene);
     const model = [...modelRows(summary.model), ...spaceRows(summary.discretization, summary.coupling)];
     const materials = (summary.materials || []).map((m) => [m.name, isopatch.withUnit(m.young, "Pa"), isopatch.general(m.poisson, 4),
-                                                            isopatch.general(m.density, 4) + " kg/m^3", counts(m.patches.length)]);
+                                                            m.density > 0 ? isopatch.general(m.density, 4) + " kg/m^3" : "not given", counts(m.patches.length)]);
     if (results.length + model.length === 0) return null;
-    return isopatch.section("Figures",
-      results.length ? element("div", {id: "results"}, isopatch.table(null, results)) : null,
-      element("h3", {}, "Model"), isopatch.table(null, model),
-      materials.length ? [element("h3", {}, "Materials"),
-                          isopatch.table(["material", "Young's modulus", "Poisson's ratio", "density", "patches"], materials)] : null);
+    const part = (title, head, rows, id) => (rows.length === 0 ? null : element(
+      "figure", {id}, element("figcaption", {}, title), isopatch.table(head, rows)));
+    return isopatch.section("Figures", element("div", {class: "figures"},
+      part("Results", null, results, "results"), part("Model", null, model),
+      part("Materials", ["material", "Young's modulus", "Poisson's ratio", "density", "patches"], materials)));
   }
 
   function extent(region) {
     if (region.faces && region.faces.length)
-      return `${region.faces.length} ${region.faces.length === 1 ? "face" : "faces"}, ${isopatch.withUnit(region.area, "m^2")}`;
+      return `${many(region.faces.length, "face")}, ${isopatch.withUnit(region.area, "m^2")}`;
     if (region.patches && region.patches.length)
-      return `${counts(region.patches.length)} patches, ${isopatch.withUnit(region.volume, "m^3")}`;
+      return `${many(region.patches.length, "patch", "patches")}, ${isopatch.withUnit(region.volume, "m^3")}`;
     return "";
   }
 

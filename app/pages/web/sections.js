@@ -33,7 +33,8 @@ globalThis.isopatch = globalThis.isopatch || {};
   isopatch.plotFigures = (plots) => (plots || []).map((plot) => {
     const picture = element("div", {class: "plot"});
     picture.innerHTML = plot.svg;
-    return element("figure", {}, element("figcaption", {}, plot.title), picture);
+    // A plot that has its title inside comes without one.
+    return element("figure", {}, plot.title ? element("figcaption", {}, plot.title) : null, picture);
   });
 
   isopatch.bars = function (title, pairs, text) {

@@ -40,7 +40,7 @@ globalThis.isopatch = globalThis.isopatch || {};
     isopatch.viewer = null;
     const theme = themeButton(() => isopatch.viewer && isopatch.viewer.setBackground());
     document.getElementById("page-header").append(
-      isopatch.element("div", {}, isopatch.element("h1", {}, data.title), isopatch.element(
+      isopatch.element("div", {}, isopatch.element("h1", {}, data.title || data.program), isopatch.element(
         "p", {}, `${titles[data.kind] || ""} by ${data.program}`)), theme);
     if (scene) {
       const stage = isopatch.makeViewerSection(scene, firstLook(data, scene));

@@ -15,6 +15,12 @@ globalThis.isopatch = globalThis.isopatch || {};
     return object;
   }
 
+  // Lines come after all faces, also after translucent ones.
+  function lastDrawn(lines) {
+    lines.renderOrder = 2;
+    return unculled(lines);
+  }
+
   function indexed(attributes, index) {
     const geometry = new THREE.BufferGeometry();
     for (const [name, value] of Object.entries(attributes)) geometry.setAttribute(name, value);
@@ -30,8 +36,8 @@ globalThis.isopatch = globalThis.isopatch || {};
     const value = attribute(new Float32Array(mesh.count), 1);
     const normals = Object.fromEntries(mesh.normals.map((n, i) => ["normal" + i, attribute(n, 3)]));
     const material = isopatch.surfaceMaterial(shared);
-    const lines = (index, opacity) => unculled(new THREE.LineSegments(
-      indexed(place, index), isopatch.lineMaterial(shared, "#101010", opacity)));
+    const lines = (index, opacity) => lastDrawn(new THREE.LineSegments(
+      indexed({...place, value}, index), isopatch.lineMaterial(shared, opacity)));
     const surface = {
       mesh, material, faces: unculled(new THREE.Mesh(indexed({...place, value, ...normals}, mesh.triangles), material)),
       patchEdges: lines(mesh.patchEdges, 1), elementEdges: lines(mesh.elementEdges, 0.35)};
@@ -42,30 +48,45 @@ globalThis.isopatch = globalThis.isopatch || {};
     return surface;
   };
 
-  // The filled section; `cut(section)` draws another one, `show(quantity)` colours it.
+  // The geometry of points that lie on edges between vertices, as sections give them.
+  function cutGeometry(scene, section) {
+    const geometry = new THREE.BufferGeometry();
+    const set = (name, array, size) => geometry.setAttribute(name, attribute(array, size));
+    set("position", isopatch.onSection(scene.points, section, 3), 3);
+    set("displacement", isopatch.onSection(scene.displacement, section, 3), 3);
+    const flat = new Float32Array(3 * section.count);
+    for (const name of ["normal0", "normal1", "normal2"]) set(name, flat, 3);
+    return geometry;
+  }
+
+  // The filled section with the patches' outlines; `cut(section, outlines)` draws another one, or none (null),
+  // `show(quantity)` colours it.
   isopatch.makeSectionSurface = function (scene, shared) {
     const uncut = {...shared, plane: {value: new THREE.Vector4(0, 0, 0, 1)}};
-    const faces = unculled(new THREE.Mesh(new THREE.BufferGeometry(), isopatch.surfaceMaterial(uncut)));
-    const result = {faces, section: null};
-    result.cut = function (section) {
-      faces.geometry.dispose();
-      faces.geometry = new THREE.BufferGeometry();
+    const nothing = new THREE.BufferGeometry();
+    const faces = unculled(new THREE.Mesh(nothing, isopatch.surfaceMaterial(uncut)));
+    const outlines = lastDrawn(new THREE.LineSegments(nothing, isopatch.lineMaterial(uncut, 1)));
+    const result = {faces, outlines, section: null};
+    const drawn = [];
+    result.cut = function (section, lines) {
       result.section = section;
-      faces.visible = section !== null && section.count > 0;
-      if (!faces.visible) return;
-      const flat = new Float32Array(3 * section.count);
-      const set = (name, array, size) => faces.geometry.setAttribute(name, attribute(array, size));
-      set("position", isopatch.onSection(scene.points, section, 3), 3);
-      set("displacement", isopatch.onSection(scene.displacement, section, 3), 3);
-      set("value", new Float32Array(section.count), 1);
-      for (const name of ["normal0", "normal1", "normal2"]) set(name, flat, 3);
+      drawn.length = 0;
+      for (const [object, points] of [[faces, section], [outlines, lines]]) {
+        object.geometry.dispose();
+        object.visible = Boolean(points && points.count > 0);
+        if (!object.visible) continue;
+        object.geometry = cutGeometry(scene, points);
+        drawn.push([object, points]);
+      }
     };
     result.show = function (quantity) {
-      if (!faces.visible || result.section === null) return;
-      const values = isopatch.forShader(isopatch.onSection(quantity.values(), result.section, 1));
-      faces.geometry.setAttribute("value", attribute(values, 1));
+      for (const [object, points] of drawn) {
+        const values = isopatch.forShader(isopatch.onSection(quantity.values(), points, 1));
+        object.geometry.setAttribute("value", attribute(values, 1));
+      }
     };
-    result.cut(null);
+    result.hasOutlines = () => drawn.some(([object]) => object === outlines);
+    result.cut(null, null);
     return result;
   };
 })(globalThis.isopatch);

@@ -3,15 +3,15 @@ globalThis.isopatch = globalThis.isopatch || {};
 (function (isopatch) {
   "use strict";
 
-  const perRegion = 40;  // symbols of one support or load at most
+  const most = {supports: 40, loads: 16};  // symbols of each support or load
   isopatch.supportColour = "#1fa8a0";
   isopatch.loadColour = "#d6336c";
 
   // Points of the faces of support or load number `index`: vertex and outward normal, spread over the faces.
   function anchors(mesh, key, index) {
     const faces = mesh.faces.filter((item) => (item.face[key] || []).includes(index));
-    const across = Math.max(1, Math.min(3, Math.floor(Math.sqrt(perRegion / Math.max(1, faces.length)))));
-    const every = Math.max(1, Math.ceil((faces.length * across * across) / perRegion));
+    const across = Math.max(1, Math.min(3, Math.floor(Math.sqrt(most[key] / Math.max(1, faces.length)))));
+    const every = Math.max(1, Math.ceil((faces.length * across * across) / most[key]));
     const result = [];
     faces.forEach((item, f) => {
       if (f % every !== 0) return;

@@ -18,6 +18,8 @@ globalThis.isopatch = globalThis.isopatch || {};
     return (general(value * field.factor) + " " + field.unit).trim();
   }
 
+  isopatch.scalarText = scalarText;
+
   function fieldRows(scene, field, value) {
     const name = field.label.charAt(0).toLowerCase() + field.label.slice(1);
     if (field.key === "displacement") return displacementRows(scene, value);

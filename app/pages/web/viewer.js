@@ -5,7 +5,6 @@ globalThis.isopatch = globalThis.isopatch || {};
   "use strict";
 
   const fieldOfView = 24;  // degrees: little distortion
-  const noPlane = [0, 0, 0, 1];
 
   function makeRenderer(canvas) {
     const settings = {antialias: true, alpha: false, preserveDrawingBuffer: true};
@@ -21,27 +20,14 @@ globalThis.isopatch = globalThis.isopatch || {};
     return [5, 2, 1].find((n) => n * power <= value * (1 + 1e-9)) * power;
   }
 
-  // The scale at which the largest displacement is a tenth of the part's size, and the one shown first.
+  // The scale at which the largest displacement is about a tenth of the part's size, and the one shown first.
   isopatch.scalesOf = function (scene) {
     if (!(scene.maxDisplacement > 0)) return {largest: 1, first: 0};
-    const largest = (0.1 * scene.size) / scene.maxDisplacement;
-    return {largest: Math.max(1, niceScale(largest)), first: niceScale(largest / 2)};
+    // Half of a tenth, and the true one where that is not much more.
+    const half = (0.05 * scene.size) / scene.maxDisplacement;
+    const first = half < 1 && half > 0.1 ? 1 : niceScale(half);
+    return {largest: Math.max(1, 2 * first), first};
   };
-
-  function makeParts(scene, shared, options) {
-    const surface = isopatch.makeSurface(scene, isopatch.makeFaceMesh(scene, "boundary"), shared);
-    const interfaceField = (scene.fields.find((field) => field.on === "interfaces") || {}).key;
-    const interfaceMesh = isopatch.makeFaceMesh(scene, "interface", interfaceField);
-    const interfaces = isopatch.makeSurface(scene, interfaceMesh, shared);
-    const section = isopatch.makeSectionSurface(scene, shared);
-    const supports = isopatch.makeSupports(scene, surface.mesh, shared);
-    const loads = isopatch.makeLoads(scene, surface.mesh, shared);
-    const world = new THREE.Scene();
-    surface.faces.renderOrder = 1;  // translucent after what is inside
-    world.add(interfaces.faces, interfaces.patchEdges, interfaces.elementEdges, section.faces, supports, loads,
-              surface.faces, surface.patchEdges, surface.elementEdges);
-    return {surface, interfaces, section, supports, loads, world};
-  }
 
   function firstState(scene, options) {
     const wanted = options.quantity || (scene.isSolved ? "displacement" : "scaled_jacobian");
@@ -64,91 +50,48 @@ globalThis.isopatch = globalThis.isopatch || {};
     host.append(canvas, layer, bar, caption);
 
     const shared = isopatch.makeUniforms();
-    const parts = makeParts(scene, shared, options);
+    const parts = isopatch.makeParts(scene, shared);
     const camera = new THREE.PerspectiveCamera(fieldOfView, 1, 1, 10);
     const state = firstState(scene, options);
+    const pointing = isopatch.makePointing(scene, parts, camera, canvas, state);
     const places = isopatch.placesOf(scene);
     const markers = isopatch.makeMarkers(layer, places);
     const listeners = {changed: [], picked: []};
     const tell = (event, value) => listeners[event].forEach((f) => f(value));
     const statistics = new Map();
-    const bodies = new Map();
-    let cells = null;
     let asked = false;
-    let isCutStale = false;
-    let isColourStale = false;
+    let [isStale, isColourStale, isCutStale] = [true, true, true];
+    let resting = null;
 
     function statisticsOf(quantity) {
       if (!statistics.has(quantity.id)) statistics.set(quantity.id, isopatch.statistics(quantity.values()));
       return statistics.get(quantity.id);
     }
 
-    const coordinate = () => scene.box.min[state.axis] + state.at * (scene.box.max[state.axis] - scene.box.min[state.axis]);
-
-    function cut() {
-      isCutStale = false;
-      bodies.delete("section");
-      if (state.axis < 0) {
-        shared.plane.value.set(...noPlane);
-        parts.section.cut(null);
-        return;
-      }
-      const plane = [0, 0, 0, state.isFlipped ? -coordinate() : coordinate()];
-      plane[state.axis] = state.isFlipped ? -1 : 1;
-      shared.plane.value.set(...plane);
-      if (!cells) cells = isopatch.makeCells(scene);
-      parts.section.cut(isopatch.cutCells(scene, cells, state.axis, coordinate()));
-      parts.section.show(state.quantity);
-    }
-
-    function colour() {
-      isColourStale = false;
-      for (const part of [parts.surface, parts.interfaces, parts.section]) part.show(state.quantity);
-      const {isCategorical} = state.quantity;
-      shared.categories.value = isCategorical ? isopatch.categories.length : 0;
-      shared.colours.value = isCategorical ? shared.maps.categorical : shared.maps.continuous;
-    }
-
-    function applyVisibility() {
-      const isShown = state.surface !== "hidden";
-      const {surface, interfaces} = parts;
-      surface.faces.visible = isShown;
-      isopatch.setOpacity(surface.material, state.surface === "translucent" ? 0.22 : 1);
-      surface.patchEdges.visible = isShown && state.patchEdges;
-      surface.elementEdges.visible = isShown && state.elementEdges;
-      interfaces.faces.visible = state.interfaces;
-      interfaces.patchEdges.visible = state.interfaces && state.patchEdges;
-      interfaces.elementEdges.visible = state.interfaces && state.elementEdges;
-      parts.supports.visible = state.supports;
-      parts.loads.visible = state.loads;
-      layer.hidden = !state.markers;
-    }
-
     function apply() {
-      if (isColourStale) colour();
-      if (isCutStale) cut();
+      if (isColourStale) parts.colour(state.quantity);
+      if (isCutStale) {
+        parts.cut(state);
+        pointing.forget("section");
+      }
+      isColourStale = isCutStale = isStale = false;
       shared.scale.value = state.scale;
       shared.bands.value = state.bands;
       shared.range.value.set(...state.range);
-      applyVisibility();
+      parts.setVisibility(state);
+      layer.hidden = !state.markers;
       isopatch.drawColourBar(bar, scene, state.quantity, state.range, state.bands, statisticsOf(state.quantity));
       caption.textContent = scene.isSolved ? "deformation \u00d7 " + isopatch.general(state.scale, 3) : "";
     }
 
-    function project(point) {
-      const v = new THREE.Vector3(...point).project(camera);
-      if (Math.abs(v.x) > 1 || Math.abs(v.y) > 1 || Math.abs(v.z) > 1) return null;
-      return [((v.x + 1) / 2) * canvas.clientWidth, ((1 - v.y) / 2) * canvas.clientHeight];
-    }
-
-    let isStale = true;
     function draw() {
       asked = false;
       if (isStale) apply();
-      isStale = false;
       renderer.render(parts.world, camera);
-      markers.update(state.scale, project);
+      markers.update(state.scale, pointing.project, parts.isCut, canvas.clientWidth);
       viewer.pictures += 1;
+      clearTimeout(resting);
+      resting = setTimeout(() => markers.markHidden(pointing.isHidden), 150);
     }
 
     function ask() {
@@ -168,41 +111,17 @@ globalThis.isopatch = globalThis.isopatch || {};
           if (state.surface === "solid") state.surface = "translucent";
         }
       }
-      if (state.scale !== old.scale) bodies.clear();
+      if (state.scale !== old.scale) pointing.forget();
       if (["axis", "isFlipped", "at"].some((key) => state[key] !== old[key])) isCutStale = true;
       isStale = true;
       ask();
       tell("changed", state);
     }
 
-    function body(name, make) {
-      if (!bodies.has(name)) bodies.set(name, make());
-      return bodies.get(name);
-    }
-
-    const isCut = (place) => {
-      const {x, y, z, w} = shared.plane.value;
-      return x * place[0] + y * place[1] + z * place[2] > w;
-    };
-
-    function pickable() {
-      const result = [];
-      const {section} = parts.section;
-      if (state.surface === "solid")
-        result.push({body: body("surface", () => isopatch.meshBody(scene, parts.surface.mesh, state.scale)), isCut});
-      if (state.interfaces)
-        result.push({body: body("interfaces", () => isopatch.meshBody(scene, parts.interfaces.mesh, state.scale)), isCut});
-      if (section && section.count > 0)
-        result.push({body: body("section", () => isopatch.sectionBody(scene, section, state.scale)), isCut: () => false});
-      return result;
-    }
-
     function pickAt(x, y) {
       const marker = state.markers ? markers.at(x, y) : null;
       if (marker) return choose(marker);
-      const to = new THREE.Vector3((2 * x) / canvas.clientWidth - 1, 1 - (2 * y) / canvas.clientHeight, 0.5);
-      const direction = to.unproject(camera).sub(camera.position).normalize().toArray();
-      const picked = isopatch.pick(scene, {origin: camera.position.toArray(), direction}, pickable());
+      const picked = pointing.pickAt(x, y);
       markers.setPicked(picked && {point: picked.place, displacement: picked.fields.displacement || null});
       ask();
       tell("picked", picked && isopatch.valuesOfPick(scene, picked));
@@ -217,8 +136,15 @@ globalThis.isopatch = globalThis.isopatch || {};
       return place;
     }
 
-    const orbit = isopatch.makeOrbit(canvas, camera, scene, {changed: ask, clicked: pickAt});
-    const margin = () => 0.5 * state.scale * scene.maxDisplacement;
+    // What the colour bar takes from the picture: on its left or, across narrow ones, at its top.
+    function insets() {
+      if (isStale) apply();
+      const isAcross = bar.offsetWidth > 0.8 * host.clientWidth;
+      return isAcross ? [0, bar.offsetHeight / host.clientHeight] : [bar.offsetWidth / host.clientWidth, 0];
+    }
+
+    const orbit = isopatch.makeOrbit(canvas, camera, scene, {
+      changed: ask, clicked: pickAt, insets, points: pointing.surfacePoints});
 
     function resize() {
       const [width, height] = [host.clientWidth, host.clientHeight];
@@ -227,21 +153,31 @@ globalThis.isopatch = globalThis.isopatch || {};
       renderer.domElement.dataset.sized = "";
       renderer.setSize(width, height, false);
       camera.aspect = width / height;
-      if (isFirst) orbit.fit(margin());
+      if (isFirst) orbit.fit();
       else orbit.place();
     }
 
     function setBackground() {
-      renderer.setClearColor(new THREE.Color(getComputedStyle(host).backgroundColor), 1);
+      const {backgroundColor, color} = getComputedStyle(host);
+      renderer.setClearColor(new THREE.Color(backgroundColor), 1);
+      shared.ink.value.set(color);
       ask();
     }
 
+    // On paper the part stands on white.
+    function printed() {
+      renderer.setClearColor(new THREE.Color("white"), 1);
+      draw();
+    }
+
     const viewer = {
-      scene, state, places, canvas, change, choose, pickAt, orbit, statisticsOf, project, pictures: 0, setBackground, draw,
-      look: (name) => orbit.look(name, margin()), fit: () => orbit.fit(margin()),
+      scene, state, places, canvas, change, choose, pickAt, orbit, statisticsOf, project: pointing.project, pictures: 0,
+      setBackground, draw, look: orbit.look, fit: orbit.fit,
       on: (event, f) => listeners[event].push(f)};
     state.range = isopatch.defaultRange(state.quantity, statisticsOf(state.quantity));
-    isColourStale = isCutStale = true;
+    canvas.addEventListener("webglcontextrestored", ask);
+    window.addEventListener("beforeprint", printed);
+    window.addEventListener("afterprint", setBackground);
     new ResizeObserver(resize).observe(host);
     setBackground();
     return viewer;

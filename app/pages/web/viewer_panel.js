@@ -177,7 +177,7 @@ globalThis.isopatch = globalThis.isopatch || {};
       return {root: element("section", {class: "card"}, element("p", {class: "notice", id: "no-webgl"}, text)), viewer: null};
     }
     viewer.on("picked", (found) => (found ? isopatch.showValues(values, found) : values.replaceChildren(
-      element("p", {class: "how"}, "Nothing there: the click missed the part."))));
+      element("p", {class: "how"}, "Nothing there: the click missed the part. Of a translucent part only interfaces and the section show values."))));
     const root = element("section", {class: "stage"}, element("div", {class: "stage-main"}, host, viewBar(viewer),
                                                                          placeBar(viewer), values),
                          isopatch.makeViewerPanel(viewer));
