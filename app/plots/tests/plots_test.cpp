@@ -9,6 +9,7 @@
 #include "app/plots/axis_ticks.hpp"
 #include "app/plots/bar_plot.hpp"
 #include "app/plots/line_plot.hpp"
+#include "app/plots/residual_plot.hpp"
 #include "geometry/base/error.hpp"
 
 namespace isopatch::app {
@@ -256,6 +257,20 @@ TEST(LinePlot, RefusesSeriesWithoutPairs) {
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), HasSubstr("'degree 3'"));
   }
+}
+
+TEST(ResidualPlot, IsOfIterationsAndNotOfADirectMethodsRefinement) {
+  EXPECT_FALSE(residual_plot({}, 1e-10));
+  EXPECT_FALSE(residual_plot({{"elimination: cholmod", {1, 1e-16}}, {"multipliers: mumps", {}}}, 1e-10));
+  const auto plot = residual_plot(
+      {{"elimination: cholmod", {1, 1e-14}}, {"multipliers: minres", {1, 0.1, 1e-5, 1e-11}, true}}, 1e-10);
+  ASSERT_TRUE(plot);
+  ASSERT_EQ(plot->series.size(), 2);
+  EXPECT_THAT(plot->series[1].x, ElementsAre(0, 1, 2, 3));
+  EXPECT_EQ(plot->y.label, "relative residual");  // one of them is
+  EXPECT_EQ(plot->levels[0].value, 1e-10);
+  EXPECT_EQ(residual_plot({{"cg", {1, 1, 1, 1}, true}}, 1e-10)->y.label, "relative error, about in energy");
+  const Picture picture(*plot, "residual_plot");
 }
 
 BarPlot phases() {
