@@ -86,24 +86,30 @@ std::array<FreeRange, 2> free_ranges(const FaceGrid& grid, const std::vector<boo
   return range;
 }
 
-/// All coefficients of one direction from the free ones; those left out continue the nearest two linearly
-/// over the Greville abscissae. (all, free)
+/// Lagrange's polynomials of some abscissae at a place.
+Eigen::VectorXd lagrange_values(const std::vector<double>& abscissae, double place) {
+  Eigen::VectorXd values = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(abscissae.size()));
+  for (std::size_t k = 0; k < abscissae.size(); ++k)
+    for (std::size_t m = 0; m < abscissae.size(); ++m)
+      if (m != k)
+        values[static_cast<Eigen::Index>(k)] *= (place - abscissae[m]) / (abscissae[k] - abscissae[m]);
+  return values;
+}
+
+/// All coefficients of one direction from the free ones; one that is left out continues the nearest three
+/// (two at degree 1) as a polynomial over the Greville abscissae. (all, free)
 Eigen::MatrixXd extension(const geometry::KnotVector& knots, const FreeRange& range) {
-  const std::vector<double> at = knots.greville();
+  const std::vector<double> greville = knots.greville();
+  const int used = std::min(1 + std::min(knots.degree(), 2), range.size());
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(knots.size(), range.size());
   result.middleRows(range.begin, range.size()).setIdentity();
-  const auto continue_to = [&](int target, int nearest, int next) {
-    if (range.size() == 1) {
-      result(target, 0) = 1;
-      return;
-    }
-    const auto place = [&](int i) { return at[static_cast<std::size_t>(i)]; };
-    const double share = (place(target) - place(next)) / (place(nearest) - place(next));
-    result(target, nearest - range.begin) = share;
-    result(target, next - range.begin) = 1 - share;
+  const auto continue_to = [&](int target, int first) {
+    const std::vector<double> near(greville.begin() + first, greville.begin() + first + used);
+    result.row(target).segment(first - range.begin, used) =
+        lagrange_values(near, greville[static_cast<std::size_t>(target)]).transpose();
   };
-  if (range.begin > 0) continue_to(0, range.begin, range.begin + 1);
-  if (range.end < knots.size()) continue_to(knots.size() - 1, range.end - 1, range.end - 2);
+  if (range.begin > 0) continue_to(0, range.begin);
+  if (range.end < knots.size()) continue_to(knots.size() - 1, range.end - used);
   return result;
 }
 
