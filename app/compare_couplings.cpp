@@ -101,27 +101,29 @@ bool CouplingComparison::agree() const {
 }
 
 ComparedStudy compare_couplings(const Study& study, const Progress& progress) {
-  ComparedStudy result{{}, build_problem(study, progress), {}, {}};
+  ComparedStudy result{{}, {build_problem(study, progress), {}, {}, {}, 0}, {}};
+  const iga::ElasticityProblem& problem = result.run.built.problem;
   iga::ElasticityOptions options = study.options;
   options.coupling = iga::Coupling::elimination;
-  const iga::ElasticitySolution eliminated = iga::solve_elasticity(result.built.problem, options, progress);
+  const iga::ElasticitySolution eliminated = iga::solve_elasticity(problem, options, progress);
   options.coupling = iga::Coupling::lagrange;
   if (options.solver.method == solvers::Method::cholmod || options.solver.method == solvers::Method::cg)
     options.solver.method = solvers::Method::automatic;
-  iga::ElasticitySolution tied = iga::solve_elasticity(result.built.problem, options, progress);
+  iga::ElasticitySolution& tied = result.run.solution;
+  tied = iga::solve_elasticity(problem, options, progress);
+  result.run.timings = tied.timings;
   CouplingComparison& comparison = result.comparison;
   comparison.refine = study.discretization.refine;
-  comparison.degree = highest_degree(result.built.problem.discretization);
+  comparison.degree = highest_degree(problem.discretization);
   comparison.elimination = summarized(eliminated, iga::Coupling::elimination);
   comparison.lagrange = summarized(tied, iga::Coupling::lagrange);
   comparison.displacement_difference = displacement_difference(eliminated.field, tied.field);
   comparison.energy_difference = energy_difference(eliminated.results, tied.results);
   comparison.multiplier_difference = multiplier_difference(eliminated.multipliers, tied.multipliers);
-  comparison.warnings = result.built.warnings;
-  find_largest_differences(result.built.problem, eliminated.field, tied.field, comparison);
-  result.field = std::move(tied.field);
-  result.tractions = iga::interface_tractions(result.built.problem, tied.multipliers);
-  comparison.interfaces = interface_forces(result.built.problem.discretization.model, result.tractions);
+  comparison.warnings = result.run.built.warnings;
+  find_largest_differences(problem, eliminated.field, tied.field, comparison);
+  result.tractions = iga::interface_tractions(problem, tied.multipliers);
+  comparison.interfaces = interface_forces(problem.discretization.model, result.tractions);
   return result;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/build_problem.hpp"
+#include "app/run_study.hpp"
 #include "app/study.hpp"
 #include "geometry/base/progress.hpp"
 #include "iga/interface_tractions.hpp"
@@ -59,8 +59,7 @@ struct CouplingComparison {
 /// A comparison with what pictures of it need.
 struct ComparedStudy {
   CouplingComparison comparison;
-  BuiltProblem built;
-  iga::ElasticField field;  ///< with multipliers
+  StudyRun run;  ///< with multipliers; without probes
   std::vector<iga::InterfaceTraction> tractions;
 };
 

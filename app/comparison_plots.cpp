@@ -181,9 +181,9 @@ LinePlot energy_plot(const std::vector<Levels>& groups) {
 
 }  // namespace
 
-std::vector<NamedPlot> comparison_plots(const Levels& levels, double tolerance) {
-  std::vector<NamedPlot> plots;
-  const auto add = [&](const auto& plot) { plots.push_back({plot.title, to_svg(plot)}); };
+std::vector<PagePlot> comparison_plots(const Levels& levels, double tolerance) {
+  std::vector<PagePlot> plots;
+  const auto add = [&](const auto& plot) { plots.push_back({"", to_svg(plot)}); };
   const CouplingComparison& finest = levels.back();
   add(time_bars(finest));
   if (const auto residuals = residual_plot(

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/engineering_units.hpp"
-#include "app/internal/comparison_object.hpp"
+#include "app/internal/json_values.hpp"
 #include "app/summary.hpp"
 
 namespace isopatch::app {
@@ -115,7 +115,7 @@ std::string level_row(const std::string& refine, const std::string& degree, cons
 
 }  // namespace
 
-Json comparison_object(const Study& study, const std::vector<CouplingComparison>& levels) {
+std::string comparison_json(const Study& study, const std::vector<CouplingComparison>& levels) {
   const CouplingComparison& finest = levels.back();
   Json level_list = Json::array();
   for (const CouplingComparison& level : levels) level_list.push_back(level_json(level));
@@ -128,13 +128,10 @@ Json comparison_object(const Study& study, const std::vector<CouplingComparison>
   json["interfaces"] = interfaces_json(finest.interfaces);
   json["levels"] = level_list;
   json["extrapolated_energy"] = energy ? Json(*energy) : Json(nullptr);
-  json["warnings"] = finest.warnings;
+  json["warnings"] = texts_json(finest.warnings);
+  json["warning_places"] = places_json(finest.warnings);
   json["memory"] = {{"peak_bytes", peak_memory_bytes()}};
-  return json;
-}
-
-std::string comparison_json(const Study& study, const std::vector<CouplingComparison>& levels) {
-  return file_text(comparison_object(study, levels));
+  return file_text(json);
 }
 
 std::string comparison_text(const Study& study, const CouplingComparison& comparison) {

@@ -50,7 +50,7 @@ constexpr const char* compare_examples = R"(Examples:
   isopatch compare study.toml --set discretization.degree=3
   isopatch compare study.toml --levels 3             as refined as the study, once more, twice more
   isopatch compare study.toml --levels 3 --degrees 2,3
-Prints a table and writes compare.json, anew after each level. Exit code 1 if the couplings differ at any
+Prints tables and writes compare.html (for a browser) and compare.json, anew after each level. Exit code 1 if the couplings differ at any
 level by more than 1e-9 in displacement or energy, or 1e-8 in multipliers, relatively.)";
 
 constexpr const char* info_examples = R"(Examples:

@@ -5,6 +5,7 @@
 
 #include "app/commands.hpp"
 #include "app/compare_levels.hpp"
+#include "app/compare_page.hpp"
 #include "app/comparison_report.hpp"
 #include "app/output_directory.hpp"
 #include "app/study_keys.hpp"
@@ -20,6 +21,15 @@ Study read(const StudyCommand& command) {
   study.options.processes = command.processes;
   if (command.processes.is_first()) check_writable(study.output.directory);
   return study;
+}
+
+// Anew after each level, so that nothing finished is lost.
+void write_comparison(const Study& study, const ComparedStudy& level,
+                      const std::vector<CouplingComparison>& all) {
+  const std::filesystem::path& directory = study.output.directory;
+  if (all.size() == 1) remove_earlier_comparison(directory);
+  if (study.output.report) write_in(directory, "compare.html", compare_html(study, level, all));
+  write_in(directory, "compare.json", comparison_json(study, all));
 }
 
 }  // namespace
@@ -45,8 +55,8 @@ ExitCode compare_command(const StudyCommand& command, const LevelOptions& option
   ProgressDisplay display(console);
   const LevelReport report = compare_levels(
       study, options,
-      [&](const ComparedStudy&, const std::vector<CouplingComparison>& all) {
-        if (writes) write_in(study.output.directory, "compare.json", comparison_json(study, all));
+      [&](const ComparedStudy& level, const std::vector<CouplingComparison>& all) {
+        if (writes) write_comparison(study, level, all);
       },
       display.progress());
   display.clear();
@@ -58,7 +68,8 @@ ExitCode compare_command(const StudyCommand& command, const LevelOptions& option
   if (!console.quiet) {
     console.out << comparison_text(study, report.levels.back());
     if (report.levels.size() > 1) console.out << levels_text(report.levels);
-    console.out << fmt::format("  written to {}\n", (study.output.directory / "compare.json").string());
+    console.out << fmt::format("  results in        {}: {}compare.json\n", study.output.directory.string(),
+                               study.output.report ? "compare.html, " : "");
   }
   if (disagreeing != report.levels.end()) console.fail(disagreement_text(*disagreeing));
   if (!report.stopped.empty()) console.fail(report.stopped);

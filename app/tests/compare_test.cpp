@@ -4,7 +4,6 @@
 #include <cstring>
 
 #include "app/compare_levels.hpp"
-#include "app/compare_page.hpp"
 #include "app/comparison_plots.hpp"
 #include "app/comparison_report.hpp"
 #include "app/tests/program_fixture.hpp"
@@ -130,11 +129,11 @@ TEST(CompareLevels, PlotTheOrderOfTheEnergy) {
   // Errors fall to a sixteenth when the unknowns become eight times as many: -4/3, as expected of degree 2.
   const auto plots = comparison_plots(levels_of({9, 10 - 1. / 16, 10 - 1. / 256}), 1e-10);
   ASSERT_FALSE(plots.empty());
-  EXPECT_EQ(plots.back().title, "Error in energy over unknowns");
+  EXPECT_THAT(plots.back().svg, HasSubstr("<title>Error in energy over unknowns</title>"));
   EXPECT_THAT(plots.back().svg, HasSubstr("degree 2: slope \u22121.33, expected \u22121.33"));
-  std::vector<std::string> titles;
-  for (const NamedPlot& plot : comparison_plots(levels_of({9}), 1e-10)) titles.push_back(plot.title);
-  EXPECT_THAT(titles, ElementsAre("Time per phase"));
+  const auto of_one = comparison_plots(levels_of({9}), 1e-10);
+  ASSERT_EQ(of_one.size(), 1);
+  EXPECT_THAT(of_one[0].svg, HasSubstr("<title>Time per phase</title>"));
 }
 
 std::vector<float> decoded(const std::string& text) {
@@ -155,12 +154,16 @@ std::vector<float> decoded(const std::string& text) {
   return values;
 }
 
-TEST(ComparePage, DrawsTractionsOnInterfacesAlone) {
-  const Study study = parse_study(bar, "bar.toml", {"discretization.degree=2", "model.patches=[2, 2, 1]"});
-  const ComparedStudy compared = compare_couplings(study);
-  const json data = json::parse(compare_page_data(study, compared, {compared.comparison}));
+TEST_F(Program, ComparesPageDrawsTractionsOnInterfacesAlone) {
+  ASSERT_EQ(run({"compare", study(), "--set", "discretization.degree=2", "--set", "model.patches=[2,2,1]"}),
+            0)
+      << err_;
+  const std::string html = read_file(results() / "compare.html");
+  const std::string begin = "id=\"isopatch-data\">";
+  const auto from = html.find(begin) + begin.size();
+  const json data = json::parse(html.substr(from, html.find("</script>", from) - from));
   EXPECT_EQ(data["kind"], "compare");
-  EXPECT_EQ(data["comparison"]["agree"], true);
+  EXPECT_EQ(data["summary"], compared(results()));
   EXPECT_THAT(data["plots"][0]["svg"].get<std::string>(), StartsWith("<svg"));
   const json& scene = data["scene"];
   const std::vector<float> points = decoded(scene["points"]);
@@ -184,8 +187,11 @@ TEST(ComparePage, DrawsTractionsOnInterfacesAlone) {
   EXPECT_GT(on_cross_section, 0);
   EXPECT_EQ(scene["fields"].back()["key"], "traction");
   EXPECT_EQ(scene["fields"].back()["on"], "interfaces");
-  EXPECT_EQ(scene["patches"][0]["faces"][1]["kind"], "interface");
-  EXPECT_EQ(scene["patches"][0]["faces"][0]["kind"], "boundary");
+  const json& marker = scene["markers"].back();
+  EXPECT_EQ(marker["kind"], "difference");
+  EXPECT_EQ(marker["point"], data["summary"]["difference"]["max_von_mises_point"]);
+  ASSERT_EQ(run({"compare", study(), "-q", "--set", "output.report=false"}), 0) << err_;
+  EXPECT_FALSE(fs::exists(results() / "compare.html")) << "that of the earlier comparison is gone too";
 }
 
 }  // namespace
