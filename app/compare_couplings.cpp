@@ -87,6 +87,23 @@ std::array<int, 3> highest_degree(const iga::Discretization& discretization) {
   return degree;
 }
 
+// The study's method, or what takes its place with a coupling that it does not suit.
+iga::ElasticityOptions options_of(const Study& study, iga::Coupling coupling) {
+  using solvers::Method;
+  iga::ElasticityOptions options = study.options;
+  options.coupling = coupling;
+  Method& method = options.solver.method;
+  const bool can_iterate =
+      options.solver.preconditioner == solvers::Preconditioner::multigrid && options.processes.count() == 1;
+  if (coupling == iga::Coupling::elimination && method == Method::minres)
+    method = Method::cg;
+  else if (coupling == iga::Coupling::lagrange && method == Method::cg)
+    method = can_iterate ? Method::minres : Method::automatic;
+  else if (coupling == iga::Coupling::lagrange && method == Method::cholmod)
+    method = Method::automatic;
+  return options;
+}
+
 }  // namespace
 
 double CouplingRun::seconds() const {
@@ -103,14 +120,10 @@ bool CouplingComparison::agree() const {
 ComparedStudy compare_couplings(const Study& study, const Progress& progress) {
   ComparedStudy result{{}, {build_problem(study, progress), {}, {}, {}, 0}, {}};
   const iga::ElasticityProblem& problem = result.run.built.problem;
-  iga::ElasticityOptions options = study.options;
-  options.coupling = iga::Coupling::elimination;
-  const iga::ElasticitySolution eliminated = iga::solve_elasticity(problem, options, progress);
-  options.coupling = iga::Coupling::lagrange;
-  if (options.solver.method == solvers::Method::cholmod || options.solver.method == solvers::Method::cg)
-    options.solver.method = solvers::Method::automatic;
+  const iga::ElasticitySolution eliminated =
+      iga::solve_elasticity(problem, options_of(study, iga::Coupling::elimination), progress);
   iga::ElasticitySolution& tied = result.run.solution;
-  tied = iga::solve_elasticity(problem, options, progress);
+  tied = iga::solve_elasticity(problem, options_of(study, iga::Coupling::lagrange), progress);
   result.run.timings = tied.timings;
   CouplingComparison& comparison = result.comparison;
   comparison.refine = study.discretization.refine;

@@ -161,7 +161,8 @@ void add_study_commands(CLI::App& app, CommandLine& line) {
       ->type_name("N");
   compare->add_option("--degrees", line.levels.degrees, "Compares all levels with each of these degrees: 2,3")
       ->delimiter(',')
-      ->expected(1)
+      ->expected(1, 10)
+      ->allow_extra_args(false)
       ->check(CLI::Range(1, 10))
       ->type_name("P,P");
 }

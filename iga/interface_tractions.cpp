@@ -60,30 +60,22 @@ Eigen::Matrix3Xd nodal_forces(const std::vector<Multiplier>& multipliers, int no
   return forces;
 }
 
-/// The largest range of rows and columns whose nodes are all attributable: the grid, less such edges as have
-/// another node.
+/// The grid, less such edges as have nodes that are not attributable, and as few of them as possible. Empty
+/// if other nodes are not either.
 std::array<FreeRange, 2> free_ranges(const FaceGrid& grid, const std::vector<bool>& attributable) {
-  std::array<FreeRange, 2> range = {FreeRange{0, grid.sizes[0]}, FreeRange{0, grid.sizes[1]}};
-  const auto holds = [&](int begin_i, int end_i, int begin_j, int end_j) {
-    for (int j = begin_j; j < end_j; ++j)
-      for (int i = begin_i; i < end_i; ++i)
+  const auto holds = [&](const std::array<FreeRange, 2>& range) {
+    for (int j = range[1].begin; j < range[1].end; ++j)
+      for (int i = range[0].begin; i < range[0].end; ++i)
         if (!attributable[static_cast<std::size_t>(grid.node(i, j))]) return false;
     return true;
   };
-  const auto [n, m] = grid.sizes;
-  // Without the corners first: a corner's neighbour edge may be the only one at fault.
-  FreeRange& u = range[0];
-  FreeRange& v = range[1];
-  if (!holds(0, 1, 1, m - 1)) u.begin = 1;
-  if (!holds(n - 1, n, 1, m - 1)) u.end = n - 1;
-  if (!holds(1, n - 1, 0, 1)) v.begin = 1;
-  if (!holds(1, n - 1, m - 1, m)) v.end = m - 1;
-  if (!holds(u.begin, u.begin + 1, v.begin, v.end)) u.begin = 1;
-  if (!holds(u.end - 1, u.end, v.begin, v.end)) u.end = n - 1;
-  if (!holds(u.begin, u.end, v.begin, v.begin + 1)) v.begin = 1;
-  if (!holds(u.begin, u.end, v.end - 1, v.end)) v.end = m - 1;
-  if (!holds(u.begin, u.end, v.begin, v.end)) u.end = u.begin;
-  return range;
+  std::array<FreeRange, 2> best;
+  for (int edges = 0; edges < 16; ++edges) {
+    const std::array<FreeRange, 2> range = {FreeRange{edges & 1, grid.sizes[0] - (edges >> 1 & 1)},
+                                            FreeRange{edges >> 2 & 1, grid.sizes[1] - (edges >> 3 & 1)}};
+    if (range[0].size() * range[1].size() > best[0].size() * best[1].size() && holds(range)) best = range;
+  }
+  return best;
 }
 
 /// Lagrange's polynomials of some abscissae at a place.
@@ -193,7 +185,7 @@ SparseMatrix selection(const std::array<int, 2>& sizes, const std::array<FreeRan
 std::optional<Eigen::MatrixXd> traction_coefficients(const NurbsSurface& surface, const SparseMatrix& mass,
                                                      const std::array<FreeRange, 2>& range,
                                                      const Eigen::MatrixXd& forces) {
-  if (range[0].size() <= 0 || range[1].size() <= 0) return std::nullopt;
+  if (range[0].size() == 0) return std::nullopt;
   const SparseMatrix extended = extension(surface, range);
   const SparseMatrix tested = selection(surface.sizes(), range);
   const SparseMatrix system = tested * mass * extended;

@@ -74,12 +74,32 @@ TEST_F(Program, CompareGoesThroughLevels) {
 }
 
 TEST_F(Program, CompareKeepsWhatIsFinishedWhenMemoryEnds) {
-  EXPECT_EQ(run({"compare", study(), "--levels", "6", "--set", "solver.memory_limit=\"1 MB\""}), 1);
+  EXPECT_EQ(run({"compare", study(), "--levels", "6", "--set", "solver.memory_limit=2e7"}), 1);
   EXPECT_THAT(err_, HasSubstr("isopatch: error: no memory for refine = "));
   const std::size_t finished = compared(results())["levels"].size();
   EXPECT_GE(finished, 1);
   EXPECT_LT(finished, 6);
   EXPECT_THAT(out_, HasSubstr("the two couplings agree"));
+}
+
+TEST_F(Program, CompareIteratesWithBothCouplingsAndPlotsTheResiduals) {
+  ASSERT_EQ(run({"compare", study(), "--set", "solver.method=\"cg\"", "--set", "discretization.refine=3"}), 0)
+      << err_;
+  const json all = compared(results());
+  EXPECT_EQ(all["elimination"]["method"], "cg");
+  EXPECT_EQ(all["lagrange"]["method"], "minres");
+  EXPECT_GT(all["lagrange"]["residual_history"].size(), 3);
+  EXPECT_EQ(all["lagrange"]["residual_history"].size(), all["lagrange"]["iterations"].get<std::size_t>() + 1);
+  EXPECT_THAT(read_file(results() / "compare.html"), HasSubstr("multipliers: minres"));
+}
+
+TEST_F(Program, TheReportPlotsTheResidualsOfAnIterationAlone) {
+  ASSERT_EQ(run({"run", study(), "--set", "solver.method=\"cg\"", "--set", "discretization.refine=3"}), 0)
+      << err_;
+  EXPECT_THAT(read_file(results() / "report.html"), HasSubstr("Residual of each iteration"));
+  EXPECT_EQ(json::parse(read_file(results() / "summary.json"))["solver"]["tolerance"], 1e-10);
+  ASSERT_EQ(run({"run", study()}), 0) << err_;
+  EXPECT_THAT(read_file(results() / "report.html"), testing::Not(HasSubstr("Residual of each iteration")));
 }
 
 TEST_F(Program, CompareRefusesLevelsOutOfRangeBeforeItSolves) {

@@ -76,7 +76,7 @@ globalThis.isopatch = globalThis.isopatch || {};
       `${first} and ${second}`, isopatch.withUnit(area, "m^2"), force ? isopatch.vectorWithUnit(clean(force), "N") : "too few functions",
       force ? isopatch.withUnit(size(force) / area, "Pa") : ""]);
     return isopatch.section("Interfaces",
-      element("p", {class: "how"}, "What the second patch does to the first, from the multipliers. The picture shows it as force per area."),
+      element("p", {class: "how"}, "What the second patch does to the first, from the multipliers. The picture shows it as force per area. Near edges where more patches meet, or that a support holds, it is continued from inside."),
       isopatch.table(["interface", "area", "force on the first patch", "force per area"], rows));
   }
 
