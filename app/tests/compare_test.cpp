@@ -74,7 +74,7 @@ TEST_F(Program, CompareGoesThroughLevels) {
 }
 
 TEST_F(Program, CompareKeepsWhatIsFinishedWhenMemoryEnds) {
-  EXPECT_EQ(run({"compare", study(), "--levels", "6", "--set", "solver.memory_limit=2e7"}), 1);
+  EXPECT_EQ(run({"compare", study(), "--levels", "6", "--set", "solver.memory_limit=5e5"}), 1);
   EXPECT_THAT(err_, HasSubstr("isopatch: error: no memory for refine = "));
   const std::size_t finished = compared(results())["levels"].size();
   EXPECT_GE(finished, 1);
