@@ -63,8 +63,8 @@ struct ComparedStudy {
   std::vector<iga::InterfaceTraction> tractions;
 };
 
-/// Solves a study with elimination and with multipliers. Of the methods that suit one of them only, cg and minres
-/// take each other's place, and cholmod is used for elimination alone.
+/// Solves a study with elimination and with multipliers. Of the methods that suit one of them only, cg and
+/// minres take each other's place, and cholmod is used for elimination alone.
 ComparedStudy compare_couplings(const Study& study, const Progress& progress = {});
 
 }  // namespace isopatch::app

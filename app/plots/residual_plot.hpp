@@ -10,7 +10,8 @@ namespace isopatch::app {
 struct ResidualHistory {
   std::string name;  ///< "elimination: cg"
   std::vector<double> values;
-  bool in_energy = false;  ///< whether they are about relative errors in energy, as a multigrid's norm gives them
+  bool in_energy =
+      false;  ///< whether they are about relative errors in energy, as a multigrid's norm gives them
 };
 
 /// Residuals over iterations, with the tolerance as a level.
