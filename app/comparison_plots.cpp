@@ -78,6 +78,11 @@ LinePlot over_unknowns(const std::string& title, const std::string& description,
           .series = {}};
 }
 
+/// Matrices that are not stored have no entries, and phases that are not there take no time.
+bool is_line(const PlotSeries& series) {
+  return std::count_if(series.y.begin(), series.y.end(), [](double value) { return value > 0; }) > 1;
+}
+
 /// Adds a value of both couplings, that of elimination drawn through.
 void add_runs(LinePlot& plot, const std::vector<Levels>& groups, const std::string& name,
               const Value& value) {
@@ -92,8 +97,8 @@ void add_runs(LinePlot& plot, const std::vector<Levels>& groups, const std::stri
       lagrange.x.push_back(static_cast<double>(level.lagrange.size.dofs));
       lagrange.y.push_back(value(level.lagrange));
     }
-    plot.series.push_back(std::move(elimination));
-    plot.series.push_back(std::move(lagrange));
+    for (PlotSeries* series : {&elimination, &lagrange})
+      if (is_line(*series)) plot.series.push_back(std::move(*series));
   }
 }
 
@@ -101,6 +106,7 @@ LinePlot time_plot(const std::vector<Levels>& groups) {
   LinePlot plot = over_unknowns("Time over unknowns", "Seconds of both couplings at each level",
                                 {.label = "time", .unit = "s", .scale = Scale::logarithmic});
   add_runs(plot, groups, "all", [](const CouplingRun& run) { return run.seconds(); });
+  if (groups.size() > 1) return plot;  // of several degrees the phases would be too many lines
   for (const char* phase : {"assembly", "solve"})
     add_runs(plot, groups, phase, [phase](const CouplingRun& run) { return phase_seconds(run, phase); });
   return plot;
