@@ -173,7 +173,9 @@ SparseMatrix mass_matrix(const NurbsSurface& surface) {
 
 /// Picks the free ones of all coefficients. (free, all)
 SparseMatrix selection(const std::array<int, 2>& sizes, const std::array<FreeRange, 2>& range) {
-  SparseMatrix result(range[0].size() * range[1].size(), sizes[0] * sizes[1]);
+  const int rows = range[0].size() * range[1].size();
+  const int columns = sizes[0] * sizes[1];
+  SparseMatrix result(rows, columns);
   int row = 0;
   for (int j = range[1].begin; j < range[1].end; ++j)
     for (int i = range[0].begin; i < range[0].end; ++i) result.insert(row++, i + sizes[0] * j) = 1;
@@ -220,6 +222,7 @@ std::vector<InterfaceTraction> interface_tractions(const ElasticityProblem& prob
   const std::vector<bool> attributable = attributable_nodes(problem);
   const Eigen::Matrix3Xd forces = nodal_forces(multipliers, d.node_count());
   std::vector<InterfaceTraction> result;
+  result.reserve(d.model.interfaces().size());
   for (int i = 0; i < static_cast<int>(d.model.interfaces().size()); ++i)
     result.push_back(traction_of(d, i, attributable, forces));
   return result;
