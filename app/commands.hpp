@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/compare_levels.hpp"
 #include "app/console.hpp"
 #include "app/load_input.hpp"
 #include "app/picture_options.hpp"
@@ -24,8 +25,9 @@ struct StudyCommand {
 /// Solves a study, writes its files, prints the summary.
 ExitCode run_command(const StudyCommand& command, const Console& console);
 
-/// Solves with both couplings, writes compare.json, prints the table; `failed` if they disagree.
-ExitCode compare_command(const StudyCommand& command, const Console& console);
+/// Solves each level with both couplings, writes compare.json after each, prints the tables; `failed` if they
+/// disagree at any level or memory ends the work.
+ExitCode compare_command(const StudyCommand& command, const LevelOptions& levels, const Console& console);
 
 struct InfoCommand {
   InputFile input;

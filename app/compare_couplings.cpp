@@ -1,12 +1,9 @@
 #include "app/compare_couplings.hpp"
 
-#include <fmt/format.h>
-
 #include <map>
 
-#include "app/engineering_units.hpp"
-#include "app/internal/json_values.hpp"
-#include "app/summary.hpp"
+#include "iga/internal_forces.hpp"
+#include "iga/results.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -29,6 +26,12 @@ double displacement_difference(const iga::ElasticField& a, const iga::ElasticFie
   return ratio(difference, scale);
 }
 
+double energy_difference(const iga::ElasticityResults& first, const iga::ElasticityResults& second) {
+  const double a = first.internal_energy;
+  const double b = second.internal_energy;
+  return ratio(std::abs(a - b), std::max(std::abs(a), std::abs(b)));
+}
+
 double multiplier_difference(const std::vector<iga::Multiplier>& a, const std::vector<iga::Multiplier>& b) {
   std::map<std::pair<int, int>, Eigen::Vector3d> forces;
   for (const auto& multiplier : a) forces[{multiplier.first_node, multiplier.second_node}] = multiplier.force;
@@ -43,117 +46,98 @@ double multiplier_difference(const std::vector<iga::Multiplier>& a, const std::v
   return ratio(difference, scale);
 }
 
-Json run_json(const CouplingRun& run) {
-  Json timings = Json::object();
-  for (const auto& time : run.timings) timings[time.phase] = time.seconds;
-  return {{"dofs", run.size.dofs},
-          {"dofs_free", run.size.dofs_free},
-          {"multipliers", run.coupling == iga::Coupling::lagrange ? run.size.multipliers : 0},
-          {"method", solvers::name(run.solver.method)},
-          {"iterations", run.solver.iterations},
-          {"relative_residual", run.solver.relative_residual},
-          {"matrix_nonzeros", run.solver.matrix_nonzeros},
-          {"factor_nonzeros", run.solver.factor_nonzeros},
-          {"memory_bytes", run.solver.memory_bytes},
-          {"max_displacement", run.results.max_displacement.value},
-          {"max_von_mises", run.results.max_von_mises.value},
-          {"internal_energy", run.results.internal_energy},
-          {"timings", timings}};
-}
-
-/// A line of the table: what, and one cell for each coupling.
-std::string row(const std::string& what, const std::string& a, const std::string& b) {
-  return fmt::format("  {:<22} {:>16} {:>16}\n", what, a, b);
-}
-
-std::string phase_rows(const CouplingRun& a, const CouplingRun& b) {
-  std::string text;
-  for (const auto& time : a.timings) {
-    std::string other = "-";
-    for (const auto& candidate : b.timings)
-      if (candidate.phase == time.phase) other = seconds_text(candidate.seconds);
-    text += row("time: " + time.phase, seconds_text(time.seconds), other);
+// The problem is linear: what differs between two solutions is a displacement with stresses of its own.
+void find_largest_differences(const iga::ElasticityProblem& problem, const iga::ElasticField& a,
+                              const iga::ElasticField& b, CouplingComparison& comparison) {
+  iga::ElasticField difference{a.patches, a.displacement, a.materials};
+  Eigen::Matrix3Xd nodal(3, problem.discretization.node_count());
+  for (std::size_t i = 0; i < a.displacement.size(); ++i) {
+    difference.displacement[i] -= b.displacement[i];
+    nodal.middleCols(problem.discretization.first_node[i], difference.displacement[i].cols()) =
+        difference.displacement[i];
   }
-  return text;
+  comparison.largest_displacement_difference = iga::max_displacement(difference);
+  comparison.largest_stress_difference =
+      iga::internal_forces(problem.discretization, problem.materials, nodal).max_von_mises;
+  for (iga::Extremum* extremum :
+       {&comparison.largest_displacement_difference, &comparison.largest_stress_difference})
+    if (extremum->patch >= 0)
+      extremum->parameter =
+          problem.discretization.model.renamed(PatchId(extremum->patch), extremum->parameter);
+}
+
+std::vector<InterfaceForce> interface_forces(const geometry::MultiPatch& model,
+                                             const std::vector<iga::InterfaceTraction>& tractions) {
+  std::vector<InterfaceForce> result;
+  for (const iga::InterfaceTraction& traction : tractions) {
+    const geometry::Interface& interface = model.interfaces()[static_cast<std::size_t>(traction.interface)];
+    result.push_back({model.label(interface.first), model.label(interface.second), traction.area, {}});
+    if (traction.field) result.back().force = traction.force;
+  }
+  return result;
+}
+
+std::array<int, 3> highest_degree(const iga::Discretization& discretization) {
+  std::array<int, 3> degree{};
+  for (const auto& patch : discretization.patches)
+    for (int d = 0; d < 3; ++d) {
+      auto& highest = degree[static_cast<std::size_t>(d)];
+      highest = std::max(highest, patch.degree(d));
+    }
+  return degree;
+}
+
+// The study's method, or what takes its place with a coupling that it does not suit.
+iga::ElasticityOptions options_of(const Study& study, iga::Coupling coupling) {
+  using solvers::Method;
+  iga::ElasticityOptions options = study.options;
+  options.coupling = coupling;
+  Method& method = options.solver.method;
+  const bool can_iterate =
+      options.solver.preconditioner == solvers::Preconditioner::multigrid && options.processes.count() == 1;
+  if (coupling == iga::Coupling::elimination && method == Method::minres)
+    method = Method::cg;
+  else if (coupling == iga::Coupling::lagrange && method == Method::cg)
+    method = can_iterate ? Method::minres : Method::automatic;
+  else if (coupling == iga::Coupling::lagrange && method == Method::cholmod)
+    method = Method::automatic;
+  return options;
 }
 
 }  // namespace
+
+double CouplingRun::seconds() const {
+  double total = 0;
+  for (const iga::PhaseTime& time : timings) total += time.seconds;
+  return total;
+}
 
 bool CouplingComparison::agree() const {
   return displacement_difference <= allowed_difference && energy_difference <= allowed_difference &&
          multiplier_difference <= allowed_multiplier_difference;
 }
 
-CouplingComparison compare_couplings(const Study& study, const Progress& progress) {
-  const BuiltProblem built = build_problem(study, progress);
-  iga::ElasticityOptions options = study.options;
-  options.coupling = iga::Coupling::elimination;
-  const iga::ElasticitySolution eliminated = iga::solve_elasticity(built.problem, options, progress);
-  options.coupling = iga::Coupling::lagrange;
-  if (options.solver.method == solvers::Method::cholmod || options.solver.method == solvers::Method::cg)
-    options.solver.method = solvers::Method::automatic;
-  const iga::ElasticitySolution tied = iga::solve_elasticity(built.problem, options, progress);
-  const double a = eliminated.results.internal_energy;
-  const double b = tied.results.internal_energy;
-  return {summarized(eliminated, iga::Coupling::elimination),
-          summarized(tied, iga::Coupling::lagrange),
-          displacement_difference(eliminated.field, tied.field),
-          ratio(std::abs(a - b), std::max(std::abs(a), std::abs(b))),
-          multiplier_difference(eliminated.multipliers, tied.multipliers),
-          built.warnings};
-}
-
-std::string comparison_json(const Study& study, const CouplingComparison& comparison) {
-  const Json json = {{"schema_version", 1},
-                     {"program", {{"name", "isopatch"}, {"version", version()}}},
-                     {"title", study.title},
-                     {"study", study.source},
-                     {"elimination", run_json(comparison.elimination)},
-                     {"lagrange", run_json(comparison.lagrange)},
-                     {"difference",
-                      {{"displacement", comparison.displacement_difference},
-                       {"internal_energy", comparison.energy_difference},
-                       {"multipliers", comparison.multiplier_difference},
-                       {"allowed", CouplingComparison::allowed_difference},
-                       {"allowed_multipliers", CouplingComparison::allowed_multiplier_difference}}},
-                     {"agree", comparison.agree()},
-                     {"warnings", texts_json(comparison.warnings)},
-                     {"warning_places", places_json(comparison.warnings)},
-                     {"memory", {{"peak_bytes", peak_memory_bytes()}}}};
-  return file_text(json);
-}
-
-std::string comparison_text(const Study& study, const CouplingComparison& comparison) {
-  const CouplingRun& a = comparison.elimination;
-  const CouplingRun& b = comparison.lagrange;
-  const auto count = [](std::int64_t n) { return with_separators(n); };
-  const auto small = [](double x) { return fmt::format("{:.2g}", x); };
-  std::string text = study.title.empty() ? "" : study.title + "\n";
-  text += row("", "elimination", "lagrange");
-  text += row("unknowns", count(a.size.dofs), count(b.size.dofs));
-  text += row("  free of supports", count(a.size.dofs_free), count(b.size.dofs_free));
-  text += row("  multipliers", "0", count(b.size.multipliers));
-  text +=
-      row("solver", std::string(solvers::name(a.solver.method)), std::string(solvers::name(b.solver.method)));
-  text += row("matrix nonzeros", count(a.solver.matrix_nonzeros), count(b.solver.matrix_nonzeros));
-  text += row("factor nonzeros", count(a.solver.factor_nonzeros), count(b.solver.factor_nonzeros));
-  text += row("solver memory", bytes_text(a.solver.memory_bytes), bytes_text(b.solver.memory_bytes));
-  text += row("relative residual", small(a.solver.relative_residual), small(b.solver.relative_residual));
-  text += phase_rows(a, b);
-  text += row("max displacement", with_unit(a.results.max_displacement.value, "m"),
-              with_unit(b.results.max_displacement.value, "m"));
-  text += row("max von Mises", with_unit(a.results.max_von_mises.value, "Pa"),
-              with_unit(b.results.max_von_mises.value, "Pa"));
-  text += row("internal energy", with_unit(a.results.internal_energy, "J"),
-              with_unit(b.results.internal_energy, "J"));
-  text += fmt::format(
-      "  largest relative difference: displacement {:.2g}, energy {:.2g} (allowed {:.0e}), multipliers "
-      "{:.2g} "
-      "(allowed {:.0e})\n",
-      comparison.displacement_difference, comparison.energy_difference,
-      CouplingComparison::allowed_difference, comparison.multiplier_difference,
-      CouplingComparison::allowed_multiplier_difference);
-  return text + (comparison.agree() ? "  the two couplings agree\n" : "  THE TWO COUPLINGS DISAGREE\n");
+ComparedStudy compare_couplings(const Study& study, const Progress& progress) {
+  ComparedStudy result{{}, {build_problem(study, progress), {}, {}, {}, 0}, {}};
+  const iga::ElasticityProblem& problem = result.run.built.problem;
+  const iga::ElasticitySolution eliminated =
+      iga::solve_elasticity(problem, options_of(study, iga::Coupling::elimination), progress);
+  iga::ElasticitySolution& tied = result.run.solution;
+  tied = iga::solve_elasticity(problem, options_of(study, iga::Coupling::lagrange), progress);
+  result.run.timings = tied.timings;
+  CouplingComparison& comparison = result.comparison;
+  comparison.refine = study.discretization.refine;
+  comparison.degree = highest_degree(problem.discretization);
+  comparison.elimination = summarized(eliminated, iga::Coupling::elimination);
+  comparison.lagrange = summarized(tied, iga::Coupling::lagrange);
+  comparison.displacement_difference = displacement_difference(eliminated.field, tied.field);
+  comparison.energy_difference = energy_difference(eliminated.results, tied.results);
+  comparison.multiplier_difference = multiplier_difference(eliminated.multipliers, tied.multipliers);
+  comparison.warnings = result.run.built.warnings;
+  find_largest_differences(problem, eliminated.field, tied.field, comparison);
+  result.tractions = iga::interface_tractions(problem, tied.multipliers);
+  comparison.interfaces = interface_forces(problem.discretization.model, result.tractions);
+  return result;
 }
 
 }  // namespace isopatch::app

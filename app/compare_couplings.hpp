@@ -1,9 +1,15 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "app/run_study.hpp"
 #include "app/study.hpp"
+#include "geometry/base/progress.hpp"
+#include "iga/interface_tractions.hpp"
+#include "iga/solve_elasticity.hpp"
 
 namespace isopatch::app {
 
@@ -14,10 +20,22 @@ struct CouplingRun {
   solvers::SolveReport solver;
   iga::ElasticityResults results;
   std::vector<iga::PhaseTime> timings;
+
+  double seconds() const;  ///< of all phases
+};
+
+/// What one patch does to another across an interface.
+struct InterfaceForce {
+  std::string first;                     ///< face, as the input names it
+  std::string second;                    ///< face
+  double area = 0;                       ///< m^2
+  std::optional<Eigen::Vector3d> force;  ///< of the second patch on the first, N
 };
 
 /// The same study solved with both couplings.
 struct CouplingComparison {
+  int refine = 0;                         ///< of the study's discretization
+  std::array<int, 3> degree = {0, 0, 0};  ///< highest degree per direction over the patches
   CouplingRun elimination;
   CouplingRun lagrange;
   /// Largest difference of a displacement coefficient over the largest coefficient.
@@ -26,6 +44,11 @@ struct CouplingComparison {
   double energy_difference = 0;
   /// Largest difference of a multiplier's force over the largest force; 0 without multipliers.
   double multiplier_difference = 0;
+  /// Of the difference of the two displacements, sampled as those in `ElasticityResults`: its length, m, and
+  /// its von Mises stress, Pa. Parameters are in the input's naming.
+  iga::Extremum largest_displacement_difference;
+  iga::Extremum largest_stress_difference;
+  std::vector<InterfaceForce> interfaces;
   std::vector<Warning> warnings;
 
   static constexpr double allowed_difference = 1e-9;  ///< of displacement and energy
@@ -33,14 +56,15 @@ struct CouplingComparison {
   bool agree() const;
 };
 
-/// Solves a study with elimination and with multipliers. A solver method that only suits one of them
-/// (cholmod, cg) is used for elimination alone.
-CouplingComparison compare_couplings(const Study& study, const Progress& progress = {});
+/// A comparison with what pictures of it need.
+struct ComparedStudy {
+  CouplingComparison comparison;
+  StudyRun run;  ///< with multipliers; without probes
+  std::vector<iga::InterfaceTraction> tractions;
+};
 
-/// compare.json; SUMMARY.md documents its keys.
-std::string comparison_json(const Study& study, const CouplingComparison& comparison);
-
-/// The table for the terminal.
-std::string comparison_text(const Study& study, const CouplingComparison& comparison);
+/// Solves a study with elimination and with multipliers. Of the methods that suit one of them only, cg and
+/// minres take each other's place, and cholmod is used for elimination alone.
+ComparedStudy compare_couplings(const Study& study, const Progress& progress = {});
 
 }  // namespace isopatch::app

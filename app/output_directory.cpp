@@ -85,6 +85,12 @@ void remove_earlier_results(const fs::path& directory) {
   remove_earlier_fields(directory);
 }
 
+void remove_earlier_comparison(const fs::path& directory) {
+  std::error_code ignored;
+  fs::remove(directory / "compare.json", ignored);
+  fs::remove(directory / "compare.html", ignored);
+}
+
 void write_in(const fs::path& directory, const fs::path& file, std::string_view bytes) {
   make_directories((directory / file).parent_path());
   write_file(directory / file, bytes);

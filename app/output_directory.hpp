@@ -19,6 +19,9 @@ void remove_earlier_fields(const std::filesystem::path& directory);
 /// being replaced. Leaves all other files alone.
 void remove_earlier_results(const std::filesystem::path& directory);
 
+/// Removes what an earlier comparison wrote. Leaves all other files alone.
+void remove_earlier_comparison(const std::filesystem::path& directory);
+
 /// Writes a file of the directory, making its folder; it appears whole or not at all.
 /// @param content  gives the bytes to a sink, piece by piece
 /// @throws Error io

@@ -49,8 +49,10 @@ Files appear whole or not at all, and only after everything has been computed.)"
 constexpr const char* compare_examples = R"(Examples:
   isopatch compare study.toml
   isopatch compare study.toml --set discretization.degree=3
-Prints a table and writes compare.json. Exit code 1 if the couplings differ by more than 1e-9 in
-displacement or energy, or 1e-8 in multipliers, relatively.)";
+  isopatch compare study.toml --levels 3             as refined as the study, once more, twice more
+  isopatch compare study.toml --levels 3 --degrees 2,3
+Prints tables and writes compare.html (for a browser) and compare.json, anew after each level. Exit code 1 if the couplings differ at any
+level by more than 1e-9 in displacement or energy, or 1e-8 in multipliers, relatively.)";
 
 constexpr const char* info_examples = R"(Examples:
   isopatch info model.xml                            G+Smo XML, GoTools .g2 or an MFEM NURBS mesh
@@ -115,6 +117,7 @@ ExitCode exit_code(ErrorCode code) {
 /// The command line before it is known which command it names.
 struct CommandLine {
   StudyCommand study;
+  LevelOptions levels;
   InfoCommand info;
   ProbeCommand probe;
   FieldsCommand fields;
@@ -157,9 +160,23 @@ void add_study_commands(CLI::App& app, CommandLine& line) {
   };
   common(add_command(app, line, "run", "Solves a study and writes its results", run_examples,
                      [with_output](const Console& console) { return run_command(with_output(), console); }));
-  common(add_command(
-      app, line, "compare", "Solves a study with both couplings and compares them", compare_examples,
-      [with_output](const Console& console) { return compare_command(with_output(), console); }));
+  CLI::App* compare =
+      add_command(app, line, "compare", "Solves a study with both couplings and compares them",
+                  compare_examples, [with_output, &line](const Console& console) {
+                    return compare_command(with_output(), line.levels, console);
+                  });
+  common(compare);
+  compare
+      ->add_option("--levels", line.levels.count,
+                   "Compares at discretization.refine, one more, ...: N levels")
+      ->check(CLI::Range(1, 11))
+      ->type_name("N");
+  compare->add_option("--degrees", line.levels.degrees, "Compares all levels with each of these degrees: 2,3")
+      ->delimiter(',')
+      ->expected(1, 10)
+      ->allow_extra_args(false)
+      ->check(CLI::Range(1, 10))
+      ->type_name("P,P");
 }
 
 void add_input(CLI::App* command, InputFile& input) {

@@ -3,10 +3,24 @@
 #include <fmt/format.h>
 
 #include "app/internal/json_values.hpp"
+#include "app/plots/residual_plot.hpp"
 #include "app/report_scene.hpp"
 #include "app/summary.hpp"
 
 namespace isopatch::app {
+namespace {
+
+// The plots have their titles inside.
+std::vector<PagePlot> plots_of(const Json& summary) {
+  const Json solver = summary.value("solver", Json::object());
+  ResidualHistory history{solver.value("method", ""), {}, solver.value("levels", 0) > 0};
+  for (const Json& residual : solver.value("residual_history", Json::array()))
+    if (residual.is_number()) history.values.push_back(residual.get<double>());
+  const auto plot = residual_plot({history}, solver.value("tolerance", 0.));
+  return plot ? std::vector<PagePlot>{{"", to_svg(*plot)}} : std::vector<PagePlot>{};
+}
+
+}  // namespace
 
 Page report_page(const iga::ElasticField& field, const StoredModel& model, const std::string& study,
                  const std::string& summary) {
@@ -18,6 +32,7 @@ Page report_page(const iga::ElasticField& field, const StoredModel& model, const
   page.title = read ? json.value("title", "") : "";
   page.study = study;
   page.summary_json = read ? summary : "null";
+  if (read) page.plots = plots_of(json);
   page.scene = report_scene(field, model, summary);
   return page;
 }

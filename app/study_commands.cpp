@@ -1,8 +1,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "app/commands.hpp"
-#include "app/compare_couplings.hpp"
+#include "app/compare_levels.hpp"
+#include "app/compare_page.hpp"
+#include "app/comparison_report.hpp"
 #include "app/output_directory.hpp"
 #include "app/study_keys.hpp"
 #include "app/summary.hpp"
@@ -17,6 +21,15 @@ Study read(const StudyCommand& command) {
   study.options.processes = command.processes;
   if (command.processes.is_first()) check_writable(study.output.directory);
   return study;
+}
+
+// Anew after each level, so that nothing finished is lost.
+void write_comparison(const Study& study, const ComparedStudy& level,
+                      const std::vector<CouplingComparison>& all) {
+  const std::filesystem::path& directory = study.output.directory;
+  if (all.size() == 1) remove_earlier_comparison(directory);
+  if (study.output.report) write_in(directory, "compare.html", compare_html(study, level, all));
+  write_in(directory, "compare.json", comparison_json(study, all));
 }
 
 }  // namespace
@@ -36,26 +49,31 @@ ExitCode run_command(const StudyCommand& command, const Console& console) {
   return ExitCode::ok;
 }
 
-ExitCode compare_command(const StudyCommand& command, const Console& console) {
+ExitCode compare_command(const StudyCommand& command, const LevelOptions& options, const Console& console) {
   const Study study = read(command);
+  const bool writes = command.processes.is_first();
   ProgressDisplay display(console);
-  const CouplingComparison comparison = compare_couplings(study, display.progress());
-  if (!command.processes.is_first()) return comparison.agree() ? ExitCode::ok : ExitCode::failed;
-  write_in(study.output.directory, "compare.json", comparison_json(study, comparison));
+  const LevelReport report = compare_levels(
+      study, options,
+      [&](const ComparedStudy& level, const std::vector<CouplingComparison>& all) {
+        if (writes) write_comparison(study, level, all);
+      },
+      display.progress());
   display.clear();
-  for (const Warning& warning : comparison.warnings) console.warn(warning.text);
-  if (!console.quiet)
-    console.out << comparison_text(study, comparison)
-                << fmt::format("  written to {}\n", (study.output.directory / "compare.json").string());
-  if (comparison.agree()) return ExitCode::ok;
-  console.fail(fmt::format(
-      "the two couplings disagree: relative difference {:.2g} in displacement, {:.2g} in energy (allowed "
-      "{:.0e}), {:.2g} in multipliers (allowed {:.0e}); look at the solver's residuals and at the model's "
-      "gaps",
-      comparison.displacement_difference, comparison.energy_difference,
-      CouplingComparison::allowed_difference, comparison.multiplier_difference,
-      CouplingComparison::allowed_multiplier_difference));
-  return ExitCode::failed;
+  const auto disagreeing = std::find_if(report.levels.begin(), report.levels.end(),
+                                        [](const CouplingComparison& level) { return !level.agree(); });
+  const bool done = disagreeing == report.levels.end() && report.stopped.empty();
+  if (!writes) return done ? ExitCode::ok : ExitCode::failed;
+  for (const Warning& warning : report.levels.back().warnings) console.warn(warning.text);
+  if (!console.quiet) {
+    console.out << comparison_text(study, report.levels.back());
+    if (report.levels.size() > 1) console.out << levels_text(report.levels);
+    console.out << fmt::format("  results in        {}: {}compare.json\n", study.output.directory.string(),
+                               study.output.report ? "compare.html, " : "");
+  }
+  if (disagreeing != report.levels.end()) console.fail(disagreement_text(*disagreeing));
+  if (!report.stopped.empty()) console.fail(report.stopped);
+  return done ? ExitCode::ok : ExitCode::failed;
 }
 
 ExitCode keys_command(const std::string& topic, const Console& console) {

@@ -100,10 +100,11 @@ Json loads_json(const std::vector<CaughtRegion>& loads) {
   return result;
 }
 
-Json solver_json(const solvers::SolveReport& report, std::int64_t predicted_bytes) {
+Json solver_json(const solvers::SolveReport& report, double tolerance, std::int64_t predicted_bytes) {
   return {{"method", solvers::name(report.method)},
           {"reason", report.reason},
           {"iterations", report.iterations},
+          {"tolerance", tolerance},
           {"relative_residual", report.relative_residual},
           {"energy_error", report.energy_error},
           {"residual_history", report.residual_history},
@@ -230,7 +231,8 @@ std::string summary_json(const Study& study, const StudyRun& run) {
       {"loads", loads_json(run.built.loads)},
       {"discretization", discretization_json(run)},
       {"coupling", iga::name(study.options.coupling)},
-      {"solver", solver_json(run.solution.solver, run.solution.predicted_bytes)},
+      {"solver",
+       solver_json(run.solution.solver, study.options.solver.tolerance, run.solution.predicted_bytes)},
       {"results", results_json(run)},
       {"probes", probes_json(run)},
       {"warnings", texts_json(run.built.warnings)},

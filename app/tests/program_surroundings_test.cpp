@@ -49,14 +49,15 @@ TEST_F(Program, ASecondRunReplacesTheFirstWholly) {
   ASSERT_EQ(run({"run", study(), "-q", "--set", "model.patches=[1,1,1]"}), 0) << err_;
   EXPECT_THAT(files_below(results()),
               testing::UnorderedElementsAre("summary.json", "results.h5", "results.vtm", "report.html",
-                                            "compare.json", "notes.txt", "fields/patch_mine.vtu",
-                                            "fields/patch_000.vtu"));
+                                            "compare.json", "compare.html", "notes.txt",
+                                            "fields/patch_mine.vtu", "fields/patch_000.vtu"));
   EXPECT_EQ(json::parse(read_file(results() / "summary.json"))["model"]["patches"], 1);
   ASSERT_EQ(run({"run", study(), "-q", "--set", "output.fields=false", "--set", "output.hdf5=false", "--set",
                  "output.report=false"}),
             0);
-  EXPECT_THAT(files_below(results()), testing::UnorderedElementsAre("summary.json", "compare.json",
-                                                                    "notes.txt", "fields/patch_mine.vtu"));
+  EXPECT_THAT(files_below(results()),
+              testing::UnorderedElementsAre("summary.json", "compare.json", "compare.html", "notes.txt",
+                                            "fields/patch_mine.vtu"));
 }
 
 TEST_F(Program, AFailedRunLeavesEarlierResultsAlone) {
