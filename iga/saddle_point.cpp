@@ -53,10 +53,10 @@ SaddlePoint::SaddlePoint(const SolutionTask& task, const Level& level, const Ela
       multigrid_(&multigrid),
       stiffness_(level.spaces, level.parts, task.problem.materials, task.points),
       rows_(saddle_rows(task, level)) {
-  // Jumps cost some thousand times what they cost in a node's own stiffness. So what is continuous hardly
-  // feels them, and all eigenvalues of jumps and multipliers are near (1 +- sqrt 5) / 2; three digits of a
-  // node's forces go to round-off.
-  constexpr double weight = 1000;
+  // Jumps cost some hundred times what they cost in a node's own stiffness: what is continuous hardly feels
+  // them, and all eigenvalues of jumps and multipliers are near (1 +- sqrt 5) / 2. More would save
+  // iterations, but the error that round-off leaves grows with the square root.
+  constexpr double weight = 100;
   const NodeClasses& classes = task.classes;
   const auto nodes = static_cast<int>(classes.class_of.size());
   int ties = nodes;
