@@ -269,7 +269,7 @@ std::array<int, 2> iterations_on_the_link(Coupling coupling, solvers::Method met
 TEST(Multigrid, NeedsAsManyIterationsForEveryDegreeOnCurvedThinPatches) {
   const auto [fewest, most] = iterations_on_the_link(Coupling::elimination, solvers::Method::cg);
   EXPECT_GT(fewest, 2);
-  EXPECT_LE(most, 14);  // 21 with a coarsest level of degree 1, or with mean coefficients
+  EXPECT_LE(most, 14);  // 21 with mean coefficients and a coarsest level of degree 1
   EXPECT_LE(most, 2 * fewest);
 }
 
