@@ -21,6 +21,13 @@ Distribution everywhere(const Distribution& distribution, std::size_t patches) {
   return Distribution(distribution.size(), all);
 }
 
+bool has_one_element_of_degree(const Level& level, int highest) {
+  for (const PatchSpace& space : level.spaces)
+    for (const geometry::KnotVector& knots : space.knots)
+      if (knots.element_count() > 1 || knots.degree() > highest) return false;
+  return true;
+}
+
 // The coarsest level's matrix, the same on every process, which has all rows there.
 solvers::LinearOperator coarse_inverse(const Level& level, const std::vector<Material>& materials,
                                        int points) {
@@ -50,7 +57,10 @@ ElasticityMultigrid::ElasticityMultigrid(const ElasticityProblem& problem, const
   const geometry::MultiPatch& model = problem.discretization.model;
   progress("multigrid", 0);
   const auto is_small = [&](const Level& level) {
-    return 3 * level.rows.global_rows() <= options.coarsest_dofs;
+    // Degree 1 hardly bends: single elements of degree 2 are worth larger factors.
+    const int most =
+        has_one_element_of_degree(level, 2) ? options.coarsest_curved_dofs : options.coarsest_dofs;
+    return 3 * level.rows.global_rows() <= most;
   };
   std::vector<const Level*> levels = {&finest};
   // A level that is spread over processes cannot be the coarsest.

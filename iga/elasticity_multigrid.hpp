@@ -11,14 +11,16 @@ namespace isopatch::iga {
 
 struct ElasticityMultigridOptions {
   solvers::MultigridOptions smoothing = {};
-  int points = 0;            ///< Gauss points per element and direction; 0: degree + 1
-  int coarsest_dofs = 2000;  ///< coarsen until there are no more than these, if that can be
+  int points = 0;                   ///< Gauss points per element and direction; 0: degree + 1
+  int coarsest_dofs = 2000;         ///< coarsen until there are no more than these, if that can be
+  int coarsest_curved_dofs = 5000;  ///< the same for one element of degree 2 a patch
 };
 
 /// The multigrid preconditioner of an elasticity problem coupled by elimination.
 ///
-/// Levels: half the elements per direction each time, then degree 1, down to a matrix that is factorized; all
-/// products but that one without a matrix. The smoother is a Chebyshev polynomial in FastDiagonalization.
+/// Levels: half the elements per direction each time, then degree 2 and 1, down to a matrix that is
+/// factorized; all products but that one without a matrix. The smoother is a Chebyshev polynomial in
+/// FastDiagonalization.
 class ElasticityMultigrid {
  public:
   /// @param finest   the solution space; must outlive the multigrid, as must `problem`

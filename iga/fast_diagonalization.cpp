@@ -7,6 +7,7 @@
 #include "geometry/quadrature.hpp"
 #include "iga/element.hpp"
 #include "iga/internal/dense_along.hpp"
+#include "iga/separable_coefficients.hpp"
 
 namespace isopatch::iga {
 namespace {
@@ -19,36 +20,40 @@ struct Line {
   Eigen::MatrixXd stiffness;
 };
 
-Line line(const KnotVector& knots) {
+Line line(const KnotVector& knots, const LineWeight& stiffness, const LineWeight& mass) {
   const DirectionTable table = direction_table(knots, geometry::gauss_legendre(knots.degree() + 1));
   Line result{Eigen::MatrixXd::Zero(knots.size(), knots.size()),
               Eigen::MatrixXd::Zero(knots.size(), knots.size())};
   const int n = knots.degree() + 1;
   for (const DirectionTable::Element& e : table.elements) {
-    result.mass.block(e.first, e.first, n, n) += e.values.transpose() * e.weights.asDiagonal() * e.values;
+    Eigen::VectorXd of_mass = e.weights;
+    Eigen::VectorXd of_stiffness = e.weights;
+    for (Eigen::Index q = 0; q < e.nodes.size(); ++q) {
+      of_mass[q] *= mass.at(e.nodes[q]);
+      of_stiffness[q] *= stiffness.at(e.nodes[q]);
+    }
+    result.mass.block(e.first, e.first, n, n) += e.values.transpose() * of_mass.asDiagonal() * e.values;
     result.stiffness.block(e.first, e.first, n, n) +=
-        e.derivatives.transpose() * e.weights.asDiagonal() * e.derivatives;
+        e.derivatives.transpose() * of_stiffness.asDiagonal() * e.derivatives;
   }
   return result;
 }
 
-// Mean over the patch of the stiffness of component `row` to changes along direction `column`.
-Eigen::Matrix3d mean_coefficients(const geometry::NurbsVolume& patch, const Material& material) {
-  constexpr int samples = 6;
-  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-  for (int at = 0; at < samples * samples * samples; ++at) {
-    const Eigen::Vector3d place(at % samples, at / samples % samples, at / samples / samples);
-    const geometry::Parameter<3> parameter =
-        patch.low() + ((place.array() + 0.5) / samples * (patch.high() - patch.low()).array()).matrix();
-    const Eigen::Matrix3d jacobian = patch.jacobian(parameter);
-    const Eigen::Matrix3d inverse = jacobian.inverse();
-    for (int d = 0; d < 3; ++d)
-      for (int c = 0; c < 3; ++c)
-        sum(c, d) += std::abs(jacobian.determinant()) *
-                     ((material.lambda + material.mu) * inverse(d, c) * inverse(d, c) +
-                      material.mu * inverse.row(d).squaredNorm());
+// The lines of one patch and one component.
+struct Lines {
+  std::array<double, 3> factor;
+  std::array<Line, 3> along;
+};
+
+std::array<Lines, 3> lines_of(const PatchSpace& space, const Material& material) {
+  const std::array<SeparableCoefficients, 3> coefficients = separable_coefficients(*space.geometry, material);
+  std::array<Lines, 3> result;
+  for (std::size_t c = 0; c < 3; ++c) {
+    result[c].factor = coefficients[c].factor;
+    for (std::size_t d = 0; d < 3; ++d)
+      result[c].along[d] = line(space.knots[d], coefficients[c].stiffness[d], coefficients[c].mass[d]);
   }
-  return sum / (samples * samples * samples);
+  return result;
 }
 
 struct Modes {
@@ -114,8 +119,8 @@ FastDiagonalization::FastDiagonalization(const geometry::MultiPatch& model, cons
                                          const std::vector<Eigen::Matrix3d>& diagonal)
     : level_(&level) {
   std::vector<char> in_block(static_cast<std::size_t>(level.rows.global_rows()), 0);
-  std::map<std::array<int, 6>, Modes> known;  // patch, direction, range, fixed ends
-  std::map<int, std::array<Line, 3>> lines;
+  std::map<std::array<int, 7>, Modes> known;  // patch, component, direction, range, fixed ends
+  std::map<int, std::array<Lines, 3>> lines;
   for (const TensorBlock& block : tensor_blocks(model, level)) {
     const std::vector<int> nodes = nodes_of(level, block);
     for (const int node : nodes)
@@ -123,37 +128,36 @@ FastDiagonalization::FastDiagonalization(const geometry::MultiPatch& model, cons
     const auto p = static_cast<std::size_t>(block.patch);
     if (!level.is_primary[p]) continue;
     const PatchSpace& space = level.spaces[p];
-    if (!lines.contains(block.patch))
-      lines[block.patch] = {line(space.knots[0]), line(space.knots[1]), line(space.knots[2])};
-    const std::array<Line, 3>& of_patch = lines[block.patch];
-    const Eigen::Matrix3d coefficients = mean_coefficients(*space.geometry, materials[p]);
+    if (!lines.contains(block.patch)) lines[block.patch] = lines_of(space, materials[p]);
     Block& made = blocks_.emplace_back();
     made.sizes = block.sizes();
     for (const int node : nodes) made.rows.push_back(level.row_of_node[static_cast<std::size_t>(node)]);
     for (int c = 0; c < 3; ++c) {
       Component& component = made.components[static_cast<std::size_t>(c)];
+      const Lines& of_patch = lines[block.patch][static_cast<std::size_t>(c)];
+      const Eigen::Vector3d factor(of_patch.factor[0], of_patch.factor[1], of_patch.factor[2]);
       std::array<Modes, 3> along;
       for (int d = 0; d < 3; ++d) {
         const auto direction = static_cast<std::size_t>(d);
         const bool single = made.sizes[direction] == 1;
         const bool low = !single && is_held(level, made.rows, made.sizes, d, false, c);
         const bool high = !single && is_held(level, made.rows, made.sizes, d, true, c);
-        Modes& found = known[{block.patch, d, block.low[direction], block.high[direction], low, high}];
+        Modes& found = known[{block.patch, c, d, block.low[direction], block.high[direction], low, high}];
         if (!found.vectors)
-          found = modes(of_patch[direction], block.low[direction], block.high[direction], low, high);
+          found = modes(of_patch.along[direction], block.low[direction], block.high[direction], low, high);
         along[direction] = found;
         component.modes[direction] = found.vectors;
       }
-      component.inverse = inverse_eigenvalues(along, coefficients.row(c));
+      component.inverse = inverse_eigenvalues(along, factor);
       component.scale.resize(static_cast<Eigen::Index>(nodes.size()));
       Eigen::Index at = 0;
       for (int k = block.low[2]; k < block.high[2]; ++k)
         for (int j = block.low[1]; j < block.high[1]; ++j)
           for (int i = block.low[0]; i < block.high[0]; ++i, ++at) {
-            const auto& [u, v, w] = of_patch;
-            const double own = coefficients(c, 0) * u.stiffness(i, i) * v.mass(j, j) * w.mass(k, k) +
-                               coefficients(c, 1) * u.mass(i, i) * v.stiffness(j, j) * w.mass(k, k) +
-                               coefficients(c, 2) * u.mass(i, i) * v.mass(j, j) * w.stiffness(k, k);
+            const auto& [u, v, w] = of_patch.along;
+            const double own = factor[0] * u.stiffness(i, i) * v.mass(j, j) * w.mass(k, k) +
+                               factor[1] * u.mass(i, i) * v.stiffness(j, j) * w.mass(k, k) +
+                               factor[2] * u.mass(i, i) * v.mass(j, j) * w.stiffness(k, k);
             const auto row = static_cast<std::size_t>(made.rows[static_cast<std::size_t>(at)]);
             component.scale[at] = std::sqrt(own / diagonal[row](c, c));
           }

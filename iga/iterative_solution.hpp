@@ -11,7 +11,7 @@ NodalSolution solve_eliminated(const SolutionTask& task, const solvers::SolverOp
                                solvers::Operator form, const Progress& progress);
 
 /// Patches coupled by multipliers: minimal residuals for the saddle point, whose operator keeps every patch
-/// and every multiplier by itself, without a matrix. One process only.
+/// and every multiplier by itself, without a matrix..
 ///
 /// K is singular on floating patches; K + g Q is not and has the same solution, Q the projection onto
 /// jumps across interfaces and g a stiffness per class of nodes. The preconditioner is block diagonal: the

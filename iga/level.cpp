@@ -1,6 +1,10 @@
 #include "iga/level.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
+
+#include "geometry/splines/transfer.hpp"
+#include "iga/internal/dense_along.hpp"
 
 namespace isopatch::iga {
 namespace {
@@ -53,6 +57,43 @@ std::vector<const Frame*> coarse_frames(const Level& coarse, const NodeClasses& 
   return result;
 }
 
+// The weights of coarser functions with the same denominator; empty if there are none.
+Eigen::VectorXd coarser_weights(const PatchSpace& fine, const PatchSpace& coarse) {
+  Eigen::VectorXd weights = fine.weights;
+  std::array<int, 3> sizes = fine.sizes();
+  std::array<int, 3> back = coarse.sizes();
+  std::array<Eigen::MatrixXd, 3> up;
+  for (std::size_t d = 0; d < 3; ++d) {
+    up[d] = Eigen::MatrixXd(geometry::transfer(coarse.knots[d], fine.knots[d]));
+    weights = apply_dense_along(weights, sizes, static_cast<int>(d),
+                                Eigen::MatrixXd(up[d].completeOrthogonalDecomposition().pseudoInverse()));
+  }
+  Eigen::VectorXd again = weights;
+  for (std::size_t d = 0; d < 3; ++d) again = apply_dense_along(again, back, static_cast<int>(d), up[d]);
+  const bool same = (again - fine.weights).cwiseAbs().maxCoeff() < 1e-10 * fine.weights.maxCoeff();
+  return same && weights.minCoeff() > 0 ? weights : Eigen::VectorXd();
+}
+
+// Gives the coarser functions the denominators of the finer ones, which keeps the spaces nested, if that can
+// be in all patches: traces must match.
+void add_weights(const Level& fine, Level& coarse) {
+  std::vector<Eigen::VectorXd> weights;
+  for (std::size_t p = 0; p < fine.spaces.size(); ++p) {
+    weights.emplace_back();
+    if (!fine.spaces[p].is_rational()) continue;
+    weights.back() = coarser_weights(fine.spaces[p], coarse.spaces[p]);
+    if (weights.back().size() == 0) return;
+  }
+  for (std::size_t p = 0; p < fine.spaces.size(); ++p) coarse.spaces[p].weights = std::move(weights[p]);
+}
+
+int highest_degree(const std::vector<PatchSpace>& spaces) {
+  int highest = 0;
+  for (const PatchSpace& space : spaces)
+    for (const KnotVector& knots : space.knots) highest = std::max(highest, knots.degree());
+  return highest;
+}
+
 bool has_one_element(const PatchSpace& space) {
   return std::all_of(space.knots.begin(), space.knots.end(),
                      [](const KnotVector& knots) { return knots.element_count() == 1; });
@@ -90,6 +131,7 @@ std::optional<Level> coarser_level(const geometry::MultiPatch& model, const Leve
                                    const std::vector<Frame>& frames, const Distribution& distribution,
                                    const solvers::Processes& processes) {
   const bool lower_degree = std::all_of(level.spaces.begin(), level.spaces.end(), has_one_element);
+  const int lower = highest_degree(level.spaces) > 2 ? 2 : 1;
   Level coarse;
   bool changed = false;
   std::vector<std::array<int, 3>> sizes;
@@ -98,7 +140,8 @@ std::optional<Level> coarser_level(const geometry::MultiPatch& model, const Leve
     PatchSpace next{space.geometry, space.knots, {}, space.reversed};
     for (KnotVector& knots : next.knots) {
       const int before = knots.size();
-      knots = lower_degree ? KnotVector::bezier(1, knots.first(), knots.last()) : coarser_knots(knots);
+      knots = lower_degree ? KnotVector::bezier(std::min(knots.degree(), lower), knots.first(), knots.last())
+                           : coarser_knots(knots);
       changed = changed || knots.size() != before;
     }
     sizes.push_back(next.sizes());
@@ -106,6 +149,7 @@ std::optional<Level> coarser_level(const geometry::MultiPatch& model, const Leve
     coarse.spaces.push_back(std::move(next));
   }
   if (!changed) return std::nullopt;
+  add_weights(level, coarse);
   const NodeClasses classes = node_classes(model, sizes);
   number_rows(coarse, classes.class_of, coarse_frames(coarse, classes, finest, frames), distribution,
               processes);

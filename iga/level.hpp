@@ -30,8 +30,11 @@ Level finest_level(const Discretization& discretization, const NodeClasses& clas
                    const std::vector<Frame>& frames, const Distribution& distribution,
                    const solvers::Processes& processes);
 
-/// Half the elements of `level` per direction, or degree 1 where only one element is left; nested in `level`
-/// but for the finest level's weights. Empty if nothing is left to coarsen.
+/// Half the elements of `level` per direction; where only one is left, degree 2 and then 1. Empty if nothing
+/// is left to coarsen.
+///
+/// Nested in `level`: rational functions keep their denominators, so rigid motions stay free of energy, as
+/// long as the coarser functions of every patch can make them; below that all are polynomial.
 ///
 /// @param finest   from which the supports are taken
 /// @param frames   of the finest level's classes

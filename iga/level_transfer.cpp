@@ -23,6 +23,14 @@ Eigen::VectorXd along_all(Eigen::VectorXd values, std::array<int, 3> sizes, cons
   return values;
 }
 
+// Times the weights of rational functions, or their inverses.
+Eigen::VectorXd weighted(Eigen::VectorXd values, const PatchSpace& space, bool inverse) {
+  if (!space.is_rational()) return values;
+  for (Eigen::Index i = 0; i < space.weights.size(); ++i)
+    values.segment<3>(3 * i) *= inverse ? 1 / space.weights[i] : space.weights[i];
+  return values;
+}
+
 }  // namespace
 
 LevelTransfer::LevelTransfer(const Level& coarse, const Level& fine) : coarse_(&coarse), fine_(&fine) {
@@ -49,8 +57,11 @@ Eigen::VectorXd LevelTransfer::to_finer(const Eigen::VectorXd& x) const {
   Eigen::VectorXd fine = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(fine_->rows.local_rows()));
   for (const PatchPart& part : fine_->parts) {
     const auto p = static_cast<std::size_t>(part.patch);
-    const Eigen::VectorXd values =
-        along_all(gathered(*coarse_, part.patch, coarse), coarse_->spaces[p].sizes(), matrices_[p]);
+    const bool rational = coarse_->spaces[p].is_rational();
+    Eigen::VectorXd start = gathered(*coarse_, part.patch, coarse);
+    if (rational) start = weighted(std::move(start), coarse_->spaces[p], false);
+    Eigen::VectorXd values = along_all(std::move(start), coarse_->spaces[p].sizes(), matrices_[p]);
+    if (rational) values = weighted(std::move(values), fine_->spaces[p], true);
     const int first = fine_->first_node[p];
     for (int node = first; node < fine_->first_node[p + 1]; ++node)
       fine.segment<3>(3 * static_cast<Eigen::Index>(fine_->row_of_node[static_cast<std::size_t>(node)])) =
@@ -66,8 +77,11 @@ Eigen::VectorXd LevelTransfer::from_finer(const Eigen::VectorXd& force) const {
   for (const PatchPart& part : fine_->parts) {
     const auto p = static_cast<std::size_t>(part.patch);
     if (!fine_->is_primary[p]) continue;
-    const Eigen::VectorXd values =
-        along_all(gathered(*fine_, part.patch, fine), fine_->spaces[p].sizes(), transposed_[p]);
+    const bool rational = coarse_->spaces[p].is_rational();
+    Eigen::VectorXd start = gathered(*fine_, part.patch, fine);
+    if (rational) start = weighted(std::move(start), fine_->spaces[p], true);
+    Eigen::VectorXd values = along_all(std::move(start), fine_->spaces[p].sizes(), transposed_[p]);
+    if (rational) values = weighted(std::move(values), coarse_->spaces[p], false);
     const int first = coarse_->first_node[p];
     for (int node = first; node < coarse_->first_node[p + 1]; ++node)
       coarse.segment<3>(3 *

@@ -9,7 +9,8 @@
 namespace isopatch::iga {
 
 /// Prolongation and restriction between two neighbouring levels: knot insertion and degree elevation of the
-/// coefficients, direction by direction in each patch. Both levels must outlive it.
+/// coefficients (times their weights where both levels are rational), direction by direction in each patch.
+/// Both levels must outlive it.
 class LevelTransfer {
  public:
   LevelTransfer(const Level& coarse, const Level& fine);

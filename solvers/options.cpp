@@ -55,7 +55,7 @@ void validate(const SolverOptions& options) {
                             multigrid.smoothing_degree));
   if (!(multigrid.smoothing_range >= 1.1 && multigrid.smoothing_range <= 1000))
     throw Error(ErrorCode::invalid_argument,
-                fmt::format("solver smoothing_range is {}; it must lie in [1.1, 1000], for example 20",
+                fmt::format("solver smoothing_range is {}; it must lie in [1.1, 1000], for example 40",
                             multigrid.smoothing_range));
   if (!(options.memory_limit >= 0))
     throw Error(

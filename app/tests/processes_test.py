@@ -116,6 +116,15 @@ class Processes(unittest.TestCase):
         self.expect_same_figures(SOURCE / "examples/link/study.toml", "discretization.refine=0",
                                  "coupling.method='lagrange'")
 
+    # Iterations stop far below the difference that is allowed.
+    def test_link_by_minimal_residuals(self):
+        self.expect_same_figures(SOURCE / "examples/link/study.toml", "coupling.method='lagrange'",
+                                 "solver.method='minres'", "solver.tolerance=3e-11")
+
+    def test_one_patch_by_minimal_residuals(self):
+        self.expect_same_figures(self.study(ONE_PATCH.replace("refine = 2", "refine = 3")), "discretization.degree=3",
+                                 "coupling.method='lagrange'", "solver.method='minres'", "solver.tolerance=3e-11")
+
     def test_thick_cylinder_by_elimination(self):
         self.expect_same_figures(SOURCE / "examples/thick_cylinder/study.toml", "discretization.degree=3",
                                  "discretization.refine=1")
