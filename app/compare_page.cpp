@@ -72,7 +72,7 @@ void add_marker(const ComparedStudy& finest, const char* name, const iga::Extrem
 }  // namespace
 
 std::string compare_html(const Study& study, const ComparedStudy& finest,
-                         const std::vector<CouplingComparison>& levels) {
+                         const std::vector<CouplingComparison>& levels, const std::string& json) {
   const iga::ElasticField& field = finest.run.solution.field;
   const std::string summary = summary_json(study, finest.run);
   const StoredModel model = stored_model(field.patches, summary);
@@ -89,7 +89,7 @@ std::string compare_html(const Study& study, const ComparedStudy& finest,
   page.program = fmt::format("isopatch {}", version());
   page.title = study.title;
   page.study = study.text;
-  page.summary_json = comparison_json(study, levels);
+  page.summary_json = json;
   page.plots = comparison_plots(levels, study.options.solver.tolerance);
   page.scene = std::move(scene);
   return to_html(page);

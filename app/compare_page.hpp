@@ -12,8 +12,9 @@ namespace isopatch::app {
 /// largest differences.
 /// @param finest  the last of the levels
 /// @param levels  at least one, the finest last
+/// @param json    text of compare.json
 /// @cost  that of sample_part
 std::string compare_html(const Study& study, const ComparedStudy& finest,
-                         const std::vector<CouplingComparison>& levels);
+                         const std::vector<CouplingComparison>& levels, const std::string& json);
 
 }  // namespace isopatch::app

@@ -28,8 +28,9 @@ void write_comparison(const Study& study, const ComparedStudy& level,
                       const std::vector<CouplingComparison>& all) {
   const std::filesystem::path& directory = study.output.directory;
   if (all.size() == 1) remove_earlier_comparison(directory);
-  if (study.output.report) write_in(directory, "compare.html", compare_html(study, level, all));
-  write_in(directory, "compare.json", comparison_json(study, all));
+  const std::string json = comparison_json(study, all);
+  if (study.output.report) write_in(directory, "compare.html", compare_html(study, level, all, json));
+  write_in(directory, "compare.json", json);
 }
 
 }  // namespace
