@@ -37,7 +37,9 @@ def problems(folder):
     if collection.is_file():
         named = [entry.attrib["file"] for entry in xml.etree.ElementTree.parse(collection).iter("DataSet")]
         expect({folder / name for name in named} == set(patches), f"results.vtm names {named}")
-    known = {folder / "summary.json", stored, collection, *patches}
+    report = folder / "report.html"
+    expect(report.is_file() and report.read_text().rstrip().endswith("</html>"), "report.html is missing or cut off")
+    known = {folder / "summary.json", stored, collection, report, *patches}
     others = [path.name for path in folder.rglob("*") if path.is_file() and path not in known]
     expect(not others, f"unknown files, unfinished perhaps: {others}")
     return found
