@@ -12,6 +12,8 @@ target_include_directories(isopatch_settings INTERFACE
 if(ISOPATCH_NATIVE)
   target_compile_options(isopatch_settings INTERFACE -march=native)
 endif()
+# Threads are ours to give: Eigen's own would spin in every small product.
+target_compile_definitions(isopatch_settings INTERFACE EIGEN_DONT_PARALLELIZE)
 set_target_properties(isopatch_settings PROPERTIES EXPORT_NAME settings)
 # GCC 12 reports its own AVX-512 intrinsics as uninitialized and its own string concatenation as overlapping
 # (bug 105651), so those warnings stay off.

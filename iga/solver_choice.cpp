@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -18,8 +19,11 @@ using solvers::Operator;
 // Measured: what a run holds per unknown with the multigrid, of which matrix-free products are the least
 // part.
 constexpr double multigrid_bytes = 700;
-// Above this a multigrid beats the factors of a solid body; those of thin parts are cheaper.
-constexpr std::int64_t most_factorized_unknowns = 80'000;
+// Above this a multigrid beats factors (solvers/README.md, "Factors or iterations").
+constexpr std::int64_t most_factorized_unknowns = 30'000;
+// The same for a material that hardly changes its volume, on which iterations grow.
+constexpr std::int64_t most_factorized_if_incompressible = 100'000;
+constexpr double nearly_incompressible = 0.45;  // Poisson's ratio
 // Matrices with fewer bytes per unknown (degree 1) multiply faster than their product is computed anew.
 constexpr double cheap_matrix_bytes = 600;
 
@@ -67,6 +71,11 @@ double gigabytes(double bytes) {
   return bytes / 1e9;
 }
 
+bool is_nearly_incompressible(const std::vector<Material>& materials) {
+  return std::any_of(materials.begin(), materials.end(),
+                     [](const Material& material) { return poisson(material) > nearly_incompressible; });
+}
+
 double bytes_of(const SolverChoice& choice, const Prediction& prediction) {
   switch (choice.method) {
     case Method::cg:
@@ -80,7 +89,10 @@ double bytes_of(const SolverChoice& choice, const Prediction& prediction) {
 SolverChoice automatic(const SolutionTask& task, const Prediction& prediction, double available) {
   const bool tied = task.coupling == Coupling::lagrange;
   const Method direct = tied || task.processes.count() > 1 ? Method::mumps : Method::cholmod;
-  const bool small = prediction.unknowns <= most_factorized_unknowns;
+  const std::int64_t most = is_nearly_incompressible(task.problem.materials)
+                                ? most_factorized_if_incompressible
+                                : most_factorized_unknowns;
+  const bool small = prediction.unknowns <= most;
   const bool fits = prediction.matrix + prediction.factor <= available;
   if (small && fits) return {direct, Operator::assembled, {}, 0};  // `solvers::solve` says why
   return {
@@ -88,7 +100,7 @@ SolverChoice automatic(const SolutionTask& task, const Prediction& prediction, d
       small ? fmt::format("factors would take about {:.1f} GB of the {:.1f} GB available: iterations with a "
                           "multigrid",
                           gigabytes(prediction.factor), gigabytes(available))
-            : fmt::format("more than {} unknowns: iterations with a multigrid", most_factorized_unknowns),
+            : fmt::format("more than {} unknowns: iterations with a multigrid", most),
       0};
 }
 
