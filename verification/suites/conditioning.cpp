@@ -80,7 +80,7 @@ void expect_condition(const ModelCase& model, iga::Coupling coupling) {
   const Eigen::VectorXd eigenvalues = sorted_eigenvalues(dense(system)).cwiseAbs();
   const Eigen::Index size = eigenvalues.size();
   const double largest =
-      largest_eigenvalue([&](const auto& z) { return product(system, scale, z); }, size, 60);
+      largest_eigenvalue([&](const auto& z) { return product(system, scale, z); }, size, 100);
   const double smallest =
       1 / largest_eigenvalue([&](const auto& z) { return solution(system, scale, z); }, size, 30);
   expect(Claim{fmt::format("{} as it is, {}: condition number", model.name, iga::name(coupling)), "",

@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <random>
 
 #include "geometry/models/reorient.hpp"
 #include "verification/claims/claim.hpp"
+#include "verification/suites/dense_systems.hpp"
 #include "verification/suites/model_cases.hpp"
 #include "verification/suites/moved_patches.hpp"
 #include "verification/suites/solved_study.hpp"
@@ -135,6 +137,33 @@ TEST(Invariance, Multipliers) {
     const ModelCase& model = model_case(name);
     expect_same_energy(name, patches_of(model), model.held, model.loaded, iga::Coupling::lagrange);
   }
+}
+
+// Where bending is weak beside stretching, the matrix itself says no more than round-off times its condition
+// number about the energy: the classic membrane, 1 thick and some 50 wide, bent out of its plane.
+TEST(Invariance, ThinMembrane) {
+  const ModelCase thin = {
+      "Cook's membrane, 1 thick", {"model.generate=cook", "model.patches=[2, 2]"}, "x_min", "x_max"};
+  const geometry::PatchSet set = patches_of(thin);
+  const auto energy = [&](const Change& change) {
+    return iga::solve_elasticity(changed(set, thin.held, thin.loaded, change)).results.internal_energy /
+           change.energy();
+  };
+  const Eigen::VectorXd eigenvalues = sorted_eigenvalues(
+      dense(system_of(changed(set, thin.held, thin.loaded, {}), iga::Coupling::elimination)));
+  const double condition = eigenvalues.tail<1>()[0] / eigenvalues[0];
+  const double as_it_is = energy({});
+  for (const Change& change : changes())
+    expect(
+        Claim{fmt::format("{}, {}: change of the energy by round-off times the condition number of {:.1e}",
+                          thin.name, change.what, condition),
+              "",
+              ReferenceKind::exact,
+              "the same part as it is",
+              0,
+              std::abs(energy(change) / as_it_is - 1) / (std::numeric_limits<double>::epsilon() * condition),
+              1,
+              {}});
 }
 
 // What a user can say in a study: another unit of length for the same numbers, another origin, other

@@ -49,6 +49,7 @@ void expect_follows_its_surface(const ModelCase& model, const std::vector<std::s
 
 TEST(PatchTests, DisplacementOnTheWholeSurface) {
   for (const ModelCase& model : model_cases()) expect_follows_its_surface(model);
+  expect_follows_its_surface({"Cook's membrane, 1 thick", {"model.generate=cook"}, "", ""});
 }
 
 // The linear field held on one boundary and caused by tractions on all other faces.
