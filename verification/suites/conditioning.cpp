@@ -82,7 +82,7 @@ void expect_condition(const ModelCase& model, iga::Coupling coupling) {
   const double largest =
       largest_eigenvalue([&](const auto& z) { return product(system, scale, z); }, size, 100);
   const double smallest =
-      1 / largest_eigenvalue([&](const auto& z) { return solution(system, scale, z); }, size, 30);
+      1 / largest_eigenvalue([&](const auto& z) { return solution(system, scale, z); }, size, 60);
   expect(Claim{fmt::format("{} as it is, {}: condition number", model.name, iga::name(coupling)), "",
                ReferenceKind::other_method, "all eigenvalues of the dense matrix",
                eigenvalues[size - 1] / eigenvalues[0], largest / smallest, 1e-4, s.named});

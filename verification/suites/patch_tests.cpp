@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "geometry/measures.hpp"
 #include "geometry/models/reorient.hpp"
 #include "verification/claims/claim.hpp"
@@ -34,6 +36,12 @@ void expect_linear(const std::string& of, const iga::ElasticitySolution& solutio
                solution.results.internal_energy, allowed, study});
 }
 
+// The field that a study prescribes on the surface.
+LinearField held_field(const SolvedStudy& s) {
+  const auto& held = std::get<iga::PrescribedDisplacement>(s.run.built.problem.supports[0].condition);
+  return {Eigen::Vector3d(*held.value[0], *held.value[1], *held.value[2]), held.gradient};
+}
+
 // Prescribed on the whole surface, as a user would write it.
 void expect_follows_its_surface(const ModelCase& model, const std::vector<std::string>& more = {}) {
   for (const iga::Coupling coupling : couplings) {
@@ -41,15 +49,30 @@ void expect_follows_its_surface(const ModelCase& model, const std::vector<std::s
     overrides.insert(overrides.end(), more.begin(), more.end());
     overrides.push_back(fmt::format("coupling.method={}", iga::name(coupling)));
     const SolvedStudy s = solved("verification/studies/patch_test.toml", overrides);
-    const auto& held = std::get<iga::PrescribedDisplacement>(s.run.built.problem.supports[0].condition);
-    expect_linear(fmt::format("{}, {}", model.name, iga::name(coupling)), s.run.solution,
-                  {Eigen::Vector3d(*held.value[0], *held.value[1], *held.value[2]), held.gradient}, s.named);
+    expect_linear(fmt::format("{}, {}", model.name, iga::name(coupling)), s.run.solution, held_field(s),
+                  s.named);
   }
 }
 
 TEST(PatchTests, DisplacementOnTheWholeSurface) {
   for (const ModelCase& model : model_cases()) expect_follows_its_surface(model);
   expect_follows_its_surface({"Cook's membrane, 1 thick", {"model.generate=cook"}, "", ""});
+}
+
+// Degree + 1 points integrate polynomial patches of degree 2 exactly, and rational functions nearly.
+TEST(PatchTests, DefaultQuadrature) {
+  for (const ModelCase& model : model_cases()) {
+    std::vector<std::string> overrides = model.overrides;
+    overrides.emplace_back("discretization.points=0");
+    const SolvedStudy s = solved("verification/studies/patch_test.toml", overrides);
+    const auto& patches = s.run.solution.field.patches;
+    const bool rational =
+        std::any_of(patches.begin(), patches.end(), [](const auto& patch) { return patch.is_rational(); });
+    expect(
+        Claim{fmt::format("{}, 3 Gauss points a direction: largest error of a coefficient of u", model.name),
+              "", ReferenceKind::exact, "linear field", 0,
+              coefficient_error(s.run.solution.field, held_field(s)), rational ? 1e-4 : allowed, s.named});
+  }
 }
 
 // The linear field held on one boundary and caused by tractions on all other faces.
