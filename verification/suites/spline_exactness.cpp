@@ -88,8 +88,8 @@ TEST(SplineExactness, Spheres) {
     const std::string of = fmt::format("hollow sphere, {} surface", name);
     expect_none(of + ": distance of its points from the sphere", "|x| = r",
                 worst_on(sphere, name,
-                         [&](const NurbsSurface& s, const Parameter<2>& t) {
-                           return s.point(t).norm() / radius - 1;
+                         [r = radius](const NurbsSurface& s, const Parameter<2>& t) {
+                           return s.point(t).norm() / r - 1;
                          }),
                 round_off);
     expect_none(of + ": tangents along the radius", "x.x_u = 0",
@@ -118,13 +118,13 @@ TEST(SplineExactness, Pipes) {
     expect_none(fmt::format("pipe elbow, {} surface: distance of its points from cylinder and torus", name),
                 "distance from the axis = r",
                 worst_on(elbow, name,
-                         [&](const NurbsSurface& s, const Parameter<2>& t) {
+                         [r = radius](const NurbsSurface& s, const Parameter<2>& t) {
                            const Eigen::Vector3d x = s.point(t);
                            const Eigen::Vector2d from_centre(x[0] - 20, x[2] - 15);
                            double off_axis = x[0];  // in the plane of the bend
                            if (x[2] > 15) off_axis = from_centre.norm() - 20;
                            if (x[0] > 20) off_axis = x[2] - 35;
-                           return std::hypot(off_axis, x[1]) / radius - 1;
+                           return std::hypot(off_axis, x[1]) / r - 1;
                          }),
                 round_off);
 }
