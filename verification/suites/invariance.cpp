@@ -48,14 +48,14 @@ std::vector<int> random_order(std::size_t count, unsigned seed) {
   return order;
 }
 
-// What is done to a model of a given size, and what must become of its energy.
+// What is done to a problem, and what must become of its energy.
 struct Change {
   std::string what;
   Matrix3d rotation = Matrix3d::Identity();
-  double length = 1;   // of the new unit of length in the old one, inverted: coordinates are multiplied by it
-  double stress = 1;   // the same of stresses
-  double far = 0;      // model sizes to go, along (2, -1, 2) / 3
-  unsigned order = 0;  // seed of another order of the patches; 0: as it is
+  double length = 1;    // factor of all coordinates, such as 1000 from m to mm
+  double stress = 1;    // factor of all stresses, such as 1e-6 from Pa to MPa
+  double far = 0;       // model sizes to go from the origin
+  unsigned order = 0;   // seed of another order of the patches; 0: as they are
   unsigned turned = 0;  // seed of other orientations; 0: as they are
 
   double energy() const { return stress * length * length * length; }
