@@ -1,0 +1,68 @@
+#include "verification/suites/dense_systems.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "iga/assembly.hpp"
+#include "iga/supported_system.hpp"
+
+namespace isopatch::verification {
+
+solvers::LinearSystem system_of(const iga::ElasticityProblem& problem, iga::Coupling coupling) {
+  const iga::NodeClasses classes = iga::node_classes(problem.discretization);
+  const std::vector<iga::Frame> frames = iga::support_frames(problem, classes);
+  const int nodes = problem.discretization.node_count();
+  iga::RowNumbering numbering{classes.class_of, classes.count()};
+  if (coupling == iga::Coupling::lagrange) {
+    numbering.rows = nodes;
+    std::iota(numbering.row_of_node.begin(), numbering.row_of_node.end(), 0);
+  }
+  std::vector<const iga::Frame*> frame_of_row(static_cast<std::size_t>(numbering.rows));
+  for (std::size_t node = 0; node < numbering.row_of_node.size(); ++node)
+    frame_of_row[static_cast<std::size_t>(numbering.row_of_node[node])] =
+        &frames[static_cast<std::size_t>(classes.class_of[node])];
+  solvers::LinearSystem system;
+  system.stiffness = iga::assemble_stiffness(problem.discretization, problem.materials, numbering);
+  system.load = Eigen::VectorXd::Zero(system.stiffness.rows());
+  iga::apply_supports(system, frame_of_row);
+  if (coupling == iga::Coupling::lagrange)
+    system.constraints = iga::multiplier_matrix(iga::multiplier_rows(classes, frames), nodes);
+  return system;
+}
+
+Eigen::MatrixXd dense(const solvers::SymmetricBlockMatrix& matrix) {
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(matrix.rows(), matrix.rows());
+  for (int row = 0; row < matrix.block_rows(); ++row)
+    for (std::int64_t k = matrix.row_start[static_cast<std::size_t>(row)];
+         k < matrix.row_start[static_cast<std::size_t>(row) + 1]; ++k) {
+      const int column = matrix.columns[static_cast<std::size_t>(k)];
+      const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> block(
+          &matrix.values[static_cast<std::size_t>(9 * k)]);
+      result.block<3, 3>(3 * row, 3 * column) = block;
+      result.block<3, 3>(3 * column, 3 * row) = block.transpose();
+    }
+  return result;
+}
+
+Eigen::MatrixXd dense(const solvers::LinearSystem& system) {
+  const Eigen::Index n = system.stiffness.rows(), m = system.constraints.rows();
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n + m, n + m);
+  result.topLeftCorner(n, n) = dense(system.stiffness);
+  if (m == 0) return result;
+  const Eigen::MatrixXd scaled =
+      solvers::mean_diagonal(system.stiffness) * Eigen::MatrixXd(system.constraints);
+  result.bottomLeftCorner(m, n) = scaled;
+  result.topRightCorner(n, m) = scaled.transpose();
+  return result;
+}
+
+Eigen::VectorXd sorted_eigenvalues(const Eigen::MatrixXd& symmetric) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(symmetric, Eigen::EigenvaluesOnly);
+  Eigen::VectorXd values = eigen.eigenvalues();
+  std::sort(values.begin(), values.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+  return values;
+}
+
+}  // namespace isopatch::verification
