@@ -77,7 +77,8 @@ TEST_F(Program, CompareEstimatesConditionsWhereItFactorizes) {
   ASSERT_EQ(run({"compare", study(), "--condition"}), 0) << err_;
   EXPECT_THAT(out_, HasSubstr("condition"));
   const json direct = compared(results());
-  for (const char* side : {"elimination", "lagrange"}) EXPECT_GT(direct[side]["condition"], 10) << side;
+  EXPECT_GT(direct["elimination"]["condition"], 2);
+  EXPECT_GT(direct["lagrange"]["condition"], direct["elimination"]["condition"]);
   ASSERT_EQ(run({"compare", study()}), 0) << err_;
   EXPECT_TRUE(compared(results())["lagrange"]["condition"].is_null());
   ASSERT_EQ(run({"compare", study(), "--condition", "--set", "solver.method=cg"}), 0) << err_;

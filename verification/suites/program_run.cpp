@@ -10,7 +10,6 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <string_view>
 
 #include "geometry/base/atomic_file.hpp"
 #include "iga/result_file.hpp"
@@ -26,23 +25,17 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
-// A suite that has used MPI itself has variables that would make a launcher believe it is one of several
-// processes.
-std::string without_own_mpi() {
-  std::string result = "env";
-  for (char** variable = environ; *variable != nullptr; ++variable) {
-    const std::string_view text(*variable);
-    const std::string name(text.substr(0, text.find('=')));
-    const bool setting = name.starts_with("OMPI_ALLOW") || name.starts_with("OMPI_MCA_");
-    if (!setting && (name.starts_with("OMPI_") || name.starts_with("PMIX_") || name.starts_with("PRTE_")))
-      result += " -u " + quoted(name);
-  }
+// A suite that has used MPI itself leaves variables that would make a launcher believe it is one of several
+// processes: programs are started with the environment that this one was started with.
+const std::string at_the_start = [] {
+  std::string result = "env -i";
+  for (char** variable = environ; *variable != nullptr; ++variable) result += " " + quoted(*variable);
   return result;
-}
+}();
 
 std::string command_line(const ClaimStudy& study, const Launch& launch, const fs::path& output) {
   std::string line =
-      fmt::format("{} OMP_NUM_THREADS={} OMP_WAIT_POLICY=passive ", without_own_mpi(), launch.threads);
+      fmt::format("{} OMP_NUM_THREADS={} OMP_WAIT_POLICY=passive ", at_the_start, launch.threads);
   if (launch.processes > 1)
     line +=
         fmt::format("{} --oversubscribe --bind-to none -n {} ", quoted(ISOPATCH_MPIEXEC), launch.processes);
@@ -59,7 +52,8 @@ void run(const std::string& command) {
   if (pipe == nullptr) throw std::runtime_error("cannot start " + command);
   std::string said;
   for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) said += static_cast<char>(c);
-  if (::pclose(pipe) != 0) throw std::runtime_error(command + " fails and says: " + said);
+  if (::pclose(pipe) != 0)
+    throw std::runtime_error(command.substr(command.find("OMP_NUM_THREADS")) + " fails and says: " + said);
 }
 
 class TemporaryFolder {
