@@ -131,6 +131,7 @@ LocatedProbe locate_probe(const ProbeInput& probe, const iga::ElasticityProblem&
 
 MultiPatch load_model(const ModelInput& input) {
   geometry::PatchSet set = input.generator ? input.generator() : geometry::read_patches(input.file);
+  set = attached(std::move(set), input.attachments);
   return geometry::connect(scaled(std::move(set), input.length_unit), input.tolerance);
 }
 

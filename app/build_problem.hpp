@@ -10,8 +10,9 @@
 
 namespace isopatch::app {
 
-/// Reads or generates the patches, scales them to metres and finds how they meet.
-/// @throws Error as the readers and `connect` do, and invalid_argument for a generated model's dimensions
+/// Reads or generates the patches, attaches more, scales them to metres and finds how they meet.
+/// @throws Error as the readers and `connect` do, and invalid_argument for a generated model's dimensions and
+/// for attachments
 geometry::MultiPatch load_model(const ModelInput& input);
 
 /// A probe, found in the model.

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "iga/condition.hpp"
 #include "iga/internal_forces.hpp"
 #include "iga/results.hpp"
 
@@ -87,6 +88,13 @@ std::array<int, 3> highest_degree(const iga::Discretization& discretization) {
   return degree;
 }
 
+void estimate(CouplingRun& run, const Study& study, const iga::ElasticityProblem& problem,
+              const Progress& progress) {
+  if (run.solver.factor_nonzeros > 0)
+    run.condition =
+        iga::estimate_condition(problem, run.coupling, study.options.quadrature_points, progress).number();
+}
+
 // The study's method, or what takes its place with a coupling that it does not suit.
 iga::ElasticityOptions options_of(const Study& study, iga::Coupling coupling) {
   using solvers::Method;
@@ -117,7 +125,9 @@ bool CouplingComparison::agree() const {
          multiplier_difference <= allowed_multiplier_difference;
 }
 
-ComparedStudy compare_couplings(const Study& study, const Progress& progress) {
+ComparedStudy compare_couplings(const Study& study, bool condition, const Progress& progress) {
+  if (condition && study.options.processes.count() > 1)
+    throw Error(ErrorCode::invalid_argument, "--condition works on one process only");
   ComparedStudy result{{}, {build_problem(study, progress), {}, {}, {}, 0}, {}};
   const iga::ElasticityProblem& problem = result.run.built.problem;
   const iga::ElasticitySolution eliminated =
@@ -130,6 +140,9 @@ ComparedStudy compare_couplings(const Study& study, const Progress& progress) {
   comparison.degree = highest_degree(problem.discretization);
   comparison.elimination = summarized(eliminated, iga::Coupling::elimination);
   comparison.lagrange = summarized(tied, iga::Coupling::lagrange);
+  if (condition)
+    for (CouplingRun* run : {&comparison.elimination, &comparison.lagrange})
+      estimate(*run, study, problem, progress);
   comparison.displacement_difference = displacement_difference(eliminated.field, tied.field);
   comparison.energy_difference = energy_difference(eliminated.results, tied.results);
   comparison.multiplier_difference = multiplier_difference(eliminated.multipliers, tied.multipliers);

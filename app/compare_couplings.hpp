@@ -20,6 +20,7 @@ struct CouplingRun {
   solvers::SolveReport solver;
   iga::ElasticityResults results;
   std::vector<iga::PhaseTime> timings;
+  std::optional<double> condition = {};  ///< of the system, where it was asked for
 
   double seconds() const;  ///< of all phases
 };
@@ -65,6 +66,7 @@ struct ComparedStudy {
 
 /// Solves a study with elimination and with multipliers. Of the methods that suit one of them only, cg and
 /// minres take each other's place, and cholmod is used for elimination alone.
-ComparedStudy compare_couplings(const Study& study, const Progress& progress = {});
+/// @param condition  whether to estimate the condition of systems that are factorized; on one process
+ComparedStudy compare_couplings(const Study& study, bool condition, const Progress& progress = {});
 
 }  // namespace isopatch::app

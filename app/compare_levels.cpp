@@ -23,10 +23,10 @@ void check(const LevelOptions& options) {
 }
 
 // One level, or nothing and the reason if there is no memory for it.
-std::optional<ComparedStudy> compare_if_it_fits(const Study& study, std::string& reason,
+std::optional<ComparedStudy> compare_if_it_fits(const Study& study, bool condition, std::string& reason,
                                                 const Progress& progress) {
   try {
-    return compare_couplings(study, progress);
+    return compare_couplings(study, condition, progress);
   } catch (const std::bad_alloc&) {
     reason = "out of memory";
   } catch (const Error& error) {
@@ -65,8 +65,8 @@ LevelReport compare_levels(
     level.discretization = discretization;
     const bool may_fail = !report.levels.empty() && study.options.processes.count() == 1;
     std::string reason;
-    const auto compared = may_fail ? compare_if_it_fits(level, reason, progress)
-                                   : std::optional(compare_couplings(level, progress));
+    const auto compared = may_fail ? compare_if_it_fits(level, options.condition, reason, progress)
+                                   : std::optional(compare_couplings(level, options.condition, progress));
     if (!compared) {
       report.stopped = fmt::format("no memory for refine = {}, and coarser levels are finished: {}",
                                    discretization.refine, reason);

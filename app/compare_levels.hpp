@@ -13,6 +13,7 @@ namespace isopatch::app {
 struct LevelOptions {
   int count = 1;                  ///< the study's discretization.refine, one more, ...; 1 .. 11
   std::vector<int> degrees = {};  ///< all levels with each of these, 1 .. 10; empty: with the study's
+  bool condition = false;         ///< estimate the condition of systems that are factorized
 };
 
 /// The discretizations of all levels, degree by degree, the coarsest of each first.

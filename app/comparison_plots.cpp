@@ -130,6 +130,13 @@ LinePlot nonzeros_plot(const std::vector<Levels>& groups) {
   return plot;
 }
 
+LinePlot condition_plot(const std::vector<Levels>& groups) {
+  LinePlot plot = over_unknowns("Condition over unknowns", "Estimated condition numbers of both systems",
+                                {.label = "condition number", .unit = "", .scale = Scale::logarithmic});
+  add_runs(plot, groups, "", [](const CouplingRun& run) { return run.condition.value_or(0); });
+  return plot;
+}
+
 LinePlot iterations_plot(const std::vector<Levels>& groups) {
   LinePlot plot = over_unknowns("Iterations over unknowns",
                                 "Krylov iterations, or steps of refinement of a direct method",
@@ -197,8 +204,9 @@ std::vector<PagePlot> comparison_plots(const Levels& levels, double tolerance) {
     add(*residuals);
   if (levels.size() == 1) return plots;
   const std::vector<Levels> groups = by_degree(levels);
-  for (const LinePlot& plot : {time_plot(groups), memory_plot(groups), nonzeros_plot(groups),
-                               iterations_plot(groups), differences_plot(groups), energy_plot(groups)})
+  for (const LinePlot& plot :
+       {time_plot(groups), memory_plot(groups), nonzeros_plot(groups), iterations_plot(groups),
+        condition_plot(groups), differences_plot(groups), energy_plot(groups)})
     if (!plot.series.empty()) add(plot);
   return plots;
 }

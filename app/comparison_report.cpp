@@ -30,6 +30,7 @@ Json run_json(const CouplingRun& run) {
           {"factor_nonzeros", run.solver.factor_nonzeros},
           {"factor_flops", run.solver.factor_flops},
           {"memory_bytes", run.solver.memory_bytes},
+          {"condition", run.condition ? Json(*run.condition) : Json(nullptr)},
           {"max_displacement", run.results.max_displacement.value},
           {"max_von_mises", run.results.max_von_mises.value},
           {"internal_energy", run.results.internal_energy},
@@ -151,6 +152,7 @@ std::string comparison_text(const Study& study, const CouplingComparison& compar
   text += row("factor nonzeros", count(a.solver.factor_nonzeros), count(b.solver.factor_nonzeros));
   text += row("solver memory", bytes_text(a.solver.memory_bytes), bytes_text(b.solver.memory_bytes));
   text += row("relative residual", small(a.solver.relative_residual), small(b.solver.relative_residual));
+  if (a.condition && b.condition) text += row("condition", small(*a.condition), small(*b.condition));
   text += phase_rows(a, b);
   text += row("max displacement", with_unit(a.results.max_displacement.value, "m"),
               with_unit(b.results.max_displacement.value, "m"));

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "app/model_units.hpp"
 #include "app/study_keys.hpp"
 #include "geometry/models/box.hpp"
 #include "geometry/models/bracket.hpp"
@@ -13,42 +14,6 @@
 
 namespace isopatch::app {
 namespace {
-
-/// Reads lengths of a generated model: plain numbers are model units, others are divided by the unit.
-struct ModelUnits {
-  double length_unit = 1;
-
-  double length(const ConfigValue& value, const std::string& what) const {
-    if (!std::holds_alternative<std::string>(value.value))
-      return read_quantity(value, what, dimensions::none);
-    return read_quantity(value, what, dimensions::length) / length_unit;
-  }
-};
-
-constexpr const char* length_type = "length (model units, or with a unit)";
-
-template <class O>
-Key<O> length_key(ModelUnits units, const std::string& name, double O::*member, std::string meaning) {
-  return custom_key<O>(
-             name, length_type, std::move(meaning),
-             [=](O& target, const ConfigValue& value) { target.*member = units.length(value, name); })
-      .with_default(format_default(O{}.*member));
-}
-
-template <class O>
-Key<O> point_key(ModelUnits units, const std::string& name, Eigen::Vector3d O::*member, std::string meaning) {
-  const Eigen::Vector3d fallback = O{}.*member;
-  return custom_key<O>(name, std::string("3 of ") + length_type, std::move(meaning),
-                       [=](O& target, const ConfigValue& value) {
-                         const auto& items = read_array(value, name);
-                         if (items.size() != 3)
-                           throw error_at(value.place,
-                                          fmt::format("{}: expected 3 lengths, got {}", name, items.size()));
-                         for (int i = 0; i < 3; ++i)
-                           (target.*member)[i] = units.length(items[static_cast<std::size_t>(i)], name);
-                       })
-      .with_default(fmt::format("[{}, {}, {}]", fallback[0], fallback[1], fallback[2]));
-}
 
 template <class O>
 Key<O> angle_key(const std::string& name, Angle O::*member, std::string meaning) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/attachment_keys.hpp"
 #include "app/standard_materials.hpp"
 #include "app/study_keys.hpp"
 #include "geometry/base/atomic_file.hpp"
@@ -49,6 +50,16 @@ const GeneratedModel& find_generator(const ConfigValue& value) {
   return generated_models()[read_choice(value, "generate", names)];
 }
 
+AttachmentInput read_attachment(const Section& input, double length_unit) {
+  const auto keys = read_table<AttachmentKeys>(input.table, input.place, "[[model.attach]]",
+                                               attachment_keys({length_unit}));
+  if (keys.move.isZero(0) && (keys.scale.array() == 1).all())
+    throw error_at(input.place, "[[model.attach]] needs move or scale: where does the new patch end?");
+  AttachmentInput result{keys.name, keys.faces, Eigen::Affine3d::Identity(), input.place};
+  result.map.translate(keys.about + keys.move).scale(keys.scale).translate(-keys.about);
+  return result;
+}
+
 ModelInput read_model(const Section& input, const std::string& source) {
   const ConfigEntry* generate = input.table.find("generate");
   const GeneratedModel* generator = generate ? &find_generator(generate->value) : nullptr;
@@ -78,6 +89,8 @@ ModelInput read_model(const Section& input, const std::string& source) {
     model.generate = generator->name;
     model.generator = generator->read(dimensions, input.place, keys.length_unit);
   }
+  for (const Section& attachment : sections(keys.attach, "model.attach"))
+    model.attachments.push_back(read_attachment(attachment, keys.length_unit));
   return model;
 }
 

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 
 #include "app/engineering_units.hpp"
-#include "geometry/base/nearest_name.hpp"
+#include "app/face_name.hpp"
 #include "geometry/measures.hpp"
 
 namespace isopatch::app {
@@ -30,18 +29,6 @@ bool contains(const std::vector<PatchFace>& faces, const PatchFace& face) {
   return std::find(faces.begin(), faces.end(), face) != faces.end();
 }
 
-std::vector<std::string> boundary_names(const MultiPatch& model) {
-  std::vector<std::string> result;
-  for (const auto& boundary : model.boundaries()) result.push_back(boundary.name);
-  return result;
-}
-
-std::string listed_boundaries(const MultiPatch& model) {
-  const auto names = boundary_names(model);
-  return names.empty() ? "the model names no boundaries"
-                       : fmt::format("boundaries: {}", fmt::join(names, ", "));
-}
-
 /// Refuses what is no boundary face, saying what it is.
 void check_boundary(const MultiPatch& model, const PatchFace& face, const std::string& text,
                     const Place& place) {
@@ -55,32 +42,14 @@ void check_boundary(const MultiPatch& model, const PatchFace& face, const std::s
   throw error_at(place, fmt::format("face {} is collapsed to a curve or a point and has no area", text));
 }
 
+/// Boundary faces, as isopatch names them; boundaries are named so already.
 std::vector<PatchFace> named_faces(const MultiPatch& model, const std::string& text, const Place& place) {
-  for (const auto& boundary : model.boundaries()) {
-    if (boundary.name != text) continue;
-    for (const PatchFace& face : boundary.faces) check_boundary(model, face, model.label(face), place);
-    return boundary.faces;
-  }
-  const auto colon = text.find(':');
-  int patch = 0;
-  const auto [end, problem] = std::from_chars(text.data(), text.data() + std::min(colon, text.size()), patch);
-  if (colon == std::string::npos || problem != std::errc{} || end != text.data() + colon)
-    throw error_at(place, fmt::format("no boundary is named \"{}\"{}; {}; or name a face as \"0:back\"", text,
-                                      did_you_mean(text, boundary_names(model)), listed_boundaries(model)));
-  if (patch < 0 || patch >= model.patch_count())
-    throw error_at(place, fmt::format("face \"{}\" does not exist: the model has patches 0 to {}", text,
-                                      model.patch_count() - 1));
-  std::vector<std::string> sides;
-  for (const auto side : geometry::all_sides) {
-    sides.emplace_back(name(side));
-    if (text.substr(colon + 1) != sides.back()) continue;
-    const PatchFace face = model.renamed({PatchId(patch), side});
-    check_boundary(model, face, text, place);
-    return {face};
-  }
-  throw error_at(
-      place, fmt::format("face \"{}\" does not exist: a side is west, east, south, north, front or back{}",
-                         text, did_you_mean(text.substr(colon + 1), sides)));
+  std::vector<PatchFace> faces = faces_named(text, model.patch_count(), model.boundaries(), place);
+  const auto is_name = [&](const geometry::Boundary& boundary) { return boundary.name == text; };
+  if (std::none_of(model.boundaries().begin(), model.boundaries().end(), is_name))
+    faces.front() = model.renamed(faces.front());
+  for (const PatchFace& face : faces) check_boundary(model, face, model.label(face), place);
+  return faces;
 }
 
 double distance(const FaceConditions& where, const Eigen::Vector3d& x) {
@@ -148,7 +117,7 @@ Error nothing_found(const MultiPatch& model, const FaceSelection& selection,
       fmt::format(
           "the selection matches no face. Nearest: {}; the tolerance is {}. {}. `isopatch info` lists "
           "all faces with their centres and normals",
-          nearest, with_unit(tolerance, "m"), listed_boundaries(model)));
+          nearest, with_unit(tolerance, "m"), listed_boundaries(model.boundaries())));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/attachment.hpp"
 #include "app/config_value.hpp"
 #include "app/selection.hpp"
 #include "geometry/base/tolerance.hpp"
@@ -27,6 +28,7 @@ struct ModelInput {
   std::string generate;  ///< name of a generated model, or ""
   /// The generated model with the dimensions given, model units; empty for files.
   std::function<geometry::PatchSet()> generator;
+  std::vector<AttachmentInput> attachments;
   double length_unit = 1;  ///< m per model unit; above 0
   Tolerance tolerance;
   Place place;

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "app/attachment_keys.hpp"
 #include "app/study_keys.hpp"
 #include "geometry/base/nearest_name.hpp"
 
@@ -56,6 +57,13 @@ std::vector<SectionText> study_sections() {
   for (const GeneratedModel& model : generated_models())
     sections.push_back({"model." + model.name, fmt::format("[model] with generate = \"{}\"", model.name),
                         model.meaning + " Plain numbers are model units, see `length_unit`.", model.keys});
+  sections.push_back(
+      {"model.attach", "[[model.attach]]",
+       "Adds a patch to each of some faces of the model, straight from the face to its image: a ring in a "
+       "bore, a pad, a longer pipe. They are numbered behind the others, in the order of the faces; "
+       "their front is the face, their back the image, their first two directions are those of the face, "
+       "increasing. Plain numbers are model units, see `length_unit`.",
+       texts(attachment_keys({}))});
   const std::vector<SectionText> others = {
       {"discretization", "[discretization]",
        "The solution space: it refines the geometry's, so the geometry stays exact.",

@@ -84,6 +84,8 @@ const Keys<ModelKeys>& model_keys() {
       optional_text_key<ModelKeys>(
           "generate", &ModelKeys::generate,
           "Name of a generated model, whose dimensions are further keys of [model]; see below."),
+      value_key<ModelKeys>("attach", "array of tables", &ModelKeys::attach,
+                           "Patches to be added to faces of the model."),
       custom_key<ModelKeys>(
           "length_unit", "length (m), with or without a number",
           "What one unit of the file's (or the generated model's) coordinates measures: \"mm\", "

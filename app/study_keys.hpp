@@ -9,6 +9,7 @@ namespace isopatch::app {
 struct ModelKeys {
   std::optional<std::string> file;
   std::optional<std::string> generate;
+  std::optional<ConfigValue> attach;
   double length_unit = 1;
   double same_point = Tolerance{}.same_point;
   double near_miss = Tolerance{}.near_miss;

@@ -4,6 +4,7 @@
 #include "app/commands.hpp"
 #include "app/output_directory.hpp"
 #include "app/verification_report.hpp"
+#include "solvers/stopwatch.hpp"
 
 namespace isopatch::app {
 
@@ -16,14 +17,17 @@ ExitCode verify_command(const VerifyCommand& command, const Console& console) {
   }
   check_writable(command.output);
   ProgressDisplay display(console);
+  solvers::Stopwatch watch;
   const std::string claims = run_verification(program, command.suites, level, display.progress());
+  const double seconds = watch.lap();
   display.clear();
-  const std::string json = verification_json(claims, level);
+  const std::string json = verification_json(claims, level, seconds);
   write_in(command.output, "verify.json", json);
   write_in(command.output, "verify.html", to_html(verification_page(json)));
   if (!console.quiet)
     console.out << verification_text(claims)
-                << fmt::format("written to {0}/verify.json and {0}/verify.html\n", command.output.string());
+                << fmt::format("took {0:.0f} s; written to {1}/verify.json and {1}/verify.html\n", seconds,
+                               command.output.string());
   const VerificationCounts counts = count_claims(claims);
   if (counts.fail == 0 && counts.hold > 0) return ExitCode::ok;
   console.fail(counts.fail > 0 ? fmt::format("{} of the claims fail", counts.fail) : "no claim was checked");

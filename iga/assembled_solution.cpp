@@ -1,21 +1,14 @@
 #include <numeric>
 
-#include "iga/assembly.hpp"
-#include "iga/nodal_solution.hpp"
+#include "iga/assembled_system.hpp"
 #include "iga/shared_multipliers.hpp"
 #include "solvers/stopwatch.hpp"
 
 namespace isopatch::iga {
 namespace {
 
-// The unknowns of one coupling: which block row each node has, and the frame of each row.
-struct Unknowns {
-  RowNumbering numbering;
-  std::vector<const Frame*> frame_of_row;
-};
-
-Unknowns unknowns(const SolutionTask& task) {
-  Unknowns result;
+// Which block row each node has, and the frame of each row.
+void number_rows(const SolutionTask& task, AssembledSystem& result) {
   const NodeClasses& classes = task.classes;
   if (task.coupling == Coupling::elimination) {
     result.numbering = {classes.class_of, classes.count()};
@@ -27,7 +20,6 @@ Unknowns unknowns(const SolutionTask& task) {
     for (const int c : classes.class_of)
       result.frame_of_row.push_back(&task.frames[static_cast<std::size_t>(c)]);
   }
-  return result;
 }
 
 // The frames of this process' rows.
@@ -47,40 +39,46 @@ Eigen::VectorXd load_of_rows(const Eigen::Matrix3Xd& load, const RowNumbering& n
 
 }  // namespace
 
-NodalSolution solve_assembled(const SolutionTask& task, const solvers::SolverOptions& options,
-                              const Progress& progress) {
+AssembledSystem assembled_system(const SolutionTask& task, const Progress& progress) {
+  AssembledSystem result;
+  number_rows(task, result);
   const Discretization& d = task.problem.discretization;
-  solvers::Stopwatch watch;
-  const Unknowns unknown = unknowns(task);
   const std::vector<PatchSpace> spaces = isoparametric_spaces(d);
   const std::vector<PatchPart> parts = parts_of(task.distribution, spaces, task.processes.rank());
-  const LocalRows local = local_rows(unknown.numbering, d.first_node, task.distribution, task.processes);
-
-  solvers::LinearSystem system;
+  const LocalRows local = local_rows(result.numbering, d.first_node, task.distribution, task.processes);
+  solvers::LinearSystem& system = result.system;
   system.rows = local.rows;
   system.stiffness =
       assemble_stiffness(spaces, parts, task.problem.materials, local.numbering, task.points, progress);
-  system.load = local.rows.part(load_of_rows(task.load, unknown.numbering));
-  apply_supports(system, frames_of(local.rows, unknown.frame_of_row));
-  const bool tied = task.coupling == Coupling::lagrange;
-  if (tied) {
+  system.load = local.rows.part(load_of_rows(task.load, result.numbering));
+  apply_supports(system, frames_of(local.rows, result.frame_of_row));
+  if (task.coupling == Coupling::lagrange) {
     SharedMultipliers multipliers =
         shared_multipliers(task.multipliers, local, d.first_node, task.distribution);
     system.constraints = std::move(multipliers.matrix);
     system.multiplier_rows = std::move(multipliers.rows);
   }
+  return result;
+}
+
+NodalSolution solve_assembled(const SolutionTask& task, const solvers::SolverOptions& options,
+                              const Progress& progress) {
+  solvers::Stopwatch watch;
+  const AssembledSystem assembled = assembled_system(task, progress);
+  const solvers::LinearSystem& system = assembled.system;
   const double assembly_seconds = watch.lap();
 
   solvers::LinearSolution linear = solvers::solve(system, options, progress);
   NodalSolution result;
   result.report = std::move(linear.report);
   result.report.assembly_seconds = assembly_seconds;
-  if (tied) result.multipliers = system.multiplier_rows.whole(linear.multipliers);
-  const Eigen::Matrix3Xd of_rows = displacement_of_rows(local.rows.whole(linear.x), unknown.frame_of_row);
-  result.displacement.resize(3, d.node_count());
+  if (task.coupling == Coupling::lagrange)
+    result.multipliers = system.multiplier_rows.whole(linear.multipliers);
+  const Eigen::Matrix3Xd of_rows = displacement_of_rows(system.rows.whole(linear.x), assembled.frame_of_row);
+  result.displacement.resize(3, task.problem.discretization.node_count());
   for (Eigen::Index node = 0; node < result.displacement.cols(); ++node)
     result.displacement.col(node) =
-        of_rows.col(unknown.numbering.row_of_node[static_cast<std::size_t>(node)]);
+        of_rows.col(assembled.numbering.row_of_node[static_cast<std::size_t>(node)]);
   return result;
 }
 

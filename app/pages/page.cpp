@@ -41,8 +41,8 @@ std::string for_html(std::string_view text) {
 std::string data_json(const Page& page) {
   std::string plots;
   for (const PagePlot& plot : page.plots)
-    plots += (plots.empty() ? "" : ",") +
-             ("{\"title\":" + quoted(plot.title) + ",\"svg\":" + quoted(plot.svg) + "}");
+    plots += (plots.empty() ? "" : ",") + ("{\"title\":" + quoted(plot.title) + ",\"section\":" +
+                                           quoted(plot.section) + ",\"svg\":" + quoted(plot.svg) + "}");
   return "{\"kind\":" + quoted(page.kind) + ",\"program\":" + quoted(page.program) +
          ",\"title\":" + quoted(page.title) + ",\"study\":" + quoted(page.study) +
          ",\"summary\":" + page.summary_json + ",\"plots\":[" + plots +

@@ -10,13 +10,14 @@ namespace isopatch::app {
 
 /// A drawing inside a page.
 struct PagePlot {
-  std::string title;
+  std::string title;  ///< empty if it is inside the drawing
   std::string svg;
+  std::string section = "";  ///< heading of the part of the page that it belongs to, where there are several
 };
 
 /// What a page says. Texts in JSON are SI values as the files of that name have them.
 struct Page {
-  std::string kind;     ///< "report", "compare" or "model"
+  std::string kind;     ///< "report", "compare", "model" or "verification"
   std::string program;  ///< "isopatch 0.1.0"
   std::string title;
   std::string study;                  ///< text of the study file

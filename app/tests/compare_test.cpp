@@ -73,6 +73,18 @@ TEST_F(Program, CompareGoesThroughLevels) {
               HasSubstr("difference in displacement, energy, multipliers\n       1      1  elimination"));
 }
 
+TEST_F(Program, CompareEstimatesConditionsWhereItFactorizes) {
+  ASSERT_EQ(run({"compare", study(), "--condition"}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("condition"));
+  const json direct = compared(results());
+  EXPECT_GT(direct["elimination"]["condition"], 2);
+  EXPECT_GT(direct["lagrange"]["condition"], direct["elimination"]["condition"]);
+  ASSERT_EQ(run({"compare", study()}), 0) << err_;
+  EXPECT_TRUE(compared(results())["lagrange"]["condition"].is_null());
+  ASSERT_EQ(run({"compare", study(), "--condition", "--set", "solver.method=cg"}), 0) << err_;
+  EXPECT_TRUE(compared(results())["elimination"]["condition"].is_null());
+}
+
 TEST_F(Program, CompareKeepsWhatIsFinishedWhenMemoryEnds) {
   EXPECT_EQ(run({"compare", study(), "--levels", "6", "--set", "solver.memory_limit=5e5"}), 1);
   EXPECT_THAT(err_, HasSubstr("isopatch: error: no memory for refine = "));

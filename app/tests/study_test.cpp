@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <numbers>
 
+#include "app/build_problem.hpp"
 #include "app/study_keys.hpp"
 #include "geometry/base/atomic_file.hpp"
+#include "geometry/measures.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -260,6 +263,48 @@ TEST(Study, OverridesReplaceOneValue) {
   EXPECT_THAT(refusal(text, {"title"}), HasSubstr("expected key=value"));
   EXPECT_THAT(refusal(text, {"material.3.name=steel"}), HasSubstr("'3' is no index of an array of 1"));
   EXPECT_THAT(refusal(text, {"model.generate.x=1"}), HasSubstr("has no keys"));
+}
+
+TEST(Study, AttachesPatchesInTheUnitsOfTheModel) {
+  const std::string ring = R"([model]
+generate = "cylinder"
+length_unit = "mm"
+inner_radius = 20
+outer_radius = 30
+height = 50
+[[model.attach]]
+name = "bore"
+faces = ["inner"]
+scale = [0.5, 0.5, 1]
+[[model.attach]]
+faces = ["top", "1:north"]
+move = [0, 0, "1 cm"]
+)";
+  const Study study = parse_study(ring + material + support, "a/study.toml");
+  ASSERT_EQ(study.model.attachments.size(), 2u);
+  const geometry::MultiPatch model = load_model(study.model);
+  ASSERT_EQ(model.patch_count(), 4) << "quarter, its filling, and one more on both";
+  EXPECT_EQ(model.interfaces().size(), 4u);
+  double volume = 0;
+  for (const auto& patch : model.patches()) volume += geometry::volume(patch);
+  EXPECT_NEAR(volume, std::numbers::pi / 4 * (9e-4 - 1e-4) * 0.06, 1e-14);
+  const auto text = [&](const std::string& attach) {
+    return "[model]\ngenerate = \"cylinder\"\n[[model.attach]]\n" + attach + material + support;
+  };
+  EXPECT_THAT(refusal(text("faces = [\"inner\"]\n")),
+              HasSubstr("a/study.toml:3:1: [[model.attach]] needs move or scale"));
+  EXPECT_THAT(refusal(text("scale = 2\n")), HasSubstr("lacks the key 'faces'"));
+  const auto unknown = [&](const std::string& face) {
+    try {
+      load_model(parse_study(text("scale = 2\nfaces = [\"" + face + "\"]\n"), "a/study.toml").model);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  EXPECT_THAT(unknown("iner"),
+              HasSubstr("a/study.toml:3:1: no boundary is named \"iner\" (did you mean 'inner'?)"));
+  EXPECT_THAT(unknown("7:east"), HasSubstr("the model has patches 0 to 0"));
 }
 
 TEST(Study, EveryExampleIsRead) {

@@ -55,15 +55,56 @@ TEST_F(Verify, PrintsAndWritesWhatHolds) {
 
 TEST_F(Verify, FailsAndNamesTheStudyWhereAClaimFails) {
   suites(R"([{"suite": "Published", "test": "Cook", "what": "u_y", "reference": 1, "value": 3,
-    "study": {"file": "cook.toml", "set": ["discretization.degree=2"]}, "verdict": "FAILS"},
+    "study": {"file": "cook.toml", "set": ["discretization.degree=2", "support.0.faces=['a']"]}, "verdict": "FAILS"},
     {"suite": "Published", "test": "Le10", "what": "crashed", "verdict": "FAILS"},
     {"suite": "Published", "test": "Chair", "what": "no such file", "verdict": "not run"}])");
   EXPECT_EQ(verify(), 1);
   EXPECT_THAT(out_, HasSubstr("0 claims hold, 2 fail, 1 not run\n"));
-  EXPECT_THAT(out_, HasSubstr("alone: isopatch run cook.toml --set discretization.degree=2\n"));
+  EXPECT_THAT(
+      out_,
+      HasSubstr(
+          "alone: isopatch run cook.toml --set discretization.degree=2 --set \"support.0.faces=['a']\"\n"));
   EXPECT_THAT(out_, HasSubstr("alone: isopatch-verification --gtest_filter='*Le10'\n"));
   EXPECT_THAT(err_, HasSubstr("2 of the claims fail"));
   EXPECT_TRUE(fs::exists(output() / "verify.json"));
+}
+
+TEST_F(Verify, KeepsWhatWasNotRunApart) {
+  suites(R"([{"suite": "Published", "test": "Chair", "what": "needs chair.xml", "verdict": "not run"},
+    {"suite": "Published", "test": "Cook", "what": "u_y", "unit": "m", "reference": 7.06, "value": 6.99,
+     "difference": 0.01, "allowed": null, "why": "another load", "verdict": "reported"}])");
+  EXPECT_EQ(verify(), 1) << "nothing was checked";
+  EXPECT_THAT(out_, HasSubstr("not run  needs chair.xml\n"));
+  EXPECT_THAT(out_, HasSubstr("reported u_y (m)"));
+  EXPECT_THAT(out_, HasSubstr("another load\n"));
+  EXPECT_THAT(out_, HasSubstr("0 claims hold, 0 fail, 1 not run\n"));
+  const json written = json::parse(read_file(output() / "verify.json"));
+  EXPECT_EQ(written["not_run"], 1);
+  EXPECT_EQ(written["reported"], 1);
+  EXPECT_EQ(written["fail"], 0);
+  EXPECT_EQ(written["suites"][0]["name"], "published");
+  EXPECT_EQ(written["suites"][0]["not_run"], 1);
+}
+
+TEST_F(Verify, DrawsOrdersOfOneMeasureTogether) {
+  std::string claims;
+  for (int p = 1; p <= 10; ++p)
+    for (const std::string& measure : {"displacement", "energy"})
+      claims += (claims.empty() ? "" : ",") +
+                (R"({"suite": "Manufactured", "test": "Box", "what": "order of )" + measure + ", p = " +
+                 std::to_string(p) + R"(, multipliers", "reference": 2.0, "value": 2, "verdict": "holds",
+                 "convergence": {"sizes": [0.5, 0.25, 0.125], "errors": [4e-2, null, 1e-2]}})");
+  suites("[" + claims + "]");
+  ASSERT_EQ(verify(), 0) << err_;
+  const std::string page = read_file(output() / "verify.html");
+  const auto count = [&](const std::string& text) {
+    int found = 0;
+    for (std::size_t at = page.find(text); at != std::string::npos; at = page.find(text, at + 1)) ++found;
+    return found;
+  };
+  EXPECT_EQ(count("\"section\":\"manufactured\""), 4) << "eight lines a plot";
+  EXPECT_THAT(page, HasSubstr("box: displacement, multipliers"));
+  EXPECT_THAT(page, HasSubstr("p = 10: slope 1, expected 2"));
 }
 
 TEST_F(Verify, ChoosesSuitesByNameAndLevel) {

@@ -11,13 +11,6 @@
 namespace isopatch::verification {
 namespace {
 
-std::vector<double> orders(const Convergence& c) {
-  std::vector<double> result;
-  for (std::size_t i = 1; i < c.errors.size(); ++i)
-    result.push_back(std::log(c.errors[i - 1] / c.errors[i]) / std::log(c.sizes[i - 1] / c.sizes[i]));
-  return result;
-}
-
 // What a claim of an order must have to mean anything; empty if it has.
 std::string objection(const Convergence& c) {
   if (c.sizes.size() < 4 || c.sizes.size() != c.errors.size()) return "needs four levels, with an error each";
@@ -38,6 +31,13 @@ double difference(const Claim& claim) {
 
 bool is_within(const Claim& claim) {
   return difference(claim) <= claim.allowed;
+}
+
+std::vector<double> orders(const Convergence& c) {
+  std::vector<double> result;
+  for (std::size_t i = 1; i < std::min(c.sizes.size(), c.errors.size()); ++i)
+    result.push_back(std::log(c.errors[i - 1] / c.errors[i]) / std::log(c.sizes[i - 1] / c.sizes[i]));
+  return result;
 }
 
 double farthest_order(const Convergence& convergence) {
@@ -64,6 +64,10 @@ void expect(const Convergence& convergence) {
                              ? fmt::format("has order {:.3g} where {:.3g} is expected, allowed are {:.3g}",
                                            order, convergence.order, convergence.allowed)
                              : why);
+}
+
+void report(const Figure& figure) {
+  record(figure);
 }
 
 }  // namespace isopatch::verification

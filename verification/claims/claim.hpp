@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,20 @@ struct Convergence {
   ClaimStudy study = {};
 };
 
+/// A figure that is worth a look and claims nothing: one beside another that it cannot meet, or one alone.
+struct Figure {
+  std::string what;
+  std::string unit;
+  ReferenceKind kind = ReferenceKind::published;
+  std::string source;
+  double reference = std::numeric_limits<double>::quiet_NaN();  ///< NaN: there is none
+  double value = 0;
+  std::string why;  ///< nothing is claimed: "the paper prints another load"
+  ClaimStudy study = {};
+};
+
+/// The orders measured between neighbouring levels, one fewer than there are levels.
+std::vector<double> orders(const Convergence& convergence);
 /// The order measured between two levels that is farthest from the expected one.
 double farthest_order(const Convergence& convergence);
 
@@ -61,5 +76,8 @@ void expect(const Claim& claim);
 /// Records an order of convergence and fails the running test if it does not hold. Needs four levels, and
 /// refuses errors below 1e-11, where round-off decides, and an `allowed` above 0.2.
 void expect(const Convergence& convergence);
+
+/// Records a figure; no test fails by it.
+void report(const Figure& figure);
 
 }  // namespace isopatch::verification

@@ -43,6 +43,12 @@ Json number(double value) {
   return std::isfinite(value) ? Json(value) : Json();
 }
 
+Json numbers(const std::vector<double>& values) {
+  Json result = Json::array();
+  for (const double value : values) result.push_back(number(value));
+  return result;
+}
+
 Json of_test(const testing::TestInfo& test) {
   return {{"suite", test.test_suite_name()}, {"test", test.name()}};
 }
@@ -105,18 +111,39 @@ void record(const Claim& claim, bool holds) {
 
 void record(const Convergence& c, bool holds) {
   Json entry = of_running_test();
-  entry.update({{"what", "order of " + c.what},
-                {"unit", ""},
-                {"kind", name(c.kind)},
-                {"source", c.source},
-                {"reference", c.order},
-                {"value", number(farthest_order(c))},
-                {"difference", number(std::abs(farthest_order(c) - c.order))},
-                {"relative", false},
-                {"allowed", c.allowed},
-                {"study", study_json(c.study)},
-                {"convergence", {{"sizes", c.sizes}, {"errors", c.errors}}},
-                {"verdict", holds ? "holds" : "FAILS"}});
+  entry.update(
+      {{"what", "order of " + c.what},
+       {"unit", ""},
+       {"kind", name(c.kind)},
+       {"source", c.source},
+       {"reference", c.order},
+       {"value", number(farthest_order(c))},
+       {"difference", number(std::abs(farthest_order(c) - c.order))},
+       {"relative", false},
+       {"allowed", c.allowed},
+       {"study", study_json(c.study)},
+       {"convergence",
+        {{"sizes", numbers(c.sizes)}, {"errors", numbers(c.errors)}, {"orders", numbers(orders(c))}}},
+       {"verdict", holds ? "holds" : "FAILS"}});
+  all().push_back(entry);
+}
+
+void record(const Figure& figure) {
+  const Claim beside{
+      .what = "", .unit = "", .source = "", .reference = figure.reference, .value = figure.value};
+  Json entry = of_running_test();
+  entry.update({{"what", figure.what},
+                {"unit", figure.unit},
+                {"kind", std::isnan(figure.reference) ? "" : name(figure.kind)},
+                {"source", figure.source},
+                {"reference", number(figure.reference)},
+                {"value", number(figure.value)},
+                {"difference", number(difference(beside))},
+                {"relative", figure.reference != 0},
+                {"allowed", Json()},
+                {"why", figure.why},
+                {"study", study_json(figure.study)},
+                {"verdict", "reported"}});
   all().push_back(entry);
 }
 

@@ -7,6 +7,8 @@ namespace isopatch::verification {
 /// Notes a claim for the record of this program's run, as belonging to the running test.
 void record(const Claim& claim, bool holds);
 void record(const Convergence& convergence, bool holds);
+/// Its verdict is "reported".
+void record(const Figure& figure);
 
 /// Makes GoogleTest write the record at the end of the run into the file that the environment variable
 /// ISOPATCH_CLAIMS names: a JSON array with one object for each claim, one for each test that failed without

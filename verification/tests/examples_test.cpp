@@ -122,6 +122,36 @@ TEST_F(Examples, ChairStandHasItsFigures) {
   expect_vector(summary["results"]["reactions"][1]["force"], {0, 0, 159.903}, equilibrium * 159.903);
 }
 
+TEST_F(Examples, ChairStandWithRingAndPinHasItsFigures) {
+  ISOPATCH_NEEDS_DATA("chair_stand/chair_stand.xml");
+  const json summary = summary_of("chair_stand_a");
+  expect_figures(summary, 8054, 0.0184175154, 0.233593498e-3);
+  EXPECT_EQ(at(summary, "/model/patches"), 12);
+  EXPECT_EQ(at(summary, "/model/interfaces"), 15);
+  EXPECT_EQ(at(summary, "/model/bodies"), 1);
+  EXPECT_NEAR(at(summary, "/loads/0/area"), 1578.5e-6, 0.05e-6);
+  expect_vector(summary["results"]["reactions"][1]["force"], {0, 0, 157.848107}, 1e-6);
+}
+
+TEST_F(Examples, PipeJointHasLamesStressesFarFromTheJoint) {
+  const json summary = summary_of("pipe_joint");
+  expect_figures(summary, 12210, 0.505237002, 0.169396526e-3);
+  // A closed pipe of radii 20 and 24 mm under 10 MPa.
+  constexpr double axial = 10e6 * 400 / (576 - 400);
+  constexpr double hoop_inside = 10e6 * (576 + 400) / (576 - 400);
+  constexpr double radial_displacement = 0.020 / 120e9 * (hoop_inside - 0.34 * (axial - 10e6));
+  const json& inside = summary["probes"][0];
+  EXPECT_NEAR(inside["displacement"][1].get<double>() / radial_displacement, 1, 1e-4);
+  EXPECT_NEAR(inside["stress"][0].get<double>() / hoop_inside, 1, 1e-3);
+  EXPECT_NEAR(inside["stress"][1].get<double>() / -10e6, 1, 1e-3);
+  EXPECT_NEAR(inside["stress"][2].get<double>() / axial, 1, 1e-3);
+  EXPECT_NEAR(summary["probes"][1]["stress"][0].get<double>() / (2 * axial), 1, 1e-3);
+  EXPECT_EQ(at(summary, "/model/interfaces"), 24);
+  const json& clamp = summary["results"]["reactions"][0]["force"];
+  EXPECT_NEAR(clamp[0].get<double>(), -500, 1e-6);
+  EXPECT_NEAR(clamp[2].get<double>(), -6283.185307, 1e-5);
+}
+
 TEST_F(Examples, TerrificHasItsFiguresAtDegreeTwo) {
   ISOPATCH_NEEDS_DATA("terrific/terrific.xml");
   const json summary = summary_of("terrific", {"--set", "discretization.degree=2"});

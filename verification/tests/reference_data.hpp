@@ -24,7 +24,8 @@ inline geometry::PatchSet reference_patches(const std::string& name) {
 
 }  // namespace isopatch::verification
 
-/// Skips a test whose data file is not there.
-#define ISOPATCH_NEEDS_DATA(name)                                        \
-  if (!std::filesystem::exists(isopatch::verification::data_path(name))) \
-  GTEST_SKIP() << "not run, no such file: " << isopatch::verification::data_path(name)
+/// Skips a test whose data file is not there, with the reason that `isopatch verify` shows.
+#define ISOPATCH_NEEDS_DATA(name)                                          \
+  if (!std::filesystem::exists(isopatch::verification::data_path(name)))   \
+  GTEST_SKIP() << "needs " << (name) << ", and the folder of such files, " \
+               << isopatch::verification::data_path("").string() << ", does not have it; set ISOPATCH_DATA"

@@ -1,6 +1,6 @@
 """Pages of small made-up parts with known fields, filled into the template as the program does it.
 
-  fixture.py FOLDER      writes report.html, compare.html, model.html and grid.html (300 patches, 250,000 points)
+  fixture.py FOLDER      writes report.html, compare.html, model.html, verification.html and grid.html (300 patches, 250,000 points)
 """
 
 import array
@@ -219,6 +219,33 @@ def ring_compare():
             "plots": [{"title": "Residuals", "svg": PLOT}], "scene": data}
 
 
+def claim(suite, case, what, verdict, **more):
+    return {"suite": suite, "case": case, "test": case.title().replace(" ", ""), "what": what, "verdict": verdict, **more}
+
+
+def verification():
+    """A verification with every kind of claim: held, failed, not run, reported, an order of convergence."""
+    numbers = {"unit": "m", "kind": "closed form", "source": "Hooke", "reference": 2.0, "value": 2.0001, "difference": 5e-5,
+               "relative": True, "allowed": 1e-3, "study": {"file": "bar.toml", "set": ["a.b=1"]}}
+    order = {"unit": "", "kind": "manufactured", "source": "p + 1", "reference": 3.0, "value": 3.02, "difference": 0.02,
+             "relative": False, "allowed": 0.15, "study": None,
+             "convergence": {"sizes": [0.5, 0.25], "errors": [8e-3, 1e-3], "orders": [3.0]}}
+    claims = [claim("closed_forms", "bar", "u at the end", "holds", **numbers),
+              claim("closed_forms", "bar", "u at the joint", "FAILS", **{**numbers, "value": 3.0, "difference": 0.5}),
+              claim("manufactured", "one patch", "order of displacement in L2, p = 2", "holds", **order),
+              claim("seed_studies", "terrific", "largest displacement", "reported",
+                    **{**numbers, "allowed": None, "why": "the paper prints <another> load"}),
+              claim("seed_studies", "chair stand", "needs chair_stand.xml; set ISOPATCH_DATA", "not run")]
+    keys = {"holds": "hold", "FAILS": "fail", "not run": "not_run", "reported": "reported"}
+    count = lambda some: {key: sum(c["verdict"] == verdict for c in some) for verdict, key in keys.items()}
+    suites = [{"name": name, **count([c for c in claims if c["suite"] == name])}
+              for name in dict.fromkeys(c["suite"] for c in claims)]
+    summary = {"schema_version": 1, "program": {"name": "isopatch", "version": "0.1.0"}, "level": "quick", "seconds": 12.3,
+               **count(claims), "suites": suites, "claims": claims}
+    return {"kind": "verification", "program": "isopatch 0.1.0", "title": "Verification", "study": "", "summary": summary,
+            "plots": [{"title": "", "section": "manufactured", "svg": PLOT}], "scene": None}
+
+
 def ring_model():
     scene = ring().data()
     scene["fields"] = [JACOBIAN]
@@ -256,16 +283,17 @@ def fill(data):
     # JSON knows no NaN; those of the fields are in the blocks.
     text = json.dumps(data, allow_nan=False).replace("</", "<\\/")
     scripts = "\n".join(path.read_text() for path in [THREE, *sorted(WEB.glob("*.js"))])
+    style = "\n".join(path.read_text() for path in sorted(WEB.glob("*.css")))
     page = (WEB / "page.html").read_text()
     for marker, value in [("<!--isopatch:title-->", html.escape(data["title"])),
-                          ("/*isopatch:style*/", (WEB / "style.css").read_text()), ("/*isopatch:scripts*/", scripts),
+                          ("/*isopatch:style*/", style), ("/*isopatch:scripts*/", scripts),
                           ("/*isopatch:data*/", text)]:
         before, after = page.split(marker)
         page = before + value + after
     return page
 
 
-PAGES = {"report": ring_report, "compare": ring_compare, "model": ring_model,
+PAGES = {"report": ring_report, "compare": ring_compare, "model": ring_model, "verification": verification,
          "grid": lambda: grid_report(samples=9)}
 
 

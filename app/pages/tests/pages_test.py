@@ -9,6 +9,7 @@ import math
 import os
 import pathlib
 import random
+import re
 import subprocess
 import tempfile
 import unittest
@@ -53,6 +54,16 @@ class Pages(unittest.TestCase):
               control.getAttribute("aria-label") || (control.labels && control.labels.length) ||
               (control.tagName === "BUTTON" && control.textContent.trim()))).map((control) => control.outerHTML);""")
         self.assertEqual(unnamed, [])
+
+
+def contrast(*colours):
+    """Of two colours "rgb(1, 2, 3)", from 1 to 21: WCAG 2.1, relative luminance."""
+    def luminance(colour):
+        parts = [int(x) / 255 for x in re.findall(r"\d+", colour)[:3]]
+        red, green, blue = [x / 12.92 if x <= 0.04045 else ((x + 0.055) / 1.055) ** 2.4 for x in parts]
+        return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+    low, high = sorted(map(luminance, colours))
+    return (high + 0.05) / (low + 0.05)
 
 
 def four_digits(value, unit):
@@ -359,14 +370,49 @@ class OtherPages(Pages):
         self.assertIsNone(self.browser.run("return document.getElementById('deformation')"))
         self.assertIn("Scaled Jacobian", self.browser.run("return document.querySelector('.bar-title').textContent"))
 
+    def verdicts(self, section):
+        """Row by row of a suite: what is claimed and the verdict."""
+        return self.browser.run("""
+            return [...document.querySelectorAll(`#${arguments[0]} tbody tr:not(.case)`)].map((row) => (
+              [row.querySelector("th").innerText, row.querySelector(".verdict").textContent]));""", section)
+
+    def test_verification_shows_every_verdict(self):
+        self.open("verification")
+        self.expect_sound()
+        text = self.browser.run("return document.getElementById('verdict').textContent")
+        self.assertIn("2 claims hold, 1 fail, 1 were not run (level quick, 12.30 s)", text)
+        self.assertIn("bad", self.browser.run("return document.getElementById('verdict').className"))
+        self.assertEqual(self.verdicts("closed_forms"), [["u at the end (m)", "holds"], ["u at the joint (m)", "FAILS"]])
+        self.assertEqual(self.verdicts("seed_studies"), [
+            ["largest displacement (m)\nthe paper prints <another> load", "reported"], ["no figures", "not run"]])
+        self.assertIn("set ISOPATCH_DATA", self.browser.run("return document.getElementById('seed_studies').innerText"))
+        self.assertEqual(self.browser.run("return [...document.querySelectorAll('#failures li')].map((x) => x.textContent)"),
+                         ["closed forms, bar: u at the joint"])
+        # One link a suite, and plots stand in their own.
+        self.assertEqual(self.browser.run("return [...document.querySelectorAll('.suites a')].map((x) => x.hash)"),
+                         ["#closed_forms", "#manufactured", "#seed_studies"])
+        self.assertEqual(self.browser.run("return [...document.querySelectorAll('.claims')].map((x) => x.querySelectorAll('svg').length)"),
+                         [0, 1, 0])
+
+    def test_verdicts_are_readable_in_both_themes(self):
+        self.open("verification")
+        for theme in ("light", "dark"):
+            self.browser.run("document.documentElement.dataset.theme = arguments[0]", theme)
+            for verdict in ("good", "bad", "open"):
+                colours = self.browser.run("""
+                    const style = (at) => getComputedStyle(document.querySelector(at));
+                    return [style(arguments[0]).color, style(".card").backgroundColor]""", f".claims .verdict.{verdict}")
+                self.assertGreater(contrast(*colours), 4.5, (theme, verdict, colours))
+
     def test_pages_fit_a_phone(self):
         self.addCleanup(self.browser.resize, 1280, 800)
         self.browser.resize(390, 844, is_phone=True)
-        for name in ("report", "compare", "model"):
+        for name in ("report", "compare", "model", "verification"):
             self.open(name)
             width = self.browser.run("return document.documentElement.scrollWidth")
             self.assertLessEqual(width, 390, name)
-            self.expect_drawn()
+            if name != "verification":
+                self.expect_drawn()
 
     def test_without_webgl_the_rest_is_there(self):
         script = self.browser.driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {
@@ -443,6 +489,25 @@ class Program(Pages):
     def test_compare(self):
         self.page("compare", "compare.html")
         self.assertIn("agree", self.browser.run("return document.getElementById('verdict').textContent"))
+
+    def test_verify(self):
+        """The claims of a stand-in for the suites: those of the made-up page."""
+        claims = [{**claim, "suite": "".join(word.title() for word in claim["suite"].split("_"))}
+                  for claim in fixture.verification()["summary"]["claims"]]
+        record, script, output = (self.folder / name for name in ("claims.json", "suites", "verified"))
+        record.write_text(json.dumps(claims))
+        script.write_text(f"""#!/bin/sh
+            if [ "$1" = --gtest_list_tests ]; then printf 'ClosedForms.\\n  Bar\\n'; else cp '{record}' "$ISOPATCH_CLAIMS"; fi""")
+        script.chmod(0o700)
+        run = subprocess.run([os.environ["ISOPATCH_PROGRAM"], "verify", "--output", output], text=True, capture_output=True,
+                             stdin=subprocess.DEVNULL, timeout=60, env={**os.environ, "ISOPATCH_VERIFICATION": str(script)})
+        self.assertEqual(run.returncode, 1, run.stderr)
+        self.browser.open(output / "verify.html")
+        self.expect_sound()
+        self.assertIn("2 claims hold, 1 fail, 1 were not run", self.browser.run("return document.getElementById('verdict').textContent"))
+        self.assertEqual(self.browser.run("return [...document.querySelectorAll('.claims')].map((x) => [x.id, x.querySelectorAll('svg').length])"),
+                         [["closed_forms", 0], ["manufactured", 1], ["seed_studies", 0]])
+        self.assertIn("p = 2: slope 3, expected 3", self.browser.run("return document.querySelector('#manufactured svg').textContent"))
 
 
 if __name__ == "__main__":

@@ -12,13 +12,14 @@ globalThis.isopatch = globalThis.isopatch || {};
     ["method", "solver", String], ["iterations", "iterations", counts], ["matrix_nonzeros", "non-zeros of the matrix", counts],
     ["factor_nonzeros", "non-zeros of the factor", counts], ["memory_bytes", "memory of the solver", (x) => isopatch.bytesText(x)],
     ["relative_residual", "relative residual", (x) => isopatch.general(x, 2)],
+    ["condition", "condition number", (x) => isopatch.general(x, 2)],
     ["max_displacement", "largest displacement", unit("m")], ["max_von_mises", "largest von Mises stress", unit("Pa")],
     ["internal_energy", "internal energy", unit("J")]];
 
   function sideBySide(summary) {
     const [a, b] = [summary.elimination || {}, summary.lagrange || {}];
     const cell = (value, format) => (value === undefined || value === null ? "" : format(value));
-    const rows = lines.filter(([key]) => key in a || key in b).map(([key, name, format]) => (
+    const rows = lines.filter(([key]) => (a[key] ?? b[key] ?? null) !== null).map(([key, name, format]) => (
       [name, cell(a[key], format), cell(b[key], format)]));
     return isopatch.table(["", "elimination", "Lagrange multipliers"], rows);
   }

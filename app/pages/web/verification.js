@@ -1,34 +1,72 @@
-// The page of `isopatch verify`: every claim with its reference, suite by suite.
+// The page of `isopatch verify`: the verdict of every suite at a glance, then its claims, case by case, and its plots.
 globalThis.isopatch = globalThis.isopatch || {};
 (function (isopatch) {
   "use strict";
 
   const element = (...all) => isopatch.element(...all);
   const number = (x, digits) => (typeof x === "number" ? isopatch.general(x, digits) : "");
+  const words = (name) => name.replace(/_/g, " ");
+  const counts = [["hold", "hold"], ["fail", "FAIL"], ["not_run", "not run"], ["reported", "reported"]];
+  const colours = {holds: " good", FAILS: " bad", "not run": " open"};
 
-  function row(claim) {
-    const badge = element("span", {class: claim.verdict === "holds" ? "verdict good" : claim.verdict === "FAILS" ? "verdict bad" : "verdict"},
-                          claim.verdict);
-    const what = (claim.case ? claim.case + ": " : "") + claim.what + (claim.unit ? ` (${claim.unit})` : "");
-    return [what, badge, number(claim.reference, 7), number(claim.value, 7), number(claim.difference, 2), number(claim.allowed, 2),
-            [claim.kind, claim.source].filter(Boolean).join(", "), studyText(claim.study)];
+  const badge = (verdict) => element("span", {class: "verdict" + (colours[verdict] || "")}, verdict);
+
+  // A suite fails with any of its claims, and holds if nothing of it was left out.
+  function verdictOf(suite) {
+    if (suite.fail) return "FAILS";
+    return suite.hold ? "holds" : suite.not_run ? "not run" : "reported";
   }
 
-  const studyText = (study) => (study ? element("code", {}, [study.file, ...study.set].join(" ")) : "");
+  const countsText = (suite) => counts.filter(([key]) => suite[key]).map(([key, text]) => `${suite[key]} ${text}`).join(", ");
 
-  const head = ["claim", "verdict", "reference", "value", "differs by", "allowed", "kind of reference", "study"];
+  // As a shell takes it.
+  const quoted = (text) => (/^[\w.,=/-]+$/.test(text) ? text : text.includes('"') ? `'${text}'` : `"${text}"`);
+  const studyText = (study) => (study ? element("code", {}, ["isopatch run " + study.file, ...study.set.map((x) => "--set " + quoted(x))].join(" ")) : "");
+
+  function row(claim) {
+    const what = [claim.what + (claim.unit ? ` (${claim.unit})` : ""), claim.why ? element("span", {class: "why"}, claim.why) : null];
+    // What was not run, or broke outside its claims, has a reason and no numbers.
+    if (!("value" in claim)) return element("tr", {class: "reason"}, element("th", {scope: "row"}, "no figures"), element("td", {}, badge(claim.verdict)),
+                                            element("td", {colspan: 6}, what));
+    const cells = [badge(claim.verdict), number(claim.reference, 7), number(claim.value, 7), number(claim.difference, 2), number(claim.allowed, 2),
+                   [claim.kind, claim.source].filter(Boolean).join(", "), studyText(claim.study)];
+    return element("tr", {}, element("th", {scope: "row"}, what), cells.map((cell) => element("td", {}, cell)));
+  }
+
+  const head = ["claim", "verdict", "reference", "value", "differs by", "allowed", "kind of reference", "to run it alone"];
+
+  function table(claims) {
+    const cases = [...new Set(claims.map((claim) => claim.case))];
+    return element("div", {class: "table"}, element("table", {},
+      element("thead", {}, element("tr", {}, head.map((text) => element("th", {scope: "col"}, text)))),
+      cases.map((name) => element("tbody", {},
+        element("tr", {class: "case"}, element("th", {scope: "rowgroup", colspan: head.length}, name)),
+        claims.filter((claim) => claim.case === name).map(row)))));
+  }
+
+  function overview(summary) {
+    const good = !summary.fail && summary.hold;
+    const sentence = `${summary.hold} claims hold, ${summary.fail} fail, ${summary.not_run} were not run` +
+      ` (level ${summary.level}${summary.seconds ? ", " + isopatch.secondsText(summary.seconds) : ""}).`;
+    const link = (suite) => element("a", {href: "#" + suite.name}, words(suite.name));
+    const failures = summary.claims.filter((claim) => claim.verdict === "FAILS");
+    return isopatch.section("In all",
+      element("p", {class: good ? "verdict good" : "verdict bad", id: "verdict"}, sentence),
+      element("div", {class: "suites"}, isopatch.table(["suite", "", ...counts.map(([, text]) => text.toLowerCase())],
+        summary.suites.map((suite) => [link(suite), badge(verdictOf(suite)), ...counts.map(([key]) => String(suite[key]))]))),
+      failures.length ? element("ul", {id: "failures"}, failures.map((claim) => (
+        element("li", {}, `${words(claim.suite)}, ${claim.case}: ${claim.what}`)))) : null);
+  }
 
   isopatch.buildVerification = function (main, data) {
-    const summary = data.summary || {claims: []};
-    const suites = [...new Set(summary.claims.map((claim) => claim.suite))];
-    main.append(isopatch.section("In all", element("p", {class: summary.fail ? "verdict bad" : "verdict good", id: "verdict"},
-      `${summary.hold} claims hold, ${summary.fail} fail, ${summary.not_run} were not run (level ${summary.level}).`)));
-    for (const suite of suites) {
-      const claims = summary.claims.filter((claim) => claim.suite === suite);
-      const plots = (data.plots || []).filter((plot) => plot.title.startsWith(suite + ": "));
-      const section = isopatch.section(suite, isopatch.table(head, claims.map(row)),
-        element("div", {class: "figures"}, isopatch.plotFigures(plots)));
-      section.classList.add("claims");
+    const summary = {claims: [], suites: [], hold: 0, fail: 0, not_run: 0, level: "", ...data.summary};
+    main.append(overview(summary));
+    for (const suite of summary.suites) {
+      const plots = (data.plots || []).filter((plot) => plot.section === suite.name);
+      const section = element("section", {class: "card claims", id: suite.name},
+        element("h2", {}, words(suite.name), " ", element("small", {class: suite.fail ? "bad" : ""}, countsText(suite))),
+        table(summary.claims.filter((claim) => claim.suite === suite.name)),
+        plots.length ? element("div", {class: "figures"}, isopatch.plotFigures(plots)) : null);
       main.append(section);
     }
   };

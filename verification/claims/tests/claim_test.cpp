@@ -69,5 +69,10 @@ TEST(Convergence, RefusesWhatWouldMeanNothing) {
   EXPECT_NONFATAL_FAILURE(expect(broken), "near round-off");
 }
 
+TEST(Convergence, HasOneOrderLessThanLevels) {
+  ASSERT_EQ(orders(cubic()).size(), 3u);
+  for (const double order : orders(cubic())) EXPECT_NEAR(order, 3, 1e-12);
+}
+
 }  // namespace
 }  // namespace isopatch::verification

@@ -1,0 +1,107 @@
+#include "verification/suites/program_run.hpp"
+
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "geometry/base/atomic_file.hpp"
+#include "iga/result_file.hpp"
+
+namespace isopatch::verification {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
+}
+
+// A suite that has used MPI itself leaves variables that would make a launcher believe it is one of several
+// processes: programs are started with the environment that this one was started with.
+const std::string at_the_start = [] {
+  std::string result = "env -i";
+  for (char** variable = environ; *variable != nullptr; ++variable) result += " " + quoted(*variable);
+  return result;
+}();
+
+std::string command_line(const ClaimStudy& study, const Launch& launch, const fs::path& output) {
+  std::string line =
+      fmt::format("{} OMP_NUM_THREADS={} OMP_WAIT_POLICY=passive ", at_the_start, launch.threads);
+  if (launch.processes > 1)
+    line +=
+        fmt::format("{} --oversubscribe --bind-to none -n {} ", quoted(ISOPATCH_MPIEXEC), launch.processes);
+  line += fmt::format("{} run {} --quiet --output {}", quoted(ISOPATCH_PROGRAM),
+                      quoted((fs::path(ISOPATCH_SOURCE_DIR) / study.file).string()), quoted(output.string()));
+  for (const char* setting : {"output.fields=false", "output.report=false"})
+    line += fmt::format(" --set {}", setting);
+  for (const std::string& setting : study.overrides) line += " --set " + quoted(setting);
+  return line + " 2>&1 </dev/null";
+}
+
+void run(const std::string& command) {
+  std::FILE* pipe = ::popen(command.c_str(), "r");
+  if (pipe == nullptr) throw std::runtime_error("cannot start " + command);
+  std::string said;
+  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) said += static_cast<char>(c);
+  if (::pclose(pipe) != 0)
+    throw std::runtime_error(command.substr(command.find("OMP_NUM_THREADS")) + " fails and says: " + said);
+}
+
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string pattern = (fs::temp_directory_path() / "isopatch-parallel-XXXXXX").string();
+    if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("cannot make " + pattern);
+    path_ = pattern;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+}  // namespace
+
+std::string words(const Launch& launch) {
+  const auto many = [](int n, const char* one, const char* several) {
+    return fmt::format("{} {}", n, n == 1 ? one : several);
+  };
+  return many(launch.processes, "process", "processes") + " of " + many(launch.threads, "thread", "threads");
+}
+
+ProgramRun run_program(const ClaimStudy& study, const Launch& launch) {
+  const TemporaryFolder folder;
+  run(command_line(study, launch, folder.path()));
+  const auto summary = nlohmann::json::parse(read_file(folder.path() / "summary.json"));
+  return {iga::read_result(folder.path() / "results.h5").field,
+          summary["results"]["internal_energy"].get<double>(),
+          summary["results"]["max_displacement"].get<double>(), summary["parallel"]["processes"].get<int>(),
+          summary["parallel"]["threads"].get<int>()};
+}
+
+double largest_difference(const iga::ElasticField& a, const iga::ElasticField& b) {
+  double difference = 0;
+  double largest = 0;
+  for (std::size_t p = 0; p < a.displacement.size(); ++p) {
+    difference = std::max(difference, (a.displacement[p] - b.displacement.at(p)).cwiseAbs().maxCoeff());
+    largest = std::max(largest, a.displacement[p].cwiseAbs().maxCoeff());
+  }
+  return difference / largest;
+}
+
+}  // namespace isopatch::verification

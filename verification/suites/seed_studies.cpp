@@ -1,0 +1,155 @@
+// The studies of the papers that isopatch follows, on their own models: finite elements on the same geometry,
+// another IGA code, and the figures that the papers print.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "verification/suites/solved_study.hpp"
+#include "verification/tests/reference_data.hpp"
+
+namespace isopatch::verification {
+namespace {
+
+constexpr const char* fe = "CalculiX, quadratic bricks";
+constexpr const char* printed = "the paper that published the study";
+
+// ---------------------------------------------------------------- TERRIFIC
+
+class Terrific {
+ public:
+  Terrific(std::vector<std::string> settings, std::string of)
+      : solved_(solved("examples/terrific/study.toml", settings)), of_(std::move(of)) {}
+
+  double energy() const { return solved_.run.solution.results.internal_energy; }
+  double largest_displacement() const { return solved_.run.solution.results.max_displacement.value; }
+  const SolvedStudy& study() const { return solved_; }
+
+  void claim(const std::string& what, const char* unit, ReferenceKind kind, const std::string& source,
+             double reference, double value, double allowed) const {
+    expect(Claim{what + ", " + of_, unit, kind, source, reference, value, allowed, solved_.named});
+  }
+  void beside(const std::string& what, const char* unit, const std::string& source, double reference,
+              double value, const std::string& why) const {
+    report(Figure{what + ", " + of_, unit, ReferenceKind::published, source, reference, value, why,
+                  solved_.named});
+  }
+
+ private:
+  SolvedStudy solved_;
+  std::string of_;
+};
+
+constexpr const char* other_iga = "another IGA code, 3 x 3 x 3 Gauss points";
+
+void expect_terrific_as_it_is() {
+  const Terrific t({"discretization.degree=2"}, "p = 2");
+  t.claim("energy", "J", ReferenceKind::other_method, other_iga, 68.5963, t.energy(), 1e-4);
+  t.claim("largest displacement", "m", ReferenceKind::other_method, other_iga, 6.838e-3,
+          t.largest_displacement(), 1e-3);
+  const iga::ProblemSize& size = t.study().run.solution.size;
+  const auto count = [&](const std::string& what, const std::string& source, double reference,
+                         std::int64_t value) {
+    t.claim(what, "", ReferenceKind::seed_figure, source, reference, static_cast<double>(value), 0);
+  };
+  count("unknowns, patches apart", "3 x 6474 control points", 19422, size.dofs_uncoupled);
+  count("unknowns, patches joined", "3 x 5268 points", 15804, size.dofs_eliminated);
+  count("free unknowns", "15,804 - 882 clamped", 14922, size.dofs_free);
+  t.claim("volume", "m^3", ReferenceKind::seed_figure, "the model's", 4.65324e-4,
+          t.study().run.built.report.volume, 2e-6);
+  // The load that the paper prints is three times the one that its figures belong to.
+  const Terrific thrice({"discretization.degree=2", "load.0.traction=['60 MPa', '-42 MPa', 0]"},
+                        "p = 2, t = (60, -42, 0) MPa");
+  thrice.claim("energy, nine times that of a third of the load", "J", ReferenceKind::exact, "linearity",
+               9 * t.energy(), thrice.energy(), 1e-10);
+  const std::string why =
+      "the paper prints this load beside figures of a third of it: three times the displacement and nine "
+      "times "
+      "the energy are no error of stiffness";
+  thrice.beside("largest displacement", "m", printed, 7.06e-3, thrice.largest_displacement(), why);
+  thrice.beside("energy", "J", printed, 70.1, thrice.energy(), why);
+}
+
+TEST(SeedStudies, Terrific) {
+  ISOPATCH_NEEDS_DATA("terrific/terrific.xml");
+  expect_terrific_as_it_is();
+  const Terrific t({}, "p = 3");
+  t.claim("energy", "J", ReferenceKind::independent_fe, fe, 70.10, t.energy(), 5e-3);
+  t.claim("largest displacement", "m", ReferenceKind::independent_fe, fe, 6.993e-3, t.largest_displacement(),
+          5e-3);
+  t.claim("control points", "", ReferenceKind::seed_figure, "the space's", 28960,
+          static_cast<double>(t.study().run.solution.size.control_points), 0);
+  t.claim("clamped area", "m^2", ReferenceKind::seed_figure, "the bore's faces", 2.2521e-3,
+          t.study().run.built.supports.front().area, 5e-5);
+  t.claim("loaded area", "m^2", ReferenceKind::seed_figure, "the bore's faces", 2.25115e-3,
+          t.study().run.built.loads.front().area, 5e-6);
+  const std::string why = "another parametrization of the part, 70 cubic patches and 53,925 unknowns";
+  t.beside("largest displacement", "m", printed, 7.06e-3, t.largest_displacement(), why);
+  t.beside("energy", "J", printed, 70.1, t.energy(), why);
+  const std::string mesh = "ANSYS on 20,855 tetrahedra, whose bores are polygons";
+  t.beside("largest displacement", "m", printed, 7.00e-3, t.largest_displacement(), mesh);
+  t.beside("energy", "J", printed, 70.2, t.energy(), mesh);
+}
+
+TEST(FullSeedStudies, TerrificRefined) {
+  ISOPATCH_NEEDS_DATA("terrific/terrific.xml");
+  const Terrific half({"discretization.degree=2", "discretization.refine=1"}, "p = 2, refined once");
+  half.claim("energy", "J", ReferenceKind::other_method, other_iga, 69.7972, half.energy(), 1e-4);
+  half.claim("largest displacement", "m", ReferenceKind::other_method, other_iga, 6.961e-3,
+             half.largest_displacement(), 1e-3);
+  const Terrific fine({"discretization.refine=1"}, "p = 3, refined once");
+  fine.claim("energy", "J", ReferenceKind::independent_fe, fe, 70.10, fine.energy(), 3e-3);
+  fine.claim("largest displacement", "m", ReferenceKind::independent_fe, fe, 6.993e-3,
+             fine.largest_displacement(), 3e-3);
+}
+
+// ------------------------------------------------------------- chair stand
+
+struct StandFigures {
+  double force = 0;   ///< N, downwards
+  double sag = 0;     ///< mean u_z of the loaded face, m
+  double lowest = 0;  ///< lowest u_z, m
+  double energy = 0;  ///< J
+  double leg = 0;     ///< largest von Mises stress in the leg, Pa
+};
+
+double total_force(const SolvedStudy& s) {
+  return s.run.solution.results.total_load.norm();
+}
+
+void expect_stand(const std::string& study, const StandFigures& fe_figures, int refine) {
+  const SolvedStudy s = solved(study, {fmt::format("discretization.refine={}", refine)});
+  const double energy = s.run.solution.results.internal_energy;
+  const std::string of = refine == 0 ? ", as it is" : ", refined once";
+  const auto claim = [&](const std::string& what, const char* unit, double reference, double value,
+                         double allowed) {
+    expect(Claim{what + of, unit, ReferenceKind::independent_fe, fe, reference, value, allowed, s.named});
+  };
+  claim("load", "N", fe_figures.force, total_force(s), 1e-4);
+  claim("energy", "J", fe_figures.energy, energy, 5e-3);
+  // A load spread evenly works on the mean displacement of its face.
+  claim("mean sag of the loaded face", "m", fe_figures.sag, 2 * energy / total_force(s), 5e-3);
+  claim("largest displacement against the lowest u_z", "m", fe_figures.lowest,
+        s.run.solution.results.max_displacement.value, 5e-3);
+  for (const char* leg : {"left leg", "right leg"})
+    claim(fmt::format("von Mises stress in the {}", leg), "Pa", fe_figures.leg, s.probe(leg).values.von_mises,
+          3e-2);
+  const std::string why =
+      "cannot be met together with the paper's stress and pressure at any scale of this geometry with the "
+      "printed material: both are about three times as large";
+  report(Figure{"sag" + of, "m", ReferenceKind::published, printed, 0.82e-3, 2 * energy / total_force(s), why,
+                s.named});
+  report(Figure{"energy" + of, "J", ReferenceKind::published, printed, 64.2e-3, energy, why, s.named});
+}
+
+TEST(SeedStudies, ChairStandPlasticAlone) {
+  ISOPATCH_NEEDS_DATA("chair_stand/chair_stand.xml");
+  expect_stand("examples/chair_stand/study.toml", {159.903, 0.31781e-3, 0.31872e-3, 25.409e-3, 1.426e6}, 1);
+}
+
+TEST(SeedStudies, ChairStandWithRingAndPin) {
+  ISOPATCH_NEEDS_DATA("chair_stand/chair_stand.xml");
+  expect_stand("examples/chair_stand_a/study.toml", {157.85, 0.23526e-3, 0.23548e-3, 18.568e-3, 1.482e6}, 1);
+}
+
+}  // namespace
+}  // namespace isopatch::verification
