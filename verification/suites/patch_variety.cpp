@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "geometry/models/box.hpp"
 #include "geometry/models/reorient.hpp"
 #include "geometry/splines/refine.hpp"
+#include "iga/node_classes.hpp"
 #include "iga/solve_elasticity.hpp"
 #include "verification/claims/claim.hpp"
 #include "verification/suites/linear_field.hpp"
@@ -79,6 +82,17 @@ TEST(PatchTests, NeighboursRefinedDifferently) {
                    error_of(refined_differently(patches_of(model_case(name))), {}, coupling));
 }
 
+// Places of control points that differ.
+int distinct_places(const iga::Discretization& d) {
+  std::vector<Eigen::Vector3d> places;
+  for (const NurbsVolume& patch : d.patches)
+    for (const auto& point : patch.control_points().colwise())
+      if (std::none_of(places.begin(), places.end(),
+                       [&](const auto& known) { return (known - point).norm() < 1e-9; }))
+        places.emplace_back(point);
+  return static_cast<int>(places.size());
+}
+
 // The west side of a cube pulled together to a line, beside a whole cube.
 TEST(PatchTests, CollapsedFace) {
   PatchSet set = geometry::box_model({.patches = {2, 1, 1}});
@@ -86,10 +100,21 @@ TEST(PatchTests, CollapsedFace) {
   for (Eigen::Index i = 0; i < points.cols(); ++i)
     if (points(0, i) == 0) points(1, i) = 0.5;
   set = {{NurbsVolume(set.patches[0].knots(), points), set.patches[1]}, {}, {}};
-  for (const int degree : {1, 2, 3})
+  for (const int degree : {1, 2, 3}) {
+    const iga::DiscretizationOptions options{.degree = {degree, degree, degree}, .refine = 1};
     for (const iga::Coupling coupling : couplings)
       expect_exact(fmt::format("wedge beside a cube, p = {}", degree), coupling,
-                   error_of(set, {.degree = {degree, degree, degree}, .refine = 1}, coupling));
+                   error_of(set, options, coupling));
+    const iga::Discretization d = iga::discretize(geometry::connect(set), options);
+    expect(Claim{fmt::format("wedge beside a cube, p = {}: points of the body", degree),
+                 "",
+                 ReferenceKind::exact,
+                 "control points at different places",
+                 static_cast<double>(distinct_places(d)),
+                 static_cast<double>(iga::node_classes(d).count()),
+                 0,
+                 {}});
+  }
 }
 
 }  // namespace
