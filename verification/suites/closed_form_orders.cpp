@@ -13,6 +13,7 @@
 #include "geometry/splines/refine.hpp"
 #include "verification/suites/classic_fields.hpp"
 #include "verification/suites/known_problem.hpp"
+#include "verification/suites/model_cases.hpp"
 
 namespace isopatch::verification {
 namespace {
@@ -25,8 +26,7 @@ constexpr std::array<Coupling, 2> both = {Coupling::elimination, Coupling::lagra
 
 void add_planes(iga::ElasticityProblem& problem, const std::vector<std::string>& planes) {
   for (const std::string& plane : planes)
-    problem.supports.push_back(
-        {plane, boundary_named(problem.discretization.model, plane), iga::PlaneSupport{}});
+    problem.supports.push_back({plane, faces_of(problem.discretization.model, plane), iga::PlaneSupport{}});
 }
 
 // Lame's cylinder, a = 1, b = 2, p = 10, E = 1000, nu = 0.3. Around and along the axis the solution lies in
@@ -43,7 +43,7 @@ KnownProblem cylinder() {
             iga::ElasticityProblem p = unloaded(
                 model, {.degree = {degree, 2, 1}, .elements_per_direction = {elements, 0, 0}}, material);
             add_planes(p, {"start", "end", "bottom", "top"});
-            p.surface_loads = {iga::pressure_load("pressure", boundary_named(model, "inner"), 10)};
+            p.surface_loads = {iga::pressure_load("pressure", faces_of(model, "inner"), 10)};
             return p;
           },
           8};
@@ -70,8 +70,8 @@ KnownProblem plate(const iga::Material& material) {
             iga::ElasticityProblem p = unloaded(
                 model, {.degree = {degree, degree, 1}, .elements_per_direction = {0, elements, 1}}, material);
             add_planes(p, {"x_min", "y_min", "bottom", "top"});
-            std::vector<geometry::PatchFace> cut = boundary_named(model, "x_max");
-            for (const geometry::PatchFace& face : boundary_named(model, "y_max")) cut.push_back(face);
+            std::vector<geometry::PatchFace> cut = faces_of(model, "x_max");
+            for (const geometry::PatchFace& face : faces_of(model, "y_max")) cut.push_back(face);
             p.surface_loads = {exact_tractions(cut, exact, material)};
             return p;
           }};
@@ -88,7 +88,7 @@ KnownProblem cavity(const iga::Material& material) {
                 {.degree = {degree, degree, degree}, .elements_per_direction = {elements, elements, 0}},
                 material);
             add_planes(p, {"x0", "y0", "z0"});
-            p.surface_loads = {exact_tractions(boundary_named(model, "outer"), exact, material)};
+            p.surface_loads = {exact_tractions(faces_of(model, "outer"), exact, material)};
             return p;
           }};
 }

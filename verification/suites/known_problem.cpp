@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "geometry/base/error.hpp"
-
 namespace isopatch::verification {
 namespace {
 
@@ -40,12 +38,6 @@ void expect_orders(const KnownProblem& problem, const Levels& levels) {
   }
   expect(displacement);
   expect(energy);
-}
-
-std::vector<geometry::PatchFace> boundary_named(const geometry::MultiPatch& model, const std::string& name) {
-  for (const geometry::Boundary& boundary : model.boundaries())
-    if (boundary.name == name) return boundary.faces;
-  throw Error(ErrorCode::invalid_argument, "no boundary is named " + name);
 }
 
 iga::ElasticityProblem unloaded(const geometry::MultiPatch& model, const iga::DiscretizationOptions& options,

@@ -33,10 +33,6 @@ struct Levels {
 /// every two levels. Errors are integrated with p + 4 points.
 void expect_orders(const KnownProblem& problem, const Levels& levels);
 
-/// The faces of a named boundary.
-/// @throws Error invalid_argument if there is none of that name
-std::vector<geometry::PatchFace> boundary_named(const geometry::MultiPatch& model, const std::string& name);
-
 /// A problem with one material everywhere, without supports and loads.
 iga::ElasticityProblem unloaded(const geometry::MultiPatch& model, const iga::DiscretizationOptions& options,
                                 const iga::Material& material);

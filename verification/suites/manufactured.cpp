@@ -7,8 +7,8 @@
 #include "geometry/measures.hpp"
 #include "geometry/models/box.hpp"
 #include "geometry/models/cylinder.hpp"
-#include "geometry/models/elbow.hpp"
 #include "verification/suites/known_problem.hpp"
+#include "verification/suites/model_cases.hpp"
 #include "verification/suites/wave.hpp"
 
 namespace isopatch::verification {
@@ -20,7 +20,7 @@ using iga::Coupling;
 
 // The plane of a flat boundary.
 Plane plane_of(const MultiPatch& model, const std::string& boundary) {
-  const geometry::PatchFace face = boundary_named(model, boundary).front();
+  const geometry::PatchFace face = faces_of(model, boundary).front();
   const geometry::NurbsVolume& patch = model.patch(face.patch);
   const geometry::NurbsSurface surface = geometry::face_surface(patch, face.side);
   const geometry::Parameter<2> middle = 0.5 * (surface.low() + surface.high());
@@ -40,13 +40,12 @@ KnownProblem manufactured(const std::string& name, const MultiPatch& model,
     std::vector<geometry::PatchFace> loaded = model.boundary_faces();
     for (const std::string& boundary : held) {
       p.supports.push_back(
-          {boundary, boundary_named(model, boundary), iga::PrescribedDisplacement{.gradient = wave.linear}});
+          {boundary, faces_of(model, boundary), iga::PrescribedDisplacement{.gradient = wave.linear}});
       for (const geometry::PatchFace& face : p.supports.back().faces) std::erase(loaded, face);
     }
     p.surface_loads = {exact_tractions(loaded, wave.exact(), material)};
-    std::vector<PatchId> all;
-    for (int i = 0; i < model.patch_count(); ++i) all.emplace_back(i);
-    p.volume_loads = {{"force", all, [=](const Vector3d& x) { return wave.body_force(x, material); }}};
+    p.volume_loads = {
+        {"force", all_patches(model), [=](const Vector3d& x) { return wave.body_force(x, material); }}};
     return p;
   };
   return {name, ReferenceKind::manufactured, "", wave.exact(), posed};
