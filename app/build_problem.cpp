@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/edge_selection.hpp"
 #include "app/engineering_units.hpp"
 #include "geometry/io/read_patches.hpp"
 #include "iga/loads.hpp"
@@ -149,7 +150,15 @@ BuiltProblem build_problem(const Study& study, const Progress& progress) {
                      certificate_warnings(model, seen)};
   for (const SupportInput& support : study.supports) {
     auto faces = caught_faces(support.selection, support.name, name(support.kind), built, built.supports);
-    built.problem.supports.push_back({support.name, std::move(faces), support.condition});
+    std::vector<iga::SupportedEdge> edges;
+    if (support.edges) {
+      edges =
+          select_edges(built.problem.discretization.model, faces, *support.edges, support.selection.place);
+      built.supports.back() =
+          region_of(support.name, name(support.kind), edges, built.problem.discretization.model);
+      faces.clear();
+    }
+    built.problem.supports.push_back({support.name, std::move(faces), support.condition, std::move(edges)});
   }
   for (const LoadInput& load : study.loads) add_load(load, built);
   for (const ProbeInput& probe : study.probes) built.probes.push_back(locate_probe(probe, built.problem));

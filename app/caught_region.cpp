@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/edge_selection.hpp"
 #include "app/engineering_units.hpp"
 
 namespace isopatch::app {
@@ -64,10 +65,20 @@ CaughtRegion region_of(const std::string& name, std::string_view kind, const std
   return region;
 }
 
+CaughtRegion region_of(const std::string& name, std::string_view kind,
+                       const std::vector<iga::SupportedEdge>& edges, const geometry::MultiPatch& model) {
+  CaughtRegion region{name, std::string(kind), {}, 0, {}, 0};
+  for (const iga::SupportedEdge& held : edges) region.edges.push_back(label(model, held));
+  return region;
+}
+
 std::string region_text(const CaughtRegion& region) {
   if (!region.patches.empty())
     return fmt::format("{}: {} in {}, {}", region.name, region.kind,
                        counted(region.patches.size(), "patch", "patches"), with_unit(region.volume, "m^3"));
+  if (!region.edges.empty())
+    return fmt::format("{}: {} on {} of patches", region.name, region.kind,
+                       counted(region.edges.size(), "edge", "edges"));
   return fmt::format("{}: {} on {}, {}", region.name, region.kind,
                      counted(region.faces.size(), "face", "faces"), with_unit(region.area, "m^2"));
 }

@@ -8,9 +8,11 @@
 #include "geometry/models/cook.hpp"
 #include "geometry/models/cylinder.hpp"
 #include "geometry/models/elbow.hpp"
+#include "geometry/models/elliptic_plate.hpp"
 #include "geometry/models/link.hpp"
 #include "geometry/models/plate.hpp"
 #include "geometry/models/sphere.hpp"
+#include "geometry/models/twisted_beam.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -156,6 +158,28 @@ Keys<geometry::ElbowOptions> elbow_model_keys(ModelUnits units) {
   };
 }
 
+Keys<geometry::EllipticPlateOptions> elliptic_plate_model_keys(ModelUnits units) {
+  using O = geometry::EllipticPlateOptions;
+  return {
+      length_key<O>(units, "inner_x", &O::inner_x, "Semi-axis of the inner ellipse along x, positive."),
+      length_key<O>(units, "inner_y", &O::inner_y, "Semi-axis of the inner ellipse along y, positive."),
+      length_key<O>(units, "outer_x", &O::outer_x, "Above inner_x."),
+      length_key<O>(units, "outer_y", &O::outer_y, "Above inner_y."),
+      length_key<O>(units, "thickness", &O::thickness, "z runs from 0 to thickness."),
+      integer_key<O>("layers", &O::layers, 1, 1000, "Patches through the thickness."),
+  };
+}
+
+Keys<geometry::TwistedBeamOptions> twisted_beam_model_keys(ModelUnits units) {
+  using O = geometry::TwistedBeamOptions;
+  return {
+      length_key<O>(units, "length", &O::length, "Along x, positive."),
+      length_key<O>(units, "width", &O::width, "Of the section, along y at the root; positive."),
+      length_key<O>(units, "depth", &O::depth, "Of the section, along z at the root; positive."),
+      angle_key<O>("twist", &O::twist, "From the root to the tip; above 0, at most 720 degrees."),
+  };
+}
+
 template <class O>
 GeneratedModel model(const std::string& name, const std::string& meaning, Keys<O> (*keys)(ModelUnits),
                      geometry::PatchSet (*make)(const O&)) {
@@ -209,6 +233,15 @@ const std::vector<GeneratedModel>& generated_models() {
           "elbow",
           "A pipe elbow: a straight pipe, a bend, a straight pipe. Boundaries: inlet, outlet, inner, outer.",
           elbow_model_keys, geometry::elbow_model),
+      model("elliptic_plate",
+            "A quarter of a plate between two ellipses about the z axis, as in NAFEMS LE1 and LE10. "
+            "Boundaries: "
+            "inner, outer, x_min, y_min, bottom, top.",
+            elliptic_plate_model_keys, geometry::elliptic_plate_model),
+      model("twisted_beam",
+            "A straight beam along x whose rectangular section turns evenly, as MacNeal and Harder's. "
+            "Boundaries: root, tip, sides.",
+            twisted_beam_model_keys, geometry::twisted_beam_model),
   };
   return models;
 }

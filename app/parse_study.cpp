@@ -151,9 +151,14 @@ SupportInput read_support(const Section& input, std::size_t index) {
     throw error_at(input.place, "[[support]] needs faces or where: which faces are held?");
   if (keys.normal_displacement && !keys.roller)
     throw error_at(input.place, "normal_displacement needs roller = true");
+  if (keys.edges && plane)
+    throw error_at(input.place,
+                   "[[support]] has edges: symmetry and roller need whole faces, because an edge "
+                   "has no normal; give displacement components");
   SupportInput result;
   result.name = fmt::format("support {}{}", index + 1, keys.name.empty() ? "" : " (" + keys.name + ")");
   result.selection = {keys.faces, keys.where, input.place};
+  result.edges = keys.edges;
   if (plane) {
     result.kind = keys.symmetry ? SupportKind::symmetry : SupportKind::roller;
     result.condition = iga::PlaneSupport{keys.normal_displacement.value_or(0)};

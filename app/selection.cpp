@@ -52,22 +52,6 @@ std::vector<PatchFace> named_faces(const MultiPatch& model, const std::string& t
   return faces;
 }
 
-double distance(const FaceConditions& where, const Eigen::Vector3d& x) {
-  double result = 0;
-  if (where.plane) result = std::max(result, std::abs((x - where.plane->point).dot(where.plane->normal)));
-  if (where.cylinder) {
-    const Eigen::Vector3d radial = (x - where.cylinder->point).cross(where.cylinder->axis);
-    result = std::max(result, std::abs(radial.norm() - where.cylinder->radius));
-  }
-  if (where.sphere)
-    result = std::max(result, std::abs((x - where.sphere->centre).norm() - where.sphere->radius));
-  if (where.box) {
-    const Eigen::Vector3d outside = (where.box->min - x).cwiseMax(x - where.box->max).cwiseMax(0);
-    result = std::max(result, outside.norm());
-  }
-  return result;
-}
-
 /// How far a face is from fulfilling the conditions.
 struct Deviation {
   PatchFace face;
@@ -121,6 +105,25 @@ Error nothing_found(const MultiPatch& model, const FaceSelection& selection,
 }
 
 }  // namespace
+
+double distance(const FaceConditions& conditions, const Eigen::Vector3d& point) {
+  double result = 0;
+  if (conditions.plane)
+    result = std::max(result, std::abs((point - conditions.plane->point).dot(conditions.plane->normal)));
+  if (conditions.cylinder) {
+    const Eigen::Vector3d radial = (point - conditions.cylinder->point).cross(conditions.cylinder->axis);
+    result = std::max(result, std::abs(radial.norm() - conditions.cylinder->radius));
+  }
+  if (conditions.sphere)
+    result =
+        std::max(result, std::abs((point - conditions.sphere->centre).norm() - conditions.sphere->radius));
+  if (conditions.box) {
+    const Eigen::Vector3d outside =
+        (conditions.box->min - point).cwiseMax(point - conditions.box->max).cwiseMax(0);
+    result = std::max(result, outside.norm());
+  }
+  return result;
+}
 
 SelectedFaces select_faces(const MultiPatch& model, const FaceSelection& selection) {
   std::vector<PatchFace> faces = model.boundary_faces();

@@ -40,6 +40,9 @@ struct FaceConditions {
   std::optional<double> tolerance = {};        ///< m; none: 1e-4 of the model's size
 };
 
+/// How far a point is from fulfilling all conditions but that on the normal, m.
+double distance(const FaceConditions& conditions, const Eigen::Vector3d& point);
+
 /// Boundary faces by names, by geometry, or by both (the faces named that also fulfil the conditions).
 struct FaceSelection {
   std::vector<std::string> faces = {};  ///< "0:back" in the input's naming, or the name of a boundary

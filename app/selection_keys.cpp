@@ -29,6 +29,26 @@ std::pair<int, int> read_range(const ConfigValue& value) {
       fmt::format("patches: expected \"all\", numbers from 0 or ranges such as \"0-8\", got \"{}\"", text));
 }
 
+/// Where something must lie.
+/// @param what  "Faces" or "Edges"
+Keys<FaceConditions> place_keys(const std::string& what) {
+  using C = FaceConditions;
+  return {
+      table_key<C, PlaneCondition>("plane", &C::plane, plane_keys, what + " that lie in a plane."),
+      table_key<C, CylinderCondition>("cylinder", &C::cylinder, cylinder_keys,
+                                      what + " that lie on a cylinder."),
+      table_key<C, SphereCondition>("sphere", &C::sphere, sphere_keys, what + " that lie on a sphere."),
+      table_key<C, BoxCondition>("box", &C::box, box_keys,
+                                 what + " that lie inside a box with edges along the axes."),
+  };
+}
+
+Key<FaceConditions> tolerance_key() {
+  return quantity_key<FaceConditions>("tolerance", &FaceConditions::tolerance, dim::length, positive,
+                                      "How far points may lie from the plane, cylinder, sphere or box.")
+      .with_default("1e-4 of the model's size");
+}
+
 }  // namespace
 
 std::vector<std::string> read_face_names(const ConfigValue& value) {
@@ -97,23 +117,26 @@ const Keys<BoxCondition>& box_keys() {
 
 const Keys<FaceConditions>& where_keys() {
   using C = FaceConditions;
-  static const Keys<C> keys = {
-      table_key<C, PlaneCondition>("plane", &C::plane, plane_keys, "Faces that lie in a plane."),
-      table_key<C, CylinderCondition>("cylinder", &C::cylinder, cylinder_keys,
-                                      "Faces that lie on a cylinder."),
-      table_key<C, SphereCondition>("sphere", &C::sphere, sphere_keys, "Faces that lie on a sphere."),
-      table_key<C, BoxCondition>("box", &C::box, box_keys,
-                                 "Faces that lie inside a box with edges along the axes."),
-      custom_key<C>(
-          "normal", "3 numbers, or \"x\", \"-x\", \"y\", ...", "Faces whose outward normal points this way.",
-          [](C& target, const ConfigValue& value) { target.normal = read_direction(value, "normal"); }),
-      quantity_key<C>("angle", &C::angle, dim::angle, {0, 3.15, false, true},
-                      "How far a normal may turn away from `normal`.")
-          .with_default("\"5 deg\""),
-      quantity_key<C>("tolerance", &C::tolerance, dim::length, positive,
-                      "How far points may lie from the plane, cylinder, sphere or box.")
-          .with_default("1e-4 of the model's size"),
-  };
+  static const Keys<C> keys = [] {
+    Keys<C> result = place_keys("Faces");
+    result.push_back(custom_key<C>(
+        "normal", "3 numbers, or \"x\", \"-x\", \"y\", ...", "Faces whose outward normal points this way.",
+        [](C& target, const ConfigValue& value) { target.normal = read_direction(value, "normal"); }));
+    result.push_back(quantity_key<C>("angle", &C::angle, dim::angle, {0, 3.15, false, true},
+                                     "How far a normal may turn away from `normal`.")
+                         .with_default("\"5 deg\""));
+    result.push_back(tolerance_key());
+    return result;
+  }();
+  return keys;
+}
+
+const Keys<FaceConditions>& edges_keys() {
+  static const Keys<FaceConditions> keys = [] {
+    Keys<FaceConditions> result = place_keys("Edges");
+    result.push_back(tolerance_key());
+    return result;
+  }();
   return keys;
 }
 

@@ -47,6 +47,7 @@ enum class SupportKind { displacement, symmetry, roller };
 struct SupportInput {
   std::string name;
   FaceSelection selection;
+  std::optional<FaceConditions> edges;  ///< holds edges of the faces selected and not the faces
   SupportKind kind = SupportKind::displacement;
   std::variant<iga::PrescribedDisplacement, iga::PlaneSupport> condition;
 };

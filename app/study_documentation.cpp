@@ -85,10 +85,16 @@ std::vector<SectionText> study_sections() {
        "conditions given "
        "must hold at every point of a face; only boundary faces are looked at.",
        texts(where_keys())},
-      {"where.plane", "where = { plane = { ... } }", "A plane.", texts(plane_keys())},
-      {"where.cylinder", "where = { cylinder = { ... } }", "An infinite cylinder.", texts(cylinder_keys())},
-      {"where.sphere", "where = { sphere = { ... } }", "A sphere.", texts(sphere_keys())},
-      {"where.box", "where = { box = { ... } }", "A box.", texts(box_keys())},
+      {"edges", "edges = { ... } of supports",
+       "Edges of the patches that have the support's faces, chosen by geometry. All conditions given must "
+       "hold "
+       "at every point of an edge.",
+       texts(edges_keys())},
+      {"where.plane", "where or edges = { plane = { ... } }", "A plane.", texts(plane_keys())},
+      {"where.cylinder", "where or edges = { cylinder = { ... } }", "An infinite cylinder.",
+       texts(cylinder_keys())},
+      {"where.sphere", "where or edges = { sphere = { ... } }", "A sphere.", texts(sphere_keys())},
+      {"where.box", "where or edges = { box = { ... } }", "A box.", texts(box_keys())},
       {"coupling", "[coupling]", "How the patches are held together.", texts(coupling_keys())},
       {"solver", "[solver]", "How the equations are solved.", texts(solver_keys())},
       {"probe", "[[probe]]",

@@ -33,6 +33,7 @@ struct SupportKeys {
   std::string name;
   std::vector<std::string> faces;
   std::optional<FaceConditions> where;
+  std::optional<FaceConditions> edges;
   std::optional<std::array<std::optional<double>, 3>> displacement;
   std::optional<Eigen::Matrix3d> displacement_gradient;
   bool symmetry = false;
@@ -93,6 +94,7 @@ const Keys<DiscretizationKeys>& discretization_keys();
 const Keys<MaterialKeys>& material_keys();
 const Keys<LameKeys>& lame_keys();
 const Keys<FaceConditions>& where_keys();
+const Keys<FaceConditions>& edges_keys();
 const Keys<PlaneCondition>& plane_keys();
 const Keys<CylinderCondition>& cylinder_keys();
 const Keys<SphereCondition>& sphere_keys();

@@ -82,16 +82,22 @@ Json materials_json(const Study& study, const StudyRun& run) {
   return result;
 }
 
-Json supports_json(const std::vector<CaughtRegion>& supports) {
+Json regions_json(const std::vector<CaughtRegion>& regions) {
   Json result = Json::array();
-  for (const CaughtRegion& region : supports)
+  for (const CaughtRegion& region : regions)
     result.push_back(
         {{"name", region.name}, {"kind", region.kind}, {"faces", region.faces}, {"area", region.area}});
   return result;
 }
 
+Json supports_json(const std::vector<CaughtRegion>& supports) {
+  Json result = regions_json(supports);
+  for (std::size_t i = 0; i < supports.size(); ++i) result[i]["edges"] = supports[i].edges;
+  return result;
+}
+
 Json loads_json(const std::vector<CaughtRegion>& loads) {
-  Json result = supports_json(loads);
+  Json result = regions_json(loads);
   for (std::size_t i = 0; i < loads.size(); ++i) {
     result[i]["patches"] = loads[i].patches;
     result[i]["volume"] = loads[i].volume;

@@ -39,6 +39,10 @@ const Keys<SupportKeys>& support_keys() {
           .with_default("\"support 1\", ..."),
       faces_key<S>(),
       where_key<S>(),
+      table_key<S, FaceConditions>(
+          "edges", &S::edges, edges_keys,
+          "Holds, instead of the faces, those of their patches' edges that lie there: lines. Displacements "
+          "and energy then grow without limit as elements become small; stresses elsewhere do not."),
       custom_key<S>(
           "displacement", "3 of length (m) or \"free\"",
           "Prescribed displacement; \"free\" leaves a component free.",

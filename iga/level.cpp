@@ -36,7 +36,7 @@ int representative(int i, int count, int fine_count) {
   return std::clamp(static_cast<int>(std::int64_t{i} * (fine_count - 1) / (count - 1)), 1, fine_count - 2);
 }
 
-// Supports hold whole faces, so a coarse function has the frame of any fine one on the same faces.
+// Supports hold whole faces or edges, so a coarse function has the frame of any fine one on the same ones.
 std::vector<const Frame*> coarse_frames(const Level& coarse, const NodeClasses& classes, const Level& finest,
                                         const std::vector<Frame>& frames) {
   std::vector<const Frame*> result(static_cast<std::size_t>(classes.count()));

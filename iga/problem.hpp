@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "geometry/collapse.hpp"
 #include "geometry/patch_face.hpp"
 #include "iga/discretization.hpp"
 #include "iga/material.hpp"
@@ -25,11 +26,22 @@ struct PlaneSupport {
   double normal_displacement = 0;  ///< m, along the outward normal
 };
 
+/// One edge of one patch, where a support holds a line.
+struct SupportedEdge {
+  PatchId patch;
+  geometry::PatchEdge edge;
+  auto operator<=>(const SupportedEdge&) const = default;
+};
+
 /// What holds the part. Where supports meet, all of them apply.
 struct Support {
   std::string name;  ///< for messages and reports: "support 1 (clamped bore)"
   std::vector<geometry::PatchFace> faces;
   std::variant<PrescribedDisplacement, PlaneSupport> condition;
+  /// Lines that are held, of any edges of patches, besides the faces; not by a PlaneSupport. In three
+  /// dimensions a line gives way without limit as elements become small, so displacements and energy have no
+  /// limit, while stresses away from the line have.
+  std::vector<SupportedEdge> edges = {};
 };
 
 /// Traction on boundary faces as a function of place and outward unit normal, Pa.

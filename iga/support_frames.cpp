@@ -128,31 +128,49 @@ std::vector<Condition> conditions_at(const Support& support, const Eigen::Vector
   return result;
 }
 
+// Imposes a support on some control points of a patch.
+void hold(const std::vector<int>& points, PatchId patch, int support, const PlaneNormal& normal,
+          const ElasticityProblem& problem, const NodeClasses& classes, std::vector<Frame>& frames) {
+  const Discretization& d = problem.discretization;
+  for (const int point : points) {
+    const int node = d.first_node[static_cast<std::size_t>(patch.value)] + point;
+    const int node_class = classes.class_of[static_cast<std::size_t>(node)];
+    // One place for all nodes of a class, or a gradient would prescribe their distances as a contradiction.
+    const Eigen::Vector3d place = control_point(d, classes.of(node_class)[0]);
+    for (const Condition& condition :
+         conditions_at(problem.supports[static_cast<std::size_t>(support)], place, normal))
+      impose(frames[static_cast<std::size_t>(node_class)], condition, support, problem, place);
+  }
+}
+
 }  // namespace
 
 std::vector<Frame> support_frames(const ElasticityProblem& problem, const NodeClasses& classes) {
   const Discretization& d = problem.discretization;
   const auto& boundary = d.model.boundary_faces();
+  const auto sizes = [&](PatchId patch) { return d.patches[static_cast<std::size_t>(patch.value)].sizes(); };
   std::vector<Frame> frames(static_cast<std::size_t>(classes.count()));
   for (std::size_t s = 0; s < problem.supports.size(); ++s) {
     const Support& support = problem.supports[s];
+    const bool plane = std::holds_alternative<PlaneSupport>(support.condition);
     for (const PatchFace face : support.faces) {
       if (std::find(boundary.begin(), boundary.end(), face) == boundary.end())
         throw Error(ErrorCode::invalid_argument,
                     fmt::format("'{}': face {} is not on the boundary of the model", support.name,
                                 d.model.label(face)));
-      const bool plane = std::holds_alternative<PlaneSupport>(support.condition);
-      const PlaneNormal normal = plane ? plane_normal(d.model, face, support.name) : PlaneNormal{};
-      const auto patch = static_cast<std::size_t>(face.patch.value);
-      for (const int point : geometry::face_control_points(d.patches[patch].sizes(), face.side)) {
-        const int node_class = classes.class_of[static_cast<std::size_t>(d.first_node[patch] + point)];
-        // One place for all nodes of a class, or a gradient would prescribe their distances as a
-        // contradiction.
-        const Eigen::Vector3d place = control_point(d, classes.of(node_class)[0]);
-        for (const Condition& condition : conditions_at(support, place, normal))
-          impose(frames[static_cast<std::size_t>(node_class)], condition, static_cast<int>(s), problem,
-                 place);
-      }
+      hold(geometry::face_control_points(sizes(face.patch), face.side), face.patch, static_cast<int>(s),
+           plane ? plane_normal(d.model, face, support.name) : PlaneNormal{}, problem, classes, frames);
+    }
+    for (const SupportedEdge& held : support.edges) {
+      if (plane || held.patch.value < 0 || held.patch.value >= d.patch_count())
+        throw Error(ErrorCode::invalid_argument,
+                    plane
+                        ? fmt::format("'{}': a symmetry plane or a roller needs faces, an edge has no normal",
+                                      support.name)
+                        : fmt::format("'{}': there is no patch {}, the model has patches 0 to {}",
+                                      support.name, held.patch.value, d.patch_count() - 1));
+      hold(geometry::edge_control_points(sizes(held.patch), held.edge), held.patch, static_cast<int>(s), {},
+           problem, classes, frames);
     }
   }
   return frames;

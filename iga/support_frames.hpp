@@ -25,8 +25,8 @@ struct Frame {
 };
 
 /// One frame per class of nodes.
-/// @throws Error invalid_argument  a plane support on a face that is not plane, a face that is not on the
-/// boundary
+/// @throws Error invalid_argument  a plane support on a face that is not plane or on an edge, a face that is
+/// not on the boundary, an edge of a patch that does not exist
 /// @throws Error conflict          supports that prescribe different displacements for one point, naming both
 std::vector<Frame> support_frames(const ElasticityProblem& problem, const NodeClasses& classes);
 

@@ -114,6 +114,31 @@ TEST_F(Examples, TwoMaterialBarIsExact) {
   EXPECT_EQ(summary["materials"][1]["patches"], json::array({1}));
 }
 
+TEST_F(Examples, PlateWithHoleHasItsFigures) {
+  const json summary = summary_of("plate_with_hole");
+  expect_figures(summary, 4320, 0.83927176566, 6.77986211145e-5);
+  EXPECT_NEAR(at(summary, "/probes/0/stress/0") / 315.272530e6, 1, same);
+  expect_vector(summary["results"]["reactions"][0]["force"], {-25e3, 0, 0}, equilibrium * 25e3);
+}
+
+TEST_F(Examples, CookHasItsFigures) {
+  const json summary = summary_of("cook");
+  expect_figures(summary, 7176, 6.0083116062, 31.4404428703);
+  expect_vector(summary["probes"][0]["displacement"], {-10.6912127, 23.9600351, 0}, same * 24);
+  expect_vector(summary["results"]["reactions"][0]["force"], {0, -0.5, 0}, equilibrium);
+}
+
+TEST_F(Examples, Le10HasItsFigures) {
+  const json summary = summary_of("le10");
+  expect_figures(summary, 9662, 185.370497542, 0.207824008244e-3);
+  EXPECT_NEAR(at(summary, "/probes/0/stress/1") / -5.39038429e6, 1, same);
+  EXPECT_EQ(summary["supports"][2]["edges"], json::array({"0:east+back", "1:east+front"}));
+  EXPECT_TRUE(summary["supports"][2]["faces"].empty());
+  // The line carries the pressure on the plate between the ellipses.
+  constexpr double area = std::numbers::pi / 4 * (3.25 * 2.75 - 2);
+  expect_vector(summary["results"]["reactions"][2]["force"], {0, 0, area * 1e6}, equilibrium * area * 1e6);
+}
+
 TEST_F(Examples, ChairStandHasItsFigures) {
   ISOPATCH_NEEDS_DATA("chair_stand/chair_stand.xml");
   const json summary = summary_of("chair_stand");
