@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/base/ids.hpp"
+#include "geometry/brep/edge_use.hpp"
 #include "geometry/splines/nurbs.hpp"
 
 namespace isopatch::geometry {
@@ -18,14 +19,6 @@ enum class CurveKind { line, circle, ellipse, spline, other };
 /// "plane", "cylinder", ...
 const char* name(SurfaceKind kind);
 const char* name(CurveKind kind);
-
-/// An edge as a loop of a face walks it: from its start to its end, or reversed. The face lies to the left, seen
-/// from outside the solid. An edge and a direction occur once on a face; a seam occurs in both directions.
-struct EdgeUse {
-  EdgeId edge;
-  bool reversed = false;
-  auto operator<=>(const EdgeUse&) const = default;
-};
 
 /// Red, green and blue, each in [0, 1].
 using Colour = std::array<double, 3>;
