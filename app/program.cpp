@@ -108,6 +108,9 @@ ExitCode exit_code(ErrorCode code) {
     case ErrorCode::bad_format:
     case ErrorCode::unsupported:
     case ErrorCode::not_conforming:
+    case ErrorCode::not_manifold:
+    case ErrorCode::not_contractible:
+    case ErrorCode::not_three_connected:
     case ErrorCode::fold_over:
       return ExitCode::wrong_input;
     default:

@@ -12,6 +12,9 @@ enum class ErrorCode {
   bad_format,        ///< a file whose content breaks its format
   unsupported,       ///< valid input that this version does not handle
   not_conforming,    ///< patches with a gap, an overlap or traces that do not match
+  not_manifold,      ///< faces that do not bound a solid: open, overused or vanishing edges
+  not_contractible,  ///< a solid with holes or cavities where one without is needed
+  not_three_connected,  ///< an edge graph that two vertices cut apart, where that is not allowed
   fold_over,         ///< a patch whose Jacobian determinant is not positive
   free_body,         ///< supports that leave a rigid motion
   conflict,          ///< supports that contradict each other

@@ -29,7 +29,7 @@ class BrepModule {
   /// @param same_point  share of the solid's size up to which gaps are closed
   virtual std::vector<KernelSolid> read(const std::filesystem::path& path, BrepFormat format, double metres,
                                         double same_point) const = 0;
-  /// @param unit  "mm", "m" or "in" for STEP and IGES; .brep files are in mm
+  /// @param unit  "mm", "m" or "in", of the file's coordinates; a .brep file does not say it
   virtual void write(const std::filesystem::path& path, BrepFormat format, const BrepKernel& kernel,
                      const std::string& unit) const = 0;
   virtual KernelSolid sew(const std::vector<TrimmedSurface>& faces, double same_point, bool accept_open) const = 0;
