@@ -12,12 +12,6 @@
 namespace isopatch::geometry {
 namespace {
 
-void check(const SewOptions& options) {
-  if (!(options.same_point > 0 && options.same_point < 0.01))
-    throw Error(ErrorCode::invalid_argument,
-                fmt::format("same_point is {}; it must lie in (0, 0.01)", options.same_point));
-}
-
 std::string place(const Polyhedron& polyhedron, int vertex) {
   const Eigen::Vector3d p = polyhedron.vertices.col(vertex);
   return fmt::format("vertex {} at ({:.6g}, {:.6g}, {:.6g}) m", vertex, p.x(), p.y(), p.z());
@@ -51,22 +45,31 @@ void require_two_faces(const Polyhedron& polyhedron, const EdgeGraph& graph) {
 
 }  // namespace
 
+void validate(const SewOptions& options) {
+  const auto require = [](const char* field, double value, double high) {
+    if (!(value > 0 && value < high))
+      throw Error(ErrorCode::invalid_argument, fmt::format("{} is {}; it must lie in (0, {})", field, value, high));
+  };
+  require("same_point", options.same_point, 0.01);
+  require("same_curve", options.same_curve, 0.02);
+}
+
 SewnBrep sew(const std::vector<TrimmedSurface>& faces, const SewOptions& options) {
-  check(options);
+  validate(options);
   if (faces.empty()) throw Error(ErrorCode::invalid_argument, "a solid needs faces");
-  KernelSolid solid = brep_module().sew(faces, options.same_point, options.accept_open);
+  KernelSolid solid = brep_module().sew(faces, options);
   SewnBrep result{Brep(std::move(solid.kernel)), solid.largest_correction};
   if (!options.accept_open) require_solid(result.brep);
   return result;
 }
 
 Brep make_brep(const Polyhedron& polyhedron, const SewOptions& options) {
-  check(options);
+  validate(options);
   if (polyhedron.faces.empty()) throw Error(ErrorCode::invalid_argument, "a solid needs faces");
   const EdgeGraph graph = edge_graph(static_cast<int>(polyhedron.vertices.cols()), polyhedron.faces);
   require_lengths(polyhedron);
   if (!options.accept_open) require_two_faces(polyhedron, graph);
-  Brep result(brep_module().polyhedron(polyhedron, options.same_point).kernel);
+  Brep result(brep_module().polyhedron(polyhedron, options).kernel);
   if (!options.accept_open) require_solid(result);
   return result;
 }

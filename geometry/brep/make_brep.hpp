@@ -3,17 +3,11 @@
 #include <vector>
 
 #include "geometry/brep/brep.hpp"
+#include "geometry/brep/sew_options.hpp"
 #include "geometry/polyhedron.hpp"
 #include "geometry/trimmed_surface.hpp"
 
 namespace isopatch::geometry {
-
-struct SewOptions {
-  /// Edges of two faces that agree to this share of the solid's size are one. Range (0, 0.01).
-  double same_point = 1e-4;
-  /// Keeps free edges instead of failing.
-  bool accept_open = false;
-};
 
 struct SewnBrep {
   Brep brep;

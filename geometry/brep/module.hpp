@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/brep/kernel.hpp"
+#include "geometry/brep/sew_options.hpp"
 #include "geometry/polyhedron.hpp"
 #include "geometry/trimmed_surface.hpp"
 
@@ -25,15 +26,14 @@ class BrepModule {
  public:
   virtual ~BrepModule() = default;
 
-  /// @param metres      that a unit of a .brep file measures
-  /// @param same_point  share of the solid's size up to which gaps are closed
+  /// @param metres  that a unit of a .brep file measures
   virtual std::vector<KernelSolid> read(const std::filesystem::path& path, BrepFormat format, double metres,
-                                        double same_point) const = 0;
+                                        const SewOptions& options) const = 0;
   /// @param unit  "mm", "m" or "in", of the file's coordinates; a .brep file does not say it
   virtual void write(const std::filesystem::path& path, BrepFormat format, const BrepKernel& kernel,
                      const std::string& unit) const = 0;
-  virtual KernelSolid sew(const std::vector<TrimmedSurface>& faces, double same_point, bool accept_open) const = 0;
-  virtual KernelSolid polyhedron(const Polyhedron& polyhedron, double same_point) const = 0;
+  virtual KernelSolid sew(const std::vector<TrimmedSurface>& faces, const SewOptions& options) const = 0;
+  virtual KernelSolid polyhedron(const Polyhedron& polyhedron, const SewOptions& options) const = 0;
 };
 
 /// The module, loaded at the first call and for good.

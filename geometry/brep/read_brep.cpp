@@ -22,9 +22,7 @@ void check(const ReadBrepOptions& options) {
   if (options.length_unit && !(*options.length_unit > 0))
     throw Error(ErrorCode::invalid_argument,
                 fmt::format("length_unit is {}; it must be positive", *options.length_unit));
-  if (!(options.same_point > 0 && options.same_point < 0.01))
-    throw Error(ErrorCode::invalid_argument,
-                fmt::format("same_point is {}; it must lie in (0, 0.01)", options.same_point));
+  validate(options.sew);
 }
 
 std::vector<BrepFile> from_module(const fs::path& path, BrepFormat format, const ReadBrepOptions& options) {
@@ -34,7 +32,7 @@ std::vector<BrepFile> from_module(const fs::path& path, BrepFormat format, const
   read_file(path);  // says why, if it cannot
   std::vector<BrepFile> result;
   for (KernelSolid& solid :
-       brep_module().read(path, format, options.length_unit.value_or(1), options.same_point))
+       brep_module().read(path, format, options.length_unit.value_or(1), options.sew))
     result.push_back({Brep(std::move(solid.kernel)), std::move(solid.name), solid.largest_correction});
   return result;
 }
@@ -49,13 +47,12 @@ TrimmedSurface scaled(const TrimmedSurface& surface, double metres) {
 // As many faces have surfaces, none or all; corners make the rest.
 BrepFile from_boundary(const SolidBoundary& boundary, const std::string& source, const ReadBrepOptions& options) {
   const double metres = options.length_unit.value_or(1);
-  const SewOptions sewing{.same_point = options.same_point, .accept_open = options.accept_open};
   const auto given = std::count_if(boundary.surfaces.begin(), boundary.surfaces.end(),
                                    [](const auto& surface) { return surface.has_value(); });
   if (given == 0) {
     Polyhedron corners = boundary.corners;
     corners.vertices *= metres;
-    return {make_brep(corners, sewing), boundary.name, 0};
+    return {make_brep(corners, options.sew), boundary.name, 0};
   }
   if (given < static_cast<std::ptrdiff_t>(boundary.surfaces.size()))
     throw Error(ErrorCode::unsupported,
@@ -63,7 +60,7 @@ BrepFile from_boundary(const SolidBoundary& boundary, const std::string& source,
                             boundary.surfaces.size()));
   std::vector<TrimmedSurface> faces;
   for (const auto& surface : boundary.surfaces) faces.push_back(scaled(*surface, metres));
-  SewnBrep sewn = sew(faces, sewing);
+  SewnBrep sewn = sew(faces, options.sew);
   return {std::move(sewn.brep), boundary.name, sewn.largest_correction};
 }
 
@@ -82,7 +79,7 @@ std::vector<BrepFile> from_gismo(const fs::path& path, const ReadBrepOptions& op
 std::vector<BrepFile> from_off(const fs::path& path, const ReadBrepOptions& options) {
   Polyhedron polyhedron = read_off(read_file(path), path.string());
   polyhedron.vertices *= options.length_unit.value_or(1);
-  return {{make_brep(polyhedron, {.same_point = options.same_point, .accept_open = options.accept_open}), "", 0}};
+  return {{make_brep(polyhedron, options.sew), "", 0}};
 }
 
 // Errors of the making of solids get the file's name in front, if they lack it.
@@ -118,7 +115,7 @@ std::vector<BrepFile> read_breps(const fs::path& path, const ReadBrepOptions& op
   check(options);
   return named(path, [&] {
     std::vector<BrepFile> solids = read(path, options);
-    if (!options.accept_open)
+    if (!options.sew.accept_open)
       for (const BrepFile& solid : solids) require_solid(solid.brep);
     return solids;
   });

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/brep/brep.hpp"
+#include "geometry/brep/sew_options.hpp"
 
 namespace isopatch::geometry {
 
@@ -13,11 +14,9 @@ struct ReadBrepOptions {
   /// Metres that one unit of the file measures, for formats that do not say it (.brep, .xml, .off). Positive.
   /// STEP and IGES files state their unit; giving it for them is an error.
   std::optional<double> length_unit;  // 1 where needed and not given
-  /// Gaps up to this share of the solid's size are closed. Range (0, 0.01). The published solids of this field
-  /// carry five digits.
-  double same_point = 1e-4;
-  /// Takes a boundary with free or overused edges as it is, for `check` to report; otherwise it is an error.
-  bool accept_open = false;
+  /// How faces are joined that do not share their edges; `accept_open` also takes a boundary with free or overused edges
+  /// from any format as it is, for `check` to report.
+  SewOptions sew;
 };
 
 /// What was read.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <utility>
 
@@ -64,13 +65,13 @@ class SolidReader {
 
   TrimmedSurface surface(pugi::xml_node node, const std::string& name) const {
     TrimmedSurface result;
-    result.surface = spline<2>(required_child(xml_, node, "Geometry", name), 3, name);
+    result.surface = spline_surface(required_child(xml_, node, "Geometry", name), name);
     const pugi::xml_node domain = required_child(xml_, node, "PlanarDomain", name);
     for (const pugi::xml_node loop : domain.children("CurveLoop")) {
       const std::string loop_name = fmt::format("{}, loop {}", name, result.loops.size());
       std::vector<NurbsCurve> curves;
       for (const pugi::xml_node curve : loop.children("Geometry"))
-        curves.push_back(spline<1>(curve, 2, fmt::format("{}, curve {}", loop_name, curves.size())));
+        curves.push_back(domain_curve(curve, fmt::format("{}, curve {}", loop_name, curves.size())));
       if (curves.empty()) xml_.fail(loop, fmt::format("{} has no curve", loop_name));
       result.loops.push_back(std::move(curves));
     }
@@ -78,37 +79,94 @@ class SolidReader {
     return result;
   }
 
-  // A curve or surface; points in the plane get a third coordinate 0.
-  template <int D>
-  Nurbs<D> spline(pugi::xml_node geometry, int coordinates, const std::string& name) const {
-    const std::string_view type = geometry.attribute("type").value();
-    const std::string_view plain = D == 1 ? "BSpline" : "TensorBSpline2";
-    const std::string_view with_weights = D == 1 ? "NURBS" : "TensorNurbs2";
-    const bool rational = type == with_weights || (D == 1 && type == "Nurbs");
-    if (!rational && type != plain)
-      xml_.fail(geometry, fmt::format("{} is of type {}; {} and {} are supported", name, quoted(type), plain, with_weights),
-                ErrorCode::unsupported);
+  NurbsSurface spline_surface(pugi::xml_node geometry, const std::string& name) const {
+    const bool rational = is_rational(geometry, "TensorBSpline2", "TensorNurbs2", name);
+    const pugi::xml_node outer = required_child(xml_, geometry, "Basis", name);
+    auto knots = given_knots<2>(xml_, rational ? required_child(xml_, outer, "Basis", name) : outer, name);
+    return spline<2>(geometry, rational ? outer : pugi::xml_node(), std::move(knots), 3, name);
+  }
+
+  NurbsCurve domain_curve(pugi::xml_node geometry, const std::string& name) const {
+    const bool rational = is_rational(geometry, "BSpline", "NURBS", name);
     const pugi::xml_node outer = required_child(xml_, geometry, "Basis", name);
     const pugi::xml_node basis = rational ? required_child(xml_, outer, "Basis", name) : outer;
-    typename Nurbs<D>::KnotVectors knots;
-    if constexpr (D == 1)
-      knots[0] = knot_vector(xml_, required_child(xml_, basis, "KnotVector", name), name);
-    else
-      knots = knot_vectors<D>(xml_, basis, name);
+    std::array<GivenKnots, 1> knots = {given_knots(xml_, required_child(xml_, basis, "KnotVector", name), name)};
+    return spline<1>(geometry, rational ? outer : pugi::xml_node(), std::move(knots), 2, name);
+  }
+
+  template <std::size_t D>
+  Nurbs<static_cast<int>(D)> spline(pugi::xml_node geometry, pugi::xml_node rational_basis,
+                                    std::array<GivenKnots, D> knots, int coordinates, const std::string& name) const {
     std::int64_t count = 1;
-    for (const KnotVector& k : knots) count *= k.size();
-    if (count > max_control_points) xml_.fail(basis, fmt::format("{}: more than {} control points", name, max_control_points));
-    const pugi::xml_node coefficients = required_child(xml_, geometry, "coefs", name);
-    if (const int dimension = xml_.integer_attribute(coefficients, "geoDim", 1, 1000); dimension != coordinates)
-      xml_.fail(coefficients, fmt::format("{} has control points in {} dimensions; {} are needed", name, dimension, coordinates),
+    for (const GivenKnots& given : knots) {
+      const auto functions = static_cast<std::int64_t>(given.knots.size()) - given.degree - 1;
+      if (functions <= given.degree || count > max_control_points / functions)
+        throw Error(ErrorCode::bad_format, fmt::format("{}:{}: {}: {} knots do not suit degree {}", xml_.source(),
+                                                       given.line, name, given.knots.size(), given.degree));
+      count *= functions;
+    }
+    Eigen::Matrix4Xd points = control_points(geometry, rational_basis, coordinates, count, name);
+    std::int64_t inner = 1;
+    for (GivenKnots& given : knots) {
+      join_pieces(given, points, inner);
+      inner *= static_cast<std::int64_t>(given.knots.size()) - given.degree - 1;
+    }
+    typename Nurbs<static_cast<int>(D)>::KnotVectors checked;
+    for (std::size_t d = 0; d < D; ++d) checked[d] = knot_vector(xml_, knots[d], name);
+    return located(xml_.source(), xml_.line(geometry), name, [&] {
+      return Nurbs<static_cast<int>(D)>(std::move(checked), points.topRows<3>(), points.row(3).transpose());
+    });
+  }
+
+  // Some files part a spline at a knot of multiplicity degree + 1 and say the points there twice; once is enough.
+  // `inner` control points of the directions before run faster.
+  static void join_pieces(GivenKnots& given, Eigen::Matrix4Xd& points, std::int64_t inner) {
+    const auto order = static_cast<std::size_t>(given.degree) + 1;
+    for (std::size_t i = order; i + 2 * order <= given.knots.size(); ++i) {
+      if (given.knots[i] != given.knots[i + order - 1]) continue;
+      const auto size = static_cast<std::int64_t>(given.knots.size() - order);
+      const auto repeated = static_cast<std::int64_t>(i);  // the control point that begins the piece behind the knot
+      std::vector<std::int64_t> kept;
+      bool equal = true;
+      for (std::int64_t k = 0; k < points.cols(); ++k) {
+        if (k / inner % size == repeated)
+          equal = equal && points.col(k) == points.col(k - inner);
+        else
+          kept.push_back(k);
+      }
+      if (!equal) continue;
+      points = Eigen::Matrix4Xd(points(Eigen::all, kept));
+      given.knots.erase(given.knots.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+  }
+
+  bool is_rational(pugi::xml_node geometry, std::string_view plain, std::string_view rational,
+                   const std::string& name) const {
+    const std::string_view type = geometry.attribute("type").value();
+    if (type != plain && type != rational)
+      xml_.fail(geometry,
+                fmt::format("{} is of type {}; {} and {} are supported", name, quoted(type), plain, rational),
                 ErrorCode::unsupported);
-    Eigen::Matrix3Xd points = Eigen::Matrix3Xd::Zero(3, count);
-    points.topRows(coordinates) = numbers(xml_, coefficients, coordinates, count, name + ", control point");
-    Eigen::VectorXd weights = Eigen::VectorXd::Ones(count);
-    if (rational)
-      weights = numbers(xml_, required_child(xml_, outer, "weights", name), 1, count, name + ", weight").transpose();
-    return located(xml_.source(), xml_.line(coefficients), name,
-                   [&] { return Nurbs<D>(std::move(knots), std::move(points), std::move(weights)); });
+    return type == rational;
+  }
+
+  // Points, with a third coordinate 0 if they have two, and weights: (4, count).
+  Eigen::Matrix4Xd control_points(pugi::xml_node geometry, pugi::xml_node rational_basis, int coordinates,
+                                  std::int64_t count, const std::string& name) const {
+    const pugi::xml_node node = required_child(xml_, geometry, "coefs", name);
+    if (const int dimension = xml_.integer_attribute(node, "geoDim", 1, 1000); dimension != coordinates)
+      xml_.fail(node,
+                fmt::format("{} has control points in {} dimensions; {} are needed", name, dimension, coordinates),
+                ErrorCode::unsupported);
+    // Read first: that many numbers must be there before memory is asked for them.
+    const Eigen::MatrixXd given = numbers(xml_, node, coordinates, count, name + ", control point");
+    Eigen::Matrix4Xd result = Eigen::Matrix4Xd::Zero(4, count);
+    result.topRows(coordinates) = given;
+    result.row(3).setOnes();
+    if (rational_basis)
+      result.row(3) =
+          numbers(xml_, required_child(xml_, rational_basis, "weights", name), 1, count, name + ", weight");
+    return result;
   }
 
   std::vector<SolidBoundary> solids(pugi::xml_node solid) const {
@@ -132,7 +190,7 @@ class SolidReader {
     const std::string content = xml_.content(node);
     TextScanner scanner(content, xml_.source(), xml_.line(node));
     std::vector<double> values;
-    while (!scanner.at_end()) values.push_back(scanner.number("a coordinate"));
+    while (!scanner.at_end()) values.push_back(scanner.fraction("a coordinate"));
     if (values.size() % 3 != 0 || values.empty())
       xml_.fail(node, fmt::format("{} coordinates; a vertex has three", values.size()));
     return Eigen::Map<const Eigen::Matrix3Xd>(values.data(), 3, static_cast<Eigen::Index>(values.size() / 3));

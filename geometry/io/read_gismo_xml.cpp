@@ -120,7 +120,10 @@ class GismoReader {
     const pugi::xml_node outer = required_child(xml_, geometry, "Basis", name);
     const pugi::xml_node weights_node = rational ? required_child(xml_, outer, "weights", name) : pugi::xml_node();
     const pugi::xml_node basis = rational ? required_child(xml_, outer, "Basis", name) : outer;
-    NurbsVolume::KnotVectors knots = knot_vectors<3>(xml_, basis, name);
+    const auto given = given_knots<3>(xml_, basis, name);
+    NurbsVolume::KnotVectors knots;
+    for (std::size_t d = 0; d < 3; ++d)
+      knots[d] = knot_vector(xml_, given[d], fmt::format("{}, direction {}", name, d));
     const auto count = located(xml_.source(), xml_.line(basis), name,
                                [&] { return checked_control_points(knots[0], knots[1], knots[2]); });
     const pugi::xml_node coefficients = required_child(xml_, geometry, "coefs", name);

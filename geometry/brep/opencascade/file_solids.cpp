@@ -62,9 +62,9 @@ KernelSolid whole_solid(const TopoDS_Shape& shape, const FileShape& file, double
 }
 
 // What faces make when sewn; open where their gaps are too wide.
-KernelSolid sewn_faces(const TopoDS_Shape& shape, const FileShape& file, double metres, double same_point) {
+KernelSolid sewn_faces(const TopoDS_Shape& shape, const FileShape& file, double metres, const SewOptions& options) {
   const std::vector<TopoDS_Face> originals = faces_of(shape);
-  const double tolerance = same_point * size_of(shape);
+  const double tolerance = options.same_point * size_of(shape);
   BRepBuilderAPI_Sewing sewing(tolerance, true, true, true, false);
   for (const TopoDS_Face& face : originals) sewing.Add(face);
   sewing.Perform();
@@ -87,17 +87,17 @@ KernelSolid sewn_faces(const TopoDS_Shape& shape, const FileShape& file, double 
 
 }  // namespace
 
-std::vector<KernelSolid> solids_of(const std::vector<FileShape>& shapes, double metres, double same_point,
+std::vector<KernelSolid> solids_of(const std::vector<FileShape>& shapes, double metres, const SewOptions& options,
                                    const std::string& source) {
   std::vector<KernelSolid> result;
   for (const FileShape& file : shapes)
     for (TopExp_Explorer it(file.shape, TopAbs_SOLID); it.More(); it.Next())
       result.push_back(is_closed(it.Current()) ? whole_solid(it.Current(), file, metres)
-                                               : sewn_faces(it.Current(), file, metres, same_point));
+                                               : sewn_faces(it.Current(), file, metres, options));
   if (!result.empty()) return result;
   for (const FileShape& file : shapes)
     if (TopExp_Explorer(file.shape, TopAbs_FACE).More())
-      result.push_back(sewn_faces(file.shape, file, metres, same_point));
+      result.push_back(sewn_faces(file.shape, file, metres, options));
   if (result.empty())
     throw Error(ErrorCode::unsupported,
                 fmt::format("{}: there is no solid in the file, nor a face of one", source));

@@ -34,18 +34,18 @@ class OpenCascade final : public BrepModule {
   OpenCascade() { Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer)); }
 
   std::vector<KernelSolid> read(const std::filesystem::path& path, BrepFormat format, double metres,
-                                double same_point) const override {
+                                const SewOptions& options) const override {
     const std::lock_guard<std::mutex> lock(files_);
     return guarded(path.string(), [&] {
       switch (format) {
         case BrepFormat::step:
-          return solids_of(read_step(path), 1e-3, same_point, path.string());
+          return solids_of(read_step(path), 1e-3, options, path.string());
         case BrepFormat::iges:
-          return solids_of(read_iges(path), 1e-3, same_point, path.string());
+          return solids_of(read_iges(path), 1e-3, options, path.string());
         case BrepFormat::brep:
           break;
       }
-      return solids_of(read_native(path), metres, same_point, path.string());
+      return solids_of(read_native(path), metres, options, path.string());
     });
   }
 
@@ -66,12 +66,12 @@ class OpenCascade final : public BrepModule {
     });
   }
 
-  KernelSolid sew(const std::vector<TrimmedSurface>& faces, double same_point, bool accept_open) const override {
-    return guarded("sewing trimmed surfaces", [&] { return sewn_solid(faces, same_point, accept_open); });
+  KernelSolid sew(const std::vector<TrimmedSurface>& faces, const SewOptions& options) const override {
+    return guarded("sewing trimmed surfaces", [&] { return sewn_solid(faces, options); });
   }
 
-  KernelSolid polyhedron(const Polyhedron& polyhedron, double same_point) const override {
-    return guarded("making a polyhedron", [&] { return polyhedral_solid(polyhedron, same_point); });
+  KernelSolid polyhedron(const Polyhedron& polyhedron, const SewOptions& options) const override {
+    return guarded("making a polyhedron", [&] { return polyhedral_solid(polyhedron, options); });
   }
 
  private:

@@ -147,8 +147,8 @@ class PolyhedronMaker {
 
 }  // namespace
 
-KernelSolid polyhedral_solid(const Polyhedron& polyhedron, double same_point) {
-  return {std::make_shared<ShapeKernel>(PolyhedronMaker(polyhedron, same_point).make()), "", 0};
+KernelSolid polyhedral_solid(const Polyhedron& polyhedron, const SewOptions& options) {
+  return {std::make_shared<ShapeKernel>(PolyhedronMaker(polyhedron, options.same_point).make()), "", 0};
 }
 
 }  // namespace isopatch::geometry

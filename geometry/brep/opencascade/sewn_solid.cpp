@@ -35,12 +35,13 @@ struct Pair {
 
 class Sewer {
  public:
-  Sewer(const std::vector<TrimmedSurface>& faces, double same_point, bool accept_open)
-      : input_(faces), accept_open_(accept_open) {
+  Sewer(const std::vector<TrimmedSurface>& faces, const SewOptions& options)
+      : input_(faces), accept_open_(options.accept_open) {
     const double size = size_of(faces);
     scale_ = kernel_scale(size);
     size_ = scale_ * size;
-    tolerance_ = same_point * size_;
+    tolerance_ = options.same_point * size_;
+    curve_tolerance_ = options.same_curve * size_;
     add_pieces();
   }
 
@@ -127,8 +128,8 @@ class Sewer {
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t j = 0; j < i; ++j)
         if ((ends[i] - ends[j]).norm() <= tolerance_) {
-          const auto [low, high] = std::minmax(root(i), root(j));
-          leader[high] = low;
+          const std::size_t a = root(i), b = root(j);
+          leader[std::max(a, b)] = std::min(a, b);
         }
     std::vector<std::size_t> number(count, 0), members(count, 0);
     std::vector<Eigen::Vector3d> middle(count, Eigen::Vector3d::Zero());
@@ -160,23 +161,17 @@ class Sewer {
         const Piece &a = pieces_[j], &b = pieces_[i];
         if (std::minmax(a.start, a.end) != std::minmax(b.start, b.end)) continue;
         const CurveMatch found = match(a.curve, b.curve);
-        if (std::max(found.distance, match(b.curve, a.curve).distance) <= tolerance_) pairs.push_back({j, i, found});
+        if (std::max(found.distance, match(b.curve, a.curve).distance) <= curve_tolerance_) pairs.push_back({j, i, found});
       }
     std::stable_sort(pairs.begin(), pairs.end(),
                      [](const Pair& a, const Pair& b) { return a.match.distance < b.match.distance; });
     for (const Pair& pair : pairs) {
       Piece &a = pieces_[pair.first], &b = pieces_[pair.second];
-      if (a.taken && b.taken) {
-        if (a.edge != b.edge && !accept_open_)
-          throw Error(ErrorCode::not_manifold,
-                      fmt::format("{} is shared by more than two faces; face {} is one of them", name(a), b.face));
-      } else if (a.taken || b.taken) {
-        if (!accept_open_)
-          throw Error(ErrorCode::not_manifold,
-                      fmt::format("{} is shared by three faces; face {} is one of them", name(a), b.face));
-      } else {
+      if (!a.taken && !b.taken)
         join(a, b, pair.match);
-      }
+      else if (pair.match.distance <= tolerance_ && !(a.taken && b.taken && a.edge == b.edge) && !accept_open_)
+        throw Error(ErrorCode::not_manifold,
+                    fmt::format("{} is shared by more than two faces; face {} is one of them", name(a), b.face));
     }
   }
 
@@ -236,8 +231,8 @@ class Sewer {
   void add_free(Piece& piece) {
     if (!accept_open_)
       throw Error(ErrorCode::not_manifold,
-                  fmt::format("{} belongs to one face only{}; the faces must close up to {:.3g} m", name(piece),
-                              nearest_text(piece), tolerance_ / scale_));
+                  fmt::format("{} belongs to one face only{}; the faces must close up to {:.3g} m at corners and {:.3g} m along edges",
+                              name(piece), nearest_text(piece), tolerance_ / scale_, curve_tolerance_ / scale_));
     leading_edge(piece);
   }
 
@@ -308,7 +303,7 @@ class Sewer {
   const std::vector<TrimmedSurface>& input_;
   const bool accept_open_;
   BRep_Builder builder_;
-  double scale_ = 1, size_ = 0, tolerance_ = 0, correction_ = 0;  // units of the shape
+  double scale_ = 1, size_ = 0, tolerance_ = 0, curve_tolerance_ = 0, correction_ = 0;  // units of the shape
   std::vector<Handle(Geom_BSplineSurface)> surfaces_;
   std::vector<Piece> pieces_;
   std::vector<TopoDS_Vertex> vertices_;
@@ -319,8 +314,8 @@ class Sewer {
 
 }  // namespace
 
-KernelSolid sewn_solid(const std::vector<TrimmedSurface>& faces, double same_point, bool accept_open) {
-  return Sewer(faces, same_point, accept_open).make();
+KernelSolid sewn_solid(const std::vector<TrimmedSurface>& faces, const SewOptions& options) {
+  return Sewer(faces, options).make();
 }
 
 }  // namespace isopatch::geometry

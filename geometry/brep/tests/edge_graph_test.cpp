@@ -161,8 +161,9 @@ TEST(GraphConnectivity, AgreesWithTheDefinitionOnRandomPlanarMaps) {
     const ConnectivityReport report = connectivity(graph, kind);
     ASSERT_EQ(report.three_connected, three_connected_by_definition(graph)) << seed;
     ++(report.three_connected ? connected : not_connected);
-    if (report.conflict && kind.faces_are_discs() && report.conflict->first != report.conflict->second)
+    if (report.conflict && kind.faces_are_discs() && report.conflict->first != report.conflict->second) {
       EXPECT_NE(report.conflict->u, report.conflict->v);
+    }
   }
   EXPECT_GT(connected, 30);
   EXPECT_GT(not_connected, 30);

@@ -12,19 +12,20 @@ pugi::xml_node required_child(const XmlText& xml, pugi::xml_node parent, const c
   return found;
 }
 
-KnotVector knot_vector(const XmlText& xml, pugi::xml_node node, const std::string& name) {
-  const int degree = xml.integer_attribute(node, "degree", 1, KnotVector::max_degree);
+GivenKnots given_knots(const XmlText& xml, pugi::xml_node node, const std::string& name) {
+  GivenKnots result;
+  result.line = xml.line(node);
+  result.degree = xml.integer_attribute(node, "degree", 1, KnotVector::max_degree);
   const std::string content = xml.content(node);
-  TextScanner scanner(content, xml.source(), xml.line(node));
-  std::vector<double> knots;
-  while (!scanner.at_end()) knots.push_back(scanner.number("a knot of " + name));
-  return located(xml.source(), xml.line(node), name, [&] { return KnotVector(degree, std::move(knots)); });
+  TextScanner scanner(content, xml.source(), result.line);
+  while (!scanner.at_end()) result.knots.push_back(scanner.number("a knot of " + name));
+  return result;
 }
 
 template <int D>
-std::array<KnotVector, D> knot_vectors(const XmlText& xml, pugi::xml_node basis, const std::string& name) {
+std::array<GivenKnots, D> given_knots(const XmlText& xml, pugi::xml_node basis, const std::string& name) {
   constexpr std::array<const char*, 4> in_words = {"", "one", "two", "three"};
-  std::array<KnotVector, D> result;
+  std::array<GivenKnots, D> result;
   std::array<bool, D> seen{};
   int next = 0;
   for (const pugi::xml_node factor : basis.children("Basis")) {
@@ -34,15 +35,19 @@ std::array<KnotVector, D> knot_vectors(const XmlText& xml, pugi::xml_node basis,
     if (seen[direction]) xml.fail(factor, fmt::format("{}: direction {} is given twice", name, index));
     seen[direction] = true;
     ++next;
-    result[direction] = knot_vector(xml, required_child(xml, factor, "KnotVector", name),
+    result[direction] = given_knots(xml, required_child(xml, factor, "KnotVector", name),
                                     fmt::format("{}, direction {}", name, index));
   }
   if (next != D) xml.fail(basis, fmt::format("{}: {} directions instead of {}", name, next, in_words[D]));
   return result;
 }
 
-template std::array<KnotVector, 2> knot_vectors<2>(const XmlText&, pugi::xml_node, const std::string&);
-template std::array<KnotVector, 3> knot_vectors<3>(const XmlText&, pugi::xml_node, const std::string&);
+template std::array<GivenKnots, 2> given_knots<2>(const XmlText&, pugi::xml_node, const std::string&);
+template std::array<GivenKnots, 3> given_knots<3>(const XmlText&, pugi::xml_node, const std::string&);
+
+KnotVector knot_vector(const XmlText& xml, GivenKnots given, const std::string& name) {
+  return located(xml.source(), given.line, name, [&] { return KnotVector(given.degree, std::move(given.knots)); });
+}
 
 Eigen::MatrixXd numbers(const XmlText& xml, pugi::xml_node node, int rows, std::int64_t count, const std::string& what) {
   const std::string_view format = node.attribute("format").value();

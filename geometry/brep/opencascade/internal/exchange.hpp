@@ -27,7 +27,7 @@ std::vector<FileShape> read_native(const std::filesystem::path& path);
 /// The solids among shapes; where there are none, what their faces make when sewn.
 /// @param metres  that a unit of the shapes measures
 /// @throws Error unsupported if there are no faces at all
-std::vector<KernelSolid> solids_of(const std::vector<FileShape>& shapes, double metres, double same_point,
+std::vector<KernelSolid> solids_of(const std::vector<FileShape>& shapes, double metres, const SewOptions& options,
                                    const std::string& source);
 
 /// @param unit  "mm", "m", "in"

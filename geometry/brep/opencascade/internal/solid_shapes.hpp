@@ -17,7 +17,7 @@ ShapeInput oriented_solid(std::vector<TopoDS_Face> faces, double metres);
 /// Multiplying by it is exact.
 double kernel_scale(double size);
 
-KernelSolid sewn_solid(const std::vector<TrimmedSurface>& faces, double same_point, bool accept_open);
-KernelSolid polyhedral_solid(const Polyhedron& polyhedron, double same_point);
+KernelSolid sewn_solid(const std::vector<TrimmedSurface>& faces, const SewOptions& options);
+KernelSolid polyhedral_solid(const Polyhedron& polyhedron, const SewOptions& options);
 
 }  // namespace isopatch::geometry
