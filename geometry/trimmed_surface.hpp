@@ -11,7 +11,8 @@ namespace isopatch::geometry {
 struct TrimmedSurface {
   std::string name;
   NurbsSurface surface;
-  /// Each loop's curves follow one another; outer loop first. Points are (u, v, 0). A loop's sense does not matter.
+  /// Each loop's curves follow one another; outer loop first. Points are (u, v, 0). A loop's sense does not
+  /// matter.
   std::vector<std::vector<NurbsCurve>> loops;
 };
 

@@ -33,8 +33,9 @@ const BrepKernel& checked(const std::shared_ptr<const BrepKernel>& kernel, EdgeI
 template <class T>
 T required(const std::optional<T>& value, FaceId face, EdgeUse use) {
   if (value) return *value;
-  throw Error(ErrorCode::invalid_argument, fmt::format("face {} does not use edge {} {}", face.value, use.edge.value,
-                                                       use.reversed ? "reversed" : "forwards"));
+  throw Error(ErrorCode::invalid_argument,
+              fmt::format("face {} does not use edge {} {}", face.value, use.edge.value,
+                          use.reversed ? "reversed" : "forwards"));
 }
 
 // S_u x S_v, or nothing where it vanishes.
@@ -167,8 +168,8 @@ Eigen::Vector3d Brep::outward_normal(FaceId face, const Eigen::Vector2d& uv) con
   // Steps towards the middle leave a pole along a meridian.
   for (double step = 0; step < 0.1; step = step == 0 ? 1e-7 : 10 * step)
     if (const auto normal = cross_normal(derivatives(face, uv + step * (middle - uv)))) return sign * *normal;
-  throw Error(ErrorCode::unsupported, fmt::format("face {} has no normal near ({}, {}) of its domain", face.value,
-                                                  uv.x(), uv.y()));
+  throw Error(ErrorCode::unsupported,
+              fmt::format("face {} has no normal near ({}, {}) of its domain", face.value, uv.x(), uv.y()));
 }
 
 FaceProjection Brep::project(FaceId face, const Eigen::Vector3d& point) const {
@@ -186,7 +187,8 @@ std::optional<Carrier> Brep::carrier(FaceId face) const {
 
 Tessellation tessellate(const Brep& brep, const TessellationOptions& options) {
   if (!(options.chord > 0 && options.chord < 0.1))
-    throw Error(ErrorCode::invalid_argument, fmt::format("chord is {}; it must lie in (0, 0.1)", options.chord));
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("chord is {}; it must lie in (0, 0.1)", options.chord));
   if (!(options.turn > Angle() && options.turn <= Angle::degrees(90)))
     throw Error(ErrorCode::invalid_argument,
                 fmt::format("turn is {} degrees; it must lie in (0, 90]", options.turn.degrees()));

@@ -28,7 +28,8 @@ struct BrepFace {
   std::string name;              ///< the file's; "" where it has none
   std::optional<Colour> colour;  ///< the file's
   SurfaceKind kind = SurfaceKind::other;
-  /// Whether the outward normal is opposite to S_u x S_v. Loops then run clockwise around the face in its domain.
+  /// Whether the outward normal is opposite to S_u x S_v. Loops then run clockwise around the face in its
+  /// domain.
   bool reversed = false;
   /// Closed; the outer loop first. On a periodic face (a whole cylinder) the first is the longest.
   std::vector<std::vector<EdgeUse>> loops;
@@ -46,11 +47,11 @@ struct BrepEdge {
 /// What a plane, cylinder, cone, sphere or torus is, in space.
 struct Carrier {
   SurfaceKind kind = SurfaceKind::other;
-  Eigen::Vector3d origin;     ///< on the axis, m: a point of the plane, the centre of a sphere or torus
-  Eigen::Vector3d axis;       ///< unit; normal of a plane
-  double radius = 0;          ///< m; of a cone at its origin; large one of a torus
-  double second_radius = 0;   ///< m; small one of a torus
-  double half_angle = 0;      ///< rad; of a cone, the radius grows along the axis by its tangent
+  Eigen::Vector3d origin;    ///< on the axis, m: a point of the plane, the centre of a sphere or torus
+  Eigen::Vector3d axis;      ///< unit; normal of a plane
+  double radius = 0;         ///< m; of a cone at its origin; large one of a torus
+  double second_radius = 0;  ///< m; small one of a torus
+  double half_angle = 0;     ///< rad; of a cone, the radius grows along the axis by its tangent
 };
 
 /// A rectangle of surface parameters: u in [low(0), high(0)], v in [low(1), high(1)].
@@ -74,13 +75,13 @@ class BrepKernel;
 
 /// A solid by its boundary: trimmed surfaces that meet along edges, which meet in vertices.
 ///
-/// Immutable and cheap to copy; made by the readers (`read_brep`), `sew` and `make_brep`. Lengths are metres, whatever
-/// the file's unit. Faces, edges and vertices count from 0 in the order of the file. Nothing is promised about
-/// closedness, orientation or topology: `check(Brep)` reports that. Edges without length that only close a
-/// domain (the pole of a sphere) are left out.
+/// Immutable and cheap to copy; made by the readers (`read_brep`), `sew` and `make_brep`. Lengths are metres,
+/// whatever the file's unit. Faces, edges and vertices count from 0 in the order of the file. Nothing is
+/// promised about closedness, orientation or topology: `check(Brep)` reports that. Edges without length that
+/// only close a domain (the pole of a sphere) are left out.
 ///
-/// Every function of an id throws Error invalid_argument if the model has no such face, edge or vertex. All may be called
-/// from several threads at once.
+/// Every function of an id throws Error invalid_argument if the model has no such face, edge or vertex. All
+/// may be called from several threads at once.
 class Brep {
  public:
   explicit Brep(std::shared_ptr<const BrepKernel> kernel);
@@ -98,12 +99,14 @@ class Brep {
   double size() const;
   /// Lowest and highest coordinates of the solid, m.
   std::array<Eigen::Vector3d, 2> box() const;
-  /// m^3. Negative for a solid that is turned inside out. Gauss quadrature of the exact surfaces, about 1e-10 relative.
+  /// m^3. Negative for a solid that is turned inside out. Gauss quadrature of the exact surfaces, about 1e-10
+  /// relative.
   double volume() const;
   double area(FaceId face) const;  ///< m^2
   double area() const;             ///< m^2, of all faces
 
-  // Edges. t runs over [0, 1] from start to end, in proportion to the curve's own parameter (not to its length).
+  // Edges. t runs over [0, 1] from start to end, in proportion to the curve's own parameter (not to its
+  // length).
 
   Eigen::Vector3d point(EdgeId edge, double t) const;
   /// d point / d t, m; not of unit length.
@@ -117,7 +120,8 @@ class Brep {
   // Faces. uv are the parameters of the face's surface as the file has it (angles in rad, spline parameters);
   // lengths among them are in kernel units, so only use them through these functions.
 
-  /// Box around the face's loops in its domain. On periodic surfaces loops may lie anywhere within two periods.
+  /// Box around the face's loops in its domain. On periodic surfaces loops may lie anywhere within two
+  /// periods.
   DomainBox domain(FaceId face) const;
   /// The use's curve in the face's domain. `t` is the edge's, so a reversed use walks from t = 1 to t = 0.
   ///
@@ -133,11 +137,13 @@ class Brep {
   Eigen::Matrix<double, 3, 2> derivatives(FaceId face, const Eigen::Vector2d& uv) const;
   /// S_uu, S_uv and S_vv, (3, 3), m per parameter^2.
   Eigen::Matrix3d second_derivatives(FaceId face, const Eigen::Vector2d& uv) const;
-  /// Unit normal that points out of the solid. Where the surface degenerates (a pole), the limit from the inside.
+  /// Unit normal that points out of the solid. Where the surface degenerates (a pole), the limit from the
+  /// inside.
   Eigen::Vector3d outward_normal(FaceId face, const Eigen::Vector2d& uv) const;
   /// Nearest point of the surface within domain(face); not necessarily inside the loops, ask `contains`.
   FaceProjection project(FaceId face, const Eigen::Vector3d& point) const;
-  /// The same from a start near it (a neighbour's parameters): Newton's method, falls back to the full search.
+  /// The same from a start near it (a neighbour's parameters): Newton's method, falls back to the full
+  /// search.
   FaceProjection project(FaceId face, const Eigen::Vector3d& point, const Eigen::Vector2d& start) const;
   /// Whether uv lies inside the loops or on them (closer in space than the edges' tolerance).
   bool contains(FaceId face, const Eigen::Vector2d& uv) const;

@@ -27,8 +27,8 @@ double largest_gap(const Brep& brep) {
 
 EdgeId shortest(const Brep& brep) {
   const auto& edges = brep.edges();
-  const auto found = std::min_element(edges.begin(), edges.end(),
-                                      [](const BrepEdge& a, const BrepEdge& b) { return a.length < b.length; });
+  const auto found = std::min_element(
+      edges.begin(), edges.end(), [](const BrepEdge& a, const BrepEdge& b) { return a.length < b.length; });
   return EdgeId(static_cast<int>(found - edges.begin()));
 }
 
@@ -45,7 +45,8 @@ const char* plural(std::size_t count) {
 }
 
 void add_topology_findings(const TopologyReport& topology, int shells, std::vector<std::string>& findings) {
-  if (shells > 1) findings.push_back(fmt::format("{} shells: the solid has cavities or is in pieces", shells));
+  if (shells > 1)
+    findings.push_back(fmt::format("{} shells: the solid has cavities or is in pieces", shells));
   if (topology.genus > 0)
     findings.push_back(fmt::format("genus {}: {} through-hole{} or handle{} to cut open", topology.genus,
                                    topology.genus, plural(static_cast<std::size_t>(topology.genus)),
@@ -53,33 +54,36 @@ void add_topology_findings(const TopologyReport& topology, int shells, std::vect
   if (const auto& faces = topology.with_inner_loops; !faces.empty())
     findings.push_back(fmt::format("face{} {} with inner loops", plural(faces.size()), numbers(faces)));
   if (const auto& faces = topology.periodic; !faces.empty())
-    findings.push_back(fmt::format("periodic face{} {}, closed by a seam", plural(faces.size()), numbers(faces)));
+    findings.push_back(
+        fmt::format("periodic face{} {}, closed by a seam", plural(faces.size()), numbers(faces)));
   if (const auto& edges = topology.closed_edges; !edges.empty())
-    findings.push_back(fmt::format("closed edge{} {}, with one vertex only", plural(edges.size()), numbers(edges)));
+    findings.push_back(
+        fmt::format("closed edge{} {}, with one vertex only", plural(edges.size()), numbers(edges)));
 }
 
 void add_connectivity_findings(const Brep& brep, const ConnectivityReport& connectivity,
                                std::vector<std::string>& findings) {
   if (!connectivity.connected) findings.emplace_back("the edge graph falls into pieces");
   if (const auto& edges = connectivity.parallel; !edges.empty())
-    findings.push_back(fmt::format("edge{} {} between vertices that another edge joins already", plural(edges.size()),
-                                   numbers(edges)));
+    findings.push_back(fmt::format("edge{} {} between vertices that another edge joins already",
+                                   plural(edges.size()), numbers(edges)));
   if (const auto& vertices = connectivity.low_degree; !vertices.empty())
-    findings.push_back(fmt::format("{} {} with fewer than three edges", vertices.size() == 1 ? "vertex" : "vertices",
-                                   numbers(vertices)));
+    findings.push_back(fmt::format("{} {} with fewer than three edges",
+                                   vertices.size() == 1 ? "vertex" : "vertices", numbers(vertices)));
   if (const auto& conflict = connectivity.conflict; conflict && conflict->first == conflict->second)
-    findings.push_back(fmt::format("{} touches itself in {}", describe(brep, conflict->first),
-                                   describe(brep, conflict->u)));
+    findings.push_back(
+        fmt::format("{} touches itself in {}", describe(brep, conflict->first), describe(brep, conflict->u)));
   else if (conflict)
-    findings.push_back(fmt::format("{} and {} meet in {} and in {} without the edge between them: removing these two "
-                                   "vertices takes the edge graph apart",
-                                   describe(brep, conflict->first), describe(brep, conflict->second),
-                                   describe(brep, conflict->u), describe(brep, conflict->v)));
+    findings.push_back(
+        fmt::format("{} and {} meet in {} and in {} without the edge between them: removing these two "
+                    "vertices takes the edge graph apart",
+                    describe(brep, conflict->first), describe(brep, conflict->second),
+                    describe(brep, conflict->u), describe(brep, conflict->v)));
 }
 
 void add_angle_findings(const BrepReport& report, std::vector<std::string>& findings) {
-  for (const auto& [kind, advice] :
-       {std::pair(Convexity::non_convex, "to be removed by the first cuts"), std::pair(Convexity::flat, "that make poor corners")}) {
+  for (const auto& [kind, advice] : {std::pair(Convexity::non_convex, "to be removed by the first cuts"),
+                                     std::pair(Convexity::flat, "that make poor corners")}) {
     std::vector<EdgeId> edges;
     for (std::size_t i = 0; i < report.angles.size(); ++i)
       if (report.angles[i].convexity == kind) edges.emplace_back(static_cast<int>(i));
@@ -106,9 +110,8 @@ const char* name(BrepStage stage) {
 }
 
 int BrepReport::count(Convexity convexity) const {
-  return static_cast<int>(std::count_if(angles.begin(), angles.end(), [&](const EdgeAngles& edge) {
-    return edge.convexity == convexity;
-  }));
+  return static_cast<int>(std::count_if(angles.begin(), angles.end(),
+                                        [&](const EdgeAngles& edge) { return edge.convexity == convexity; }));
 }
 
 BrepReport check(const Brep& brep, const EdgeAngleOptions& options) {

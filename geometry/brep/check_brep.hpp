@@ -12,9 +12,9 @@ namespace isopatch::geometry {
 
 /// Where on the way from a solid to patches a solid can go in. Each is nearer to the end than the one before.
 enum class BrepStage {
-  repair,            ///< the faces do not bound one solid
-  preprocessing,     ///< holes, cavities, inner loops, seams or a graph that is not 3-connected have to go first
-  decomposition,     ///< cutting loops can take it apart
+  repair,         ///< the faces do not bound one solid
+  preprocessing,  ///< holes, cavities, inner loops, seams or a graph that is not 3-connected have to go first
+  decomposition,  ///< cutting loops can take it apart
   parameterization,  ///< a topological hexahedron
 };
 const char* name(BrepStage stage);
@@ -30,12 +30,14 @@ struct BrepReport {
   double largest_gap = 0;          ///< m, between an edge and its curve on a face
   EdgeId shortest_edge;
   BrepStage stage = BrepStage::repair;
-  std::vector<std::string> findings;  ///< sentences: what stands between the solid and the next stage, entities named
+  std::vector<std::string>
+      findings;  ///< sentences: what stands between the solid and the next stage, entities named
 
   int count(Convexity convexity) const;
 };
 
-/// Checks a solid: closed, manifold, oriented, one shell, contractible, simple and 3-connected, angles at edges.
+/// Checks a solid: closed, manifold, oriented, one shell, contractible, simple and 3-connected, angles at
+/// edges.
 /// @cost  that of the volume, and samples x edges evaluations
 BrepReport check(const Brep& brep, const EdgeAngleOptions& options = {});
 

@@ -60,7 +60,8 @@ const char* name(Convexity convexity) {
 
 EdgeAngles edge_angles(const Brep& brep, EdgeId edge, const EdgeAngleOptions& options) {
   if (options.samples < 5)
-    throw Error(ErrorCode::invalid_argument, fmt::format("samples is {}; at least 5 are needed", options.samples));
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("samples is {}; at least 5 are needed", options.samples));
   if (!(options.flat > Angle() && options.flat < Angle::degrees(45)))
     throw Error(ErrorCode::invalid_argument,
                 fmt::format("flat is {} degrees; it must lie in (0, 45)", options.flat.degrees()));

@@ -33,7 +33,8 @@ struct EdgeAngleOptions {
 ///
 /// With outward normals n1, n2 and the unit tangent d along the use of the first face, the angle is
 /// 180 degrees - atan2((n1 x n2).d, n1.n2).
-/// @source the isogeometric segmentation pipeline, section 2: convex is what has an inner angle below pi everywhere
+/// @source the isogeometric segmentation pipeline, section 2: convex is what has an inner angle below pi
+/// everywhere
 EdgeAngles edge_angles(const Brep& brep, EdgeId edge, const EdgeAngleOptions& options = {});
 
 /// Of all edges.

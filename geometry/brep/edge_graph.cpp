@@ -12,14 +12,22 @@
 namespace isopatch::geometry {
 namespace {
 
-std::size_t index(VertexId id) { return static_cast<std::size_t>(id.value); }
-std::size_t index(EdgeId id) { return static_cast<std::size_t>(id.value); }
-std::size_t index(FaceId id) { return static_cast<std::size_t>(id.value); }
+std::size_t index(VertexId id) {
+  return static_cast<std::size_t>(id.value);
+}
+std::size_t index(EdgeId id) {
+  return static_cast<std::size_t>(id.value);
+}
+std::size_t index(FaceId id) {
+  return static_cast<std::size_t>(id.value);
+}
 
 /// Sets that grow together.
 class Union {
  public:
-  explicit Union(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t(0)); }
+  explicit Union(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t(0));
+  }
   std::size_t root(std::size_t i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
@@ -54,7 +62,8 @@ std::vector<VertexId> pinched(const EdgeGraph& graph) {
       }
   std::vector<std::vector<std::size_t>> fans(static_cast<std::size_t>(graph.vertex_count));
   for (std::size_t e = 0; e < graph.edges.size(); ++e)
-    for (const auto& [vertex, end] : {std::pair(graph.edges[e].start, 2 * e), std::pair(graph.edges[e].end, 2 * e + 1)})
+    for (const auto& [vertex, end] :
+         {std::pair(graph.edges[e].start, 2 * e), std::pair(graph.edges[e].end, 2 * e + 1)})
       fans[index(vertex)].push_back(ends.root(end));
   std::vector<VertexId> result;
   for (std::size_t v = 0; v < fans.size(); ++v) {
@@ -86,8 +95,8 @@ EdgeGraph edge_graph(int vertex_count, const std::vector<std::vector<int>>& face
       const int from = polygon[i], to = polygon[(i + 1) % polygon.size()];
       if (from < 0 || from >= vertex_count || from == to)
         throw Error(ErrorCode::invalid_argument,
-                    fmt::format("face {} goes from vertex {} to {}; they must differ and lie below {}", f, from, to,
-                                vertex_count));
+                    fmt::format("face {} goes from vertex {} to {}; they must differ and lie below {}", f,
+                                from, to, vertex_count));
       const auto [found, is_new] =
           known.try_emplace(std::minmax(from, to), EdgeId(static_cast<int>(graph.edges.size())));
       if (is_new) graph.edges.push_back({VertexId(from), VertexId(to)});
@@ -132,7 +141,8 @@ BoundaryReport boundary(const EdgeGraph& graph) {
     const EdgeId id(static_cast<int>(e));
     if (used[e].size() < 2) report.free_edges.push_back(id);
     if (used[e].size() > 2) report.overused_edges.push_back(id);
-    if (used[e].size() == 2 && used[e][0].reversed == used[e][1].reversed) report.misoriented_edges.push_back(id);
+    if (used[e].size() == 2 && used[e][0].reversed == used[e][1].reversed)
+      report.misoriented_edges.push_back(id);
   }
   report.pinched_vertices = pinched(graph);
   report.shells = shells(graph, used);

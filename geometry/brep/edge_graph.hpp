@@ -41,9 +41,10 @@ struct EdgeGraph {
 /// Of a solid; same numbers.
 EdgeGraph edge_graph(const Brep& brep);
 
-/// Of a map given by the vertices around each face, counter-clockwise seen from outside. Edges are numbered as the
-/// faces meet them and run as they are met first.
-/// @throws Error invalid_argument  a vertex out of range, a face of fewer than two corners, two equal corners in a row
+/// Of a map given by the vertices around each face, counter-clockwise seen from outside. Edges are numbered
+/// as the faces meet them and run as they are met first.
+/// @throws Error invalid_argument  a vertex out of range, a face of fewer than two corners, two equal corners
+/// in a row
 EdgeGraph edge_graph(int vertex_count, const std::vector<std::vector<int>>& faces);
 
 /// Vertices around a loop, in its sense: the first vertex of each use.
@@ -72,11 +73,11 @@ BoundaryReport boundary(const EdgeGraph& graph);
 
 /// What kind of solid a boundary makes.
 struct TopologyReport {
-  int euler_characteristic = 0;            ///< V - E + the characteristic of each open face, one less its inner loops
-  int genus = 0;                           ///< handles of all shells together
+  int euler_characteristic = 0;  ///< V - E + the characteristic of each open face, one less its inner loops
+  int genus = 0;                 ///< handles of all shells together
   std::vector<FaceId> with_inner_loops;
-  std::vector<FaceId> periodic;            ///< with a seam: an edge that they use twice
-  std::vector<EdgeId> closed_edges;        ///< that start where they end
+  std::vector<FaceId> periodic;      ///< with a seam: an edge that they use twice
+  std::vector<EdgeId> closed_edges;  ///< that start where they end
 
   /// One shell without handles: a ball. Its faces may still have inner loops or seams.
   bool contractible = false;

@@ -45,12 +45,14 @@ void find_parallel(const EdgeGraph& graph, ConnectivityReport& report) {
 /// Faces around each vertex and edges around each face, for the search of conflicts.
 class ConflictSearch {
  public:
-  explicit ConflictSearch(const EdgeGraph& graph) : graph_(graph), at_(static_cast<std::size_t>(graph.vertex_count)) {
+  explicit ConflictSearch(const EdgeGraph& graph)
+      : graph_(graph), at_(static_cast<std::size_t>(graph.vertex_count)) {
     for (std::size_t f = 0; f < graph.faces.size(); ++f) {
       std::vector<VertexId> around;
       for (const auto& loop : graph.faces[f].loops)
         for (const VertexId vertex : corners(graph, loop)) around.push_back(vertex);
-      for (const VertexId vertex : around) at_[static_cast<std::size_t>(vertex.value)].push_back(FaceId(static_cast<int>(f)));
+      for (const VertexId vertex : around)
+        at_[static_cast<std::size_t>(vertex.value)].push_back(FaceId(static_cast<int>(f)));
       corners_.push_back(std::move(around));
     }
     for (const auto& used : places(graph)) {

@@ -28,11 +28,11 @@ struct ConnectivityReport {
   bool three_connected = false;
 };
 
-/// For a graph that bounds a ball and whose faces are discs it decides 3-connectivity; for others only the first three
-/// members are filled in beside `conflict`, and `three_connected` is false.
+/// For a graph that bounds a ball and whose faces are discs it decides 3-connectivity; for others only the
+/// first three members are filled in beside `conflict`, and `three_connected` is false.
 ///
-/// Such a graph is 3-connected iff it is simple, has no vertex of degree below three and any two of its faces share
-/// nothing, a vertex, or an edge with its ends.
+/// Such a graph is 3-connected iff it is simple, has no vertex of degree below three and any two of its faces
+/// share nothing, a vertex, or an edge with its ends.
 /// @cost  O(sum of the squares of the degrees, times the corners of a face)
 /// @source Juettler, Kapl, Nguyen, Pan, Pauley, CAD 57 (2014), Lemma 2, in the form for all pairs of faces
 ConnectivityReport connectivity(const EdgeGraph& graph, const TopologyReport& topology);

@@ -26,8 +26,8 @@ void require_lengths(const Polyhedron& polyhedron) {
       const int a = face[i], b = face[(i + 1) % face.size()];
       if ((polyhedron.vertices.col(a) - polyhedron.vertices.col(b)).norm() <= 1e-9 * size)
         throw Error(ErrorCode::not_manifold,
-                    fmt::format("an edge of face {} has no length: {} and {}; merge them", f, place(polyhedron, a),
-                                place(polyhedron, b)));
+                    fmt::format("an edge of face {} has no length: {} and {}; merge them", f,
+                                place(polyhedron, a), place(polyhedron, b)));
     }
   }
 }
@@ -35,9 +35,9 @@ void require_lengths(const Polyhedron& polyhedron) {
 void require_two_faces(const Polyhedron& polyhedron, const EdgeGraph& graph) {
   const BoundaryReport report = boundary(graph);
   const auto fail = [&](EdgeId id, const char* what) {
-    throw Error(ErrorCode::not_manifold,
-                fmt::format("the edge between {} and {} belongs to {}", place(polyhedron, graph.edge(id).start.value),
-                            place(polyhedron, graph.edge(id).end.value), what));
+    throw Error(ErrorCode::not_manifold, fmt::format("the edge between {} and {} belongs to {}",
+                                                     place(polyhedron, graph.edge(id).start.value),
+                                                     place(polyhedron, graph.edge(id).end.value), what));
   };
   if (!report.free_edges.empty()) fail(report.free_edges.front(), "one face only");
   if (!report.overused_edges.empty()) fail(report.overused_edges.front(), "more than two faces");
@@ -48,7 +48,8 @@ void require_two_faces(const Polyhedron& polyhedron, const EdgeGraph& graph) {
 void validate(const SewOptions& options) {
   const auto require = [](const char* field, double value, double high) {
     if (!(value > 0 && value < high))
-      throw Error(ErrorCode::invalid_argument, fmt::format("{} is {}; it must lie in (0, {})", field, value, high));
+      throw Error(ErrorCode::invalid_argument,
+                  fmt::format("{} is {}; it must lie in (0, {})", field, value, high));
   };
   require("same_point", options.same_point, 0.01);
   require("same_curve", options.same_curve, 0.02);

@@ -14,7 +14,8 @@ struct SewnBrep {
   double largest_correction = 0;  ///< m; largest distance between what two faces had as their common edge
 };
 
-/// A solid from trimmed surfaces that meet along their loops: finds the common edges by their curves in space.
+/// A solid from trimmed surfaces that meet along their loops: finds the common edges by their curves in
+/// space.
 ///
 /// Face i of the solid is surface i. Normals come out pointing outwards, whatever the surfaces' own.
 /// @param faces  control points in m
@@ -27,7 +28,8 @@ SewnBrep sew(const std::vector<TrimmedSurface>& faces, const SewOptions& options
 /// Vertex i and face i are those of the polyhedron, if each vertex is used.
 /// @param polyhedron  in m, counter-clockwise faces seen from outside, or all clockwise
 /// @throws Error not_manifold  an edge without its neighbour or with two, naming the vertices
-/// @throws Error invalid_argument  a polygon with more than four corners that is not plane, a vertex number out of range
+/// @throws Error invalid_argument  a polygon with more than four corners that is not plane, a vertex number
+/// out of range
 Brep make_brep(const Polyhedron& polyhedron, const SewOptions& options = {});
 
 }  // namespace isopatch::geometry

@@ -36,7 +36,8 @@ Eigen::Matrix2Xd planar_drawing(const EdgeGraph& graph, const ConnectivityReport
   Eigen::Matrix2Xd positions = Eigen::Matrix2Xd::Zero(2, graph.vertex_count);
   std::vector<int> unknown(static_cast<std::size_t>(graph.vertex_count), 0);
   for (std::size_t i = 0; i < rim.size(); ++i) {
-    const double angle = std::numbers::pi * (0.5 + (2.0 * static_cast<double>(i) + 1) / static_cast<double>(rim.size()));
+    const double angle =
+        std::numbers::pi * (0.5 + (2.0 * static_cast<double>(i) + 1) / static_cast<double>(rim.size()));
     positions.col(rim[i].value) << std::cos(angle), std::sin(angle);
     unknown[static_cast<std::size_t>(rim[i].value)] = -1;
   }

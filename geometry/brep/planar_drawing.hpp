@@ -13,10 +13,11 @@ struct PlanarDrawingOptions {
   std::optional<FaceId> outer;
 };
 
-/// A straight-line drawing of a 3-connected edge graph in the unit disc: no edges cross, every face is convex.
+/// A straight-line drawing of a 3-connected edge graph in the unit disc: no edges cross, every face is
+/// convex.
 ///
-/// The outer face's corners lie on the unit circle; each other vertex is the mean of its neighbours. Faces appear
-/// clockwise as seen from inside the solid, that is as one sees them looking through the outer face.
+/// The outer face's corners lie on the unit circle; each other vertex is the mean of its neighbours. Faces
+/// appear clockwise as seen from inside the solid, that is as one sees them looking through the outer face.
 /// @return  positions of the vertices, (2, V)
 /// @throws Error not_three_connected  for other graphs, which may collapse
 /// @cost    a sparse factorization with V unknowns

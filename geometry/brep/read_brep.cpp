@@ -31,8 +31,7 @@ std::vector<BrepFile> from_module(const fs::path& path, BrepFormat format, const
                 fmt::format("{}: the file states its unit of length; leave length_unit out", path.string()));
   read_file(path);  // says why, if it cannot
   std::vector<BrepFile> result;
-  for (KernelSolid& solid :
-       brep_module().read(path, format, options.length_unit.value_or(1), options.sew))
+  for (KernelSolid& solid : brep_module().read(path, format, options.length_unit.value_or(1), options.sew))
     result.push_back({Brep(std::move(solid.kernel)), std::move(solid.name), solid.largest_correction});
   return result;
 }
@@ -45,7 +44,8 @@ TrimmedSurface scaled(const TrimmedSurface& surface, double metres) {
 }
 
 // As many faces have surfaces, none or all; corners make the rest.
-BrepFile from_boundary(const SolidBoundary& boundary, const std::string& source, const ReadBrepOptions& options) {
+BrepFile from_boundary(const SolidBoundary& boundary, const std::string& source,
+                       const ReadBrepOptions& options) {
   const double metres = options.length_unit.value_or(1);
   const auto given = std::count_if(boundary.surfaces.begin(), boundary.surfaces.end(),
                                    [](const auto& surface) { return surface.has_value(); });
@@ -56,8 +56,8 @@ BrepFile from_boundary(const SolidBoundary& boundary, const std::string& source,
   }
   if (given < static_cast<std::ptrdiff_t>(boundary.surfaces.size()))
     throw Error(ErrorCode::unsupported,
-                fmt::format("{}: {} of {} faces have surfaces; give them to all faces or to none", source, given,
-                            boundary.surfaces.size()));
+                fmt::format("{}: {} of {} faces have surfaces; give them to all faces or to none", source,
+                            given, boundary.surfaces.size()));
   std::vector<TrimmedSurface> faces;
   for (const auto& surface : boundary.surfaces) faces.push_back(scaled(*surface, metres));
   SewnBrep sewn = sew(faces, options.sew);

@@ -28,7 +28,8 @@ std::string describe(const Brep& brep, EdgeId id) {
   std::vector<int> faces;
   for (const FaceId face : edge.faces) faces.push_back(face.value);
   return fmt::format("edge {} from {} to {}, of {} {}", id.value, describe(brep, edge.start),
-                     describe(brep, edge.end), faces.size() == 1 ? "face" : "faces", fmt::join(faces, " and "));
+                     describe(brep, edge.end), faces.size() == 1 ? "face" : "faces",
+                     fmt::join(faces, " and "));
 }
 
 std::string describe(const Brep& brep, VertexId id) {
@@ -37,11 +38,14 @@ std::string describe(const Brep& brep, VertexId id) {
 
 std::string describe(const Brep& brep, FaceId id) {
   const BrepFace& face = brep.face(id);
-  return face.name.empty() ? fmt::format("face {}", id.value) : fmt::format("face {} '{}'", id.value, face.name);
+  return face.name.empty() ? fmt::format("face {}", id.value)
+                           : fmt::format("face {} '{}'", id.value, face.name);
 }
 
 std::string boundary_problem(const Brep& brep, const BoundaryReport& report) {
-  const auto count = [](const auto& ids) { return ids.size() == 1 ? "1 edge" : fmt::format("{} edges", ids.size()); };
+  const auto count = [](const auto& ids) {
+    return ids.size() == 1 ? "1 edge" : fmt::format("{} edges", ids.size());
+  };
   if (!report.free_edges.empty())
     return fmt::format("the boundary is open: {} with one face only: {}", count(report.free_edges),
                        listed(brep, report.free_edges));
@@ -49,8 +53,9 @@ std::string boundary_problem(const Brep& brep, const BoundaryReport& report) {
     return fmt::format("the boundary is not a manifold: {} with more than two faces: {}",
                        count(report.overused_edges), listed(brep, report.overused_edges));
   if (!report.misoriented_edges.empty())
-    return fmt::format("the faces cannot be oriented: {} between a face turned outwards and one turned inwards: {}",
-                       count(report.misoriented_edges), listed(brep, report.misoriented_edges));
+    return fmt::format(
+        "the faces cannot be oriented: {} between a face turned outwards and one turned inwards: {}",
+        count(report.misoriented_edges), listed(brep, report.misoriented_edges));
   if (!report.pinched_vertices.empty())
     return fmt::format("the boundary is not a manifold: it touches itself in {}",
                        listed(brep, report.pinched_vertices));

@@ -6,7 +6,8 @@ namespace isopatch::geometry {
 struct SewOptions {
   /// Points closer than this share of the solid's size are one. Range (0, 0.01).
   double same_point = 1e-4;
-  /// Curves between the same two points are one edge if they agree to this share of the solid's size. Range (0, 0.02).
+  /// Curves between the same two points are one edge if they agree to this share of the solid's size. Range
+  /// (0, 0.02).
   double same_curve = 5e-3;
   /// Keeps free edges instead of failing.
   bool accept_open = false;

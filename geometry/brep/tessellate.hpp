@@ -17,8 +17,8 @@ struct TessellationOptions {
 
 /// Triangles of one face. Points on its edges are those of the neighbours, bit for bit.
 struct FaceTriangles {
-  Eigen::Matrix2Xd uv;        ///< of each point; points on a seam occur twice
-  Eigen::Matrix3Xd points;    ///< m
+  Eigen::Matrix2Xd uv;         ///< of each point; points on a seam occur twice
+  Eigen::Matrix3Xd points;     ///< m
   Eigen::Matrix3Xi triangles;  ///< counter-clockwise seen from outside
 };
 

@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 /// A folder for files of the library, which cannot write into memory; removed at the end.
 class ScratchFolder {
  public:
-  ScratchFolder() : path_(fs::temp_directory_path() / fmt::format("isopatch-solid-{}-{}", ::getpid(), ++count)) {
+  ScratchFolder()
+      : path_(fs::temp_directory_path() / fmt::format("isopatch-solid-{}-{}", ::getpid(), ++count)) {
     fs::create_directories(path_);
   }
   ~ScratchFolder() {
@@ -41,7 +42,8 @@ void write_brep(const fs::path& path, const Brep& brep, const WriteBrepOptions& 
     throw Error(ErrorCode::unsupported,
                 fmt::format("{}: solids are written as .step, .stp, .iges, .igs and .brep", path.string()));
   if (options.unit != "mm" && options.unit != "m" && options.unit != "in")
-    throw Error(ErrorCode::invalid_argument, fmt::format("unit is '{}'; mm, m and in are supported", options.unit));
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("unit is '{}'; mm, m and in are supported", options.unit));
   const ScratchFolder scratch;
   const fs::path written = scratch.path() / path.filename();
   brep_module().write(written, *format, brep.kernel(), options.unit);

@@ -8,12 +8,13 @@
 namespace isopatch::geometry {
 
 struct WriteBrepOptions {
-  /// Of the file's coordinates: "mm", "m" or "in". STEP and IGES files say it; for .brep give it again when reading.
+  /// Of the file's coordinates: "mm", "m" or "in". STEP and IGES files say it; for .brep give it again when
+  /// reading.
   std::string unit = "mm";
 };
 
-/// Writes a solid as STEP (.step, .stp), IGES (.iges, .igs) or for OpenCASCADE (.brep), whole or not at all. STEP keeps
-/// the names and colours of faces.
+/// Writes a solid as STEP (.step, .stp), IGES (.iges, .igs) or for OpenCASCADE (.brep), whole or not at all.
+/// STEP keeps the names and colours of faces.
 /// @throws Error io           the file cannot be written
 /// @throws Error unsupported  another ending
 /// @throws Error invalid_argument  another unit

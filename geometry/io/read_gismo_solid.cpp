@@ -90,19 +90,22 @@ class SolidReader {
     const bool rational = is_rational(geometry, "BSpline", "NURBS", name);
     const pugi::xml_node outer = required_child(xml_, geometry, "Basis", name);
     const pugi::xml_node basis = rational ? required_child(xml_, outer, "Basis", name) : outer;
-    std::array<GivenKnots, 1> knots = {given_knots(xml_, required_child(xml_, basis, "KnotVector", name), name)};
+    std::array<GivenKnots, 1> knots = {
+        given_knots(xml_, required_child(xml_, basis, "KnotVector", name), name)};
     return spline<1>(geometry, rational ? outer : pugi::xml_node(), std::move(knots), 2, name);
   }
 
   template <std::size_t D>
   Nurbs<static_cast<int>(D)> spline(pugi::xml_node geometry, pugi::xml_node rational_basis,
-                                    std::array<GivenKnots, D> knots, int coordinates, const std::string& name) const {
+                                    std::array<GivenKnots, D> knots, int coordinates,
+                                    const std::string& name) const {
     std::int64_t count = 1;
     for (const GivenKnots& given : knots) {
       const auto functions = static_cast<std::int64_t>(given.knots.size()) - given.degree - 1;
       if (functions <= given.degree || count > max_control_points / functions)
-        throw Error(ErrorCode::bad_format, fmt::format("{}:{}: {}: {} knots do not suit degree {}", xml_.source(),
-                                                       given.line, name, given.knots.size(), given.degree));
+        throw Error(ErrorCode::bad_format,
+                    fmt::format("{}:{}: {}: {} knots do not suit degree {}", xml_.source(), given.line, name,
+                                given.knots.size(), given.degree));
       count *= functions;
     }
     Eigen::Matrix4Xd points = control_points(geometry, rational_basis, coordinates, count, name);
@@ -118,14 +121,15 @@ class SolidReader {
     });
   }
 
-  // Some files part a spline at a knot of multiplicity degree + 1 and say the points there twice; once is enough.
-  // `inner` control points of the directions before run faster.
+  // Some files part a spline at a knot of multiplicity degree + 1 and say the points there twice; once is
+  // enough. `inner` control points of the directions before run faster.
   static void join_pieces(GivenKnots& given, Eigen::Matrix4Xd& points, std::int64_t inner) {
     const auto order = static_cast<std::size_t>(given.degree) + 1;
     for (std::size_t i = order; i + 2 * order <= given.knots.size(); ++i) {
       if (given.knots[i] != given.knots[i + order - 1]) continue;
       const auto size = static_cast<std::int64_t>(given.knots.size() - order);
-      const auto repeated = static_cast<std::int64_t>(i);  // the control point that begins the piece behind the knot
+      const auto repeated =
+          static_cast<std::int64_t>(i);  // the control point that begins the piece behind the knot
       std::vector<std::int64_t> kept;
       bool equal = true;
       for (std::int64_t k = 0; k < points.cols(); ++k) {
@@ -155,9 +159,10 @@ class SolidReader {
                                   std::int64_t count, const std::string& name) const {
     const pugi::xml_node node = required_child(xml_, geometry, "coefs", name);
     if (const int dimension = xml_.integer_attribute(node, "geoDim", 1, 1000); dimension != coordinates)
-      xml_.fail(node,
-                fmt::format("{} has control points in {} dimensions; {} are needed", name, dimension, coordinates),
-                ErrorCode::unsupported);
+      xml_.fail(
+          node,
+          fmt::format("{} has control points in {} dimensions; {} are needed", name, dimension, coordinates),
+          ErrorCode::unsupported);
     // Read first: that many numbers must be there before memory is asked for them.
     const Eigen::MatrixXd given = numbers(xml_, node, coordinates, count, name + ", control point");
     Eigen::Matrix4Xd result = Eigen::Matrix4Xd::Zero(4, count);
@@ -203,15 +208,18 @@ class SolidReader {
     while (!scanner.at_end()) {
       const std::string what = fmt::format("face {}", result.size());
       ListedFace face;
-      face.corners.resize(static_cast<std::size_t>(scanner.integer("the number of corners of " + what, 1, 10'000)));
+      face.corners.resize(
+          static_cast<std::size_t>(scanner.integer("the number of corners of " + what, 1, 10'000)));
       for (int& corner : face.corners) corner = scanner.integer("a corner of " + what, 0, vertices - 1);
       const int id = scanner.integer("the surface of " + what, -1, max_id);
       if (id >= 0) {
         const auto found = surfaces_.find(id);
-        if (found == surfaces_.end()) scanner.fail(fmt::format("{} lies on surface {}, which the file lacks", what, id));
+        if (found == surfaces_.end())
+          scanner.fail(fmt::format("{} lies on surface {}, which the file lacks", what, id));
         face.surface = found->second;
       } else if (face.corners.size() < 3) {
-        scanner.fail(fmt::format("{} has {} corners; without a surface it needs three", what, face.corners.size()));
+        scanner.fail(
+            fmt::format("{} has {} corners; without a surface it needs three", what, face.corners.size()));
       }
       result.push_back(std::move(face));
     }
@@ -226,7 +234,8 @@ class SolidReader {
       TextScanner scanner(content, xml_.source(), xml_.line(node));
       while (!scanner.at_end()) {
         const std::string what = fmt::format("volume {}", result.size());
-        std::vector<int> volume(static_cast<std::size_t>(scanner.integer("the number of faces of " + what, 1, faces)));
+        std::vector<int> volume(
+            static_cast<std::size_t>(scanner.integer("the number of faces of " + what, 1, faces)));
         for (int& face : volume) face = scanner.integer("a face of " + what, 0, faces - 1);
         std::sort(volume.begin(), volume.end());
         result.push_back(std::move(volume));

@@ -118,7 +118,8 @@ class GismoReader {
                             name, quoted(type)),
                 ErrorCode::unsupported);
     const pugi::xml_node outer = required_child(xml_, geometry, "Basis", name);
-    const pugi::xml_node weights_node = rational ? required_child(xml_, outer, "weights", name) : pugi::xml_node();
+    const pugi::xml_node weights_node =
+        rational ? required_child(xml_, outer, "weights", name) : pugi::xml_node();
     const pugi::xml_node basis = rational ? required_child(xml_, outer, "Basis", name) : outer;
     const auto given = given_knots<3>(xml_, basis, name);
     NurbsVolume::KnotVectors knots;

@@ -18,7 +18,8 @@ Polyhedron read_off(std::string_view text, const std::string& source) {
   Polyhedron result;
   result.vertices.resize(3, vertices);
   for (int i = 0; i < vertices; ++i)
-    for (int d = 0; d < 3; ++d) result.vertices(d, i) = scanner.number(fmt::format("a coordinate of vertex {}", i));
+    for (int d = 0; d < 3; ++d)
+      result.vertices(d, i) = scanner.number(fmt::format("a coordinate of vertex {}", i));
   for (int i = 0; i < faces; ++i) {
     const std::string what = fmt::format("face {}", i);
     std::vector<int> face(static_cast<std::size_t>(scanner.integer("the corners of " + what, 3, vertices)));
@@ -33,7 +34,8 @@ Polyhedron read_off(std::string_view text, const std::string& source) {
 
 std::string to_off(const Polyhedron& polyhedron) {
   std::string text = fmt::format("OFF\n{} {} 0\n", polyhedron.vertices.cols(), polyhedron.faces.size());
-  for (const auto& p : polyhedron.vertices.colwise()) text += fmt::format("{:.17g} {:.17g} {:.17g}\n", p.x(), p.y(), p.z());
+  for (const auto& p : polyhedron.vertices.colwise())
+    text += fmt::format("{:.17g} {:.17g} {:.17g}\n", p.x(), p.y(), p.z());
   for (const auto& face : polyhedron.faces) {
     text += fmt::format("{}", face.size());
     for (const int corner : face) text += fmt::format(" {}", corner);

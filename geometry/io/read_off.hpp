@@ -7,7 +7,8 @@
 
 namespace isopatch::geometry {
 
-/// Reads an Object File Format text: "OFF", the counts, points, polygons. Colours after the polygons are passed over.
+/// Reads an Object File Format text: "OFF", the counts, points, polygons. Colours after the polygons are
+/// passed over.
 ///
 /// @param text    the file's content
 /// @param source  its name, for messages

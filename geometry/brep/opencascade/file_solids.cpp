@@ -1,7 +1,7 @@
+#include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepLib.hxx>
 #include <BRep_Tool.hxx>
-#include <BRepBndLib.hxx>
 #include <Bnd_Box.hxx>
 #include <ShapeFix_Shape.hxx>
 #include <TopExp.hxx>
@@ -22,7 +22,8 @@ namespace {
 
 std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape) {
   std::vector<TopoDS_Face> result;
-  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) result.push_back(TopoDS::Face(it.Current()));
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
+    result.push_back(TopoDS::Face(it.Current()));
   return result;
 }
 
@@ -62,7 +63,8 @@ KernelSolid whole_solid(const TopoDS_Shape& shape, const FileShape& file, double
 }
 
 // What faces make when sewn; open where their gaps are too wide.
-KernelSolid sewn_faces(const TopoDS_Shape& shape, const FileShape& file, double metres, const SewOptions& options) {
+KernelSolid sewn_faces(const TopoDS_Shape& shape, const FileShape& file, double metres,
+                       const SewOptions& options) {
   const std::vector<TopoDS_Face> originals = faces_of(shape);
   const double tolerance = options.same_point * size_of(shape);
   BRepBuilderAPI_Sewing sewing(tolerance, true, true, true, false);
@@ -87,8 +89,8 @@ KernelSolid sewn_faces(const TopoDS_Shape& shape, const FileShape& file, double 
 
 }  // namespace
 
-std::vector<KernelSolid> solids_of(const std::vector<FileShape>& shapes, double metres, const SewOptions& options,
-                                   const std::string& source) {
+std::vector<KernelSolid> solids_of(const std::vector<FileShape>& shapes, double metres,
+                                   const SewOptions& options, const std::string& source) {
   std::vector<KernelSolid> result;
   for (const FileShape& file : shapes)
     for (TopExp_Explorer it(file.shape, TopAbs_SOLID); it.More(); it.Next())

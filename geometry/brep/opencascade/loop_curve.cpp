@@ -61,7 +61,8 @@ Handle(Geom2d_BSplineCurve) LoopCurve::over(double first, double last, bool reve
   TColStd_Array1OfReal knots(1, result->NbKnots());
   result->Knots(knots);
   const double from = knots.First(), to = knots.Last();
-  for (int i = 1; i <= knots.Length(); ++i) knots(i) = first + (last - first) * (knots(i) - from) / (to - from);
+  for (int i = 1; i <= knots.Length(); ++i)
+    knots(i) = first + (last - first) * (knots(i) - from) / (to - from);
   knots(knots.Length()) = last;
   result->SetKnots(knots);
   return result;
@@ -119,8 +120,8 @@ Handle(Geom2d_BSplineCurve) through_nearest(const LoopCurve& leader, const LoopC
 
 }  // namespace
 
-FollowingCurve follow(const LoopCurve& leader, const LoopCurve& follower, const CurveMatch& match, double first,
-                      double last, double enough) {
+FollowingCurve follow(const LoopCurve& leader, const LoopCurve& follower, const CurveMatch& match,
+                      double first, double last, double enough) {
   FollowingCurve best;
   best.curve = follower.over(first, last, match.reversed);
   best.distance = largest_distance(leader, follower, *best.curve, first, last);

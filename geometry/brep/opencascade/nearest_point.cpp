@@ -28,9 +28,10 @@ Eigen::Vector2d clamped(const Eigen::Vector2d& uv, const DomainBox& box) {
   return uv.cwiseMax(box.low).cwiseMin(box.high);
 }
 
-// Descent direction of |S - target|^2 / 2 with the coordinates kept that the box holds back. Newton's where the Hessian is
-// positive, else Gauss's.
-Eigen::Vector2d step(const Jet& j, const Eigen::Vector3d& target, const Eigen::Vector2d& at, const DomainBox& box) {
+// Descent direction of |S - target|^2 / 2 with the coordinates kept that the box holds back. Newton's where
+// the Hessian is positive, else Gauss's.
+Eigen::Vector2d step(const Jet& j, const Eigen::Vector3d& target, const Eigen::Vector2d& at,
+                     const DomainBox& box) {
   const Eigen::Vector3d r = j.point - target;
   const Eigen::Vector2d gradient(r.dot(j.u), r.dot(j.v));
   Eigen::Matrix2d gauss;
@@ -68,11 +69,13 @@ int samples(int spans, int degree, bool turns, double range) {
 
 SurfaceGrid surface_grid(const Geom_Surface& surface, const DomainBox& box) {
   const GeomAdaptor_Surface adaptor(Handle(Geom_Surface)(const_cast<Geom_Surface*>(&surface)));
-  const bool spline = adaptor.GetType() == GeomAbs_BSplineSurface || adaptor.GetType() == GeomAbs_BezierSurface;
+  const bool spline =
+      adaptor.GetType() == GeomAbs_BSplineSurface || adaptor.GetType() == GeomAbs_BezierSurface;
   const bool bspline = adaptor.GetType() == GeomAbs_BSplineSurface;
   const bool turning = !spline && adaptor.GetType() != GeomAbs_Plane;
   const Eigen::Vector2d range = box.high - box.low;
-  const int nu = samples(bspline ? adaptor.NbUKnots() - 1 : 1, spline ? adaptor.UDegree() : 4, turning, range.x());
+  const int nu =
+      samples(bspline ? adaptor.NbUKnots() - 1 : 1, spline ? adaptor.UDegree() : 4, turning, range.x());
   const int nv = samples(bspline ? adaptor.NbVKnots() - 1 : 1, spline ? adaptor.VDegree() : 4,
                          turning && adaptor.IsVPeriodic(), range.y());
   SurfaceGrid grid;
@@ -81,7 +84,8 @@ SurfaceGrid surface_grid(const Geom_Surface& surface, const DomainBox& box) {
   for (int j = 0; j < nv; ++j)
     for (int i = 0; i < nu; ++i) {
       const int k = i + nu * j;
-      grid.uv.col(k) = box.low + range.cwiseProduct(Eigen::Vector2d(double(i) / (nu - 1), double(j) / (nv - 1)));
+      grid.uv.col(k) =
+          box.low + range.cwiseProduct(Eigen::Vector2d(double(i) / (nu - 1), double(j) / (nv - 1)));
       grid.points.col(k) = to_eigen(surface.Value(grid.uv(0, k), grid.uv(1, k)));
     }
   return grid;
@@ -151,7 +155,8 @@ double nearest_parameter(const Geom_Curve& curve, double first, double last, con
   std::partial_sort(seeds.begin(), seeds.begin() + 3, seeds.end());
   double best = seeds[0].second, best_distance = seeds[0].first;
   for (int seed = 0; seed < 3; ++seed) {
-    double t = seeds[static_cast<std::size_t>(seed)].second, distance = seeds[static_cast<std::size_t>(seed)].first;
+    double t = seeds[static_cast<std::size_t>(seed)].second,
+           distance = seeds[static_cast<std::size_t>(seed)].first;
     for (int iteration = 0; iteration < 50; ++iteration) {
       gp_Pnt p;
       gp_Vec d1, d2;

@@ -34,11 +34,12 @@ std::vector<std::vector<Side>> sides_of_edges(const std::vector<TopoDS_Face>& fa
   return sides;
 }
 
-// Turns faces around until two neighbours walk their common edge in opposite directions, starting from each first face.
-// Returns whether every edge has two sides.
+// Turns faces around until two neighbours walk their common edge in opposite directions, starting from each
+// first face. Returns whether every edge has two sides.
 bool agree(std::vector<TopoDS_Face>& faces) {
   const auto sides = sides_of_edges(faces);
-  std::vector<std::vector<std::array<std::size_t, 2>>> neighbours(faces.size());  // face, whether it must differ
+  std::vector<std::vector<std::array<std::size_t, 2>>> neighbours(
+      faces.size());  // face, whether it must differ
   bool closed = true;
   for (const auto& at : sides) {
     closed = closed && at.size() == 2;

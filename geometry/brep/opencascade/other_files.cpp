@@ -29,7 +29,8 @@ std::vector<FileShape> read_native(const std::filesystem::path& path) {
   TopoDS_Shape shape;
   const BRep_Builder builder;
   if (!BRepTools::Read(shape, path.c_str(), builder) || shape.IsNull())
-    throw Error(ErrorCode::bad_format, fmt::format("{}: this is no complete OpenCASCADE file", path.string()));
+    throw Error(ErrorCode::bad_format,
+                fmt::format("{}: this is no complete OpenCASCADE file", path.string()));
   return {{shape, "", {}, {}}};
 }
 

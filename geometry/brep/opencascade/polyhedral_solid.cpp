@@ -1,13 +1,13 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Eigen/Geometry>
 #include <Geom2d_Line.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Wire.hxx>
-#include <Eigen/Geometry>
 #include <map>
 
 #include <fmt/format.h>
@@ -61,10 +61,11 @@ class PolyhedronMaker {
     for (const int v : polygon) off = std::max(off, std::abs((corner(v) - centre).dot(normal)));
     if (off <= tolerance_ && normal.allFinite()) return plane_face(polygon, centre, normal, off);
     if (polygon.size() == 4) return bilinear_face(polygon);
-    throw Error(ErrorCode::invalid_argument,
-                fmt::format("face {} has {} corners and is not plane: a corner lies {:.3g} m off; split it into "
-                            "triangles or quadrilaterals",
-                            index, polygon.size(), off / scale_));
+    throw Error(
+        ErrorCode::invalid_argument,
+        fmt::format("face {} has {} corners and is not plane: a corner lies {:.3g} m off; split it into "
+                    "triangles or quadrilaterals",
+                    index, polygon.size(), off / scale_));
   }
 
   TopoDS_Face plane_face(const std::vector<int>& polygon, const Eigen::Vector3d& centre,

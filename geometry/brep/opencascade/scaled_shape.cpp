@@ -15,7 +15,8 @@ ScaledShape scaled_shape(const ShapeKernel& kernel, double metres) {
   transformation.SetScaleFactor(scale);
   BRepBuilderAPI_Transform transform(input.shape, transformation, true);
   ScaledShape result{transform.Shape(), {}};
-  for (const TopoDS_Face& face : input.faces) result.faces.push_back(TopoDS::Face(transform.ModifiedShape(face)));
+  for (const TopoDS_Face& face : input.faces)
+    result.faces.push_back(TopoDS::Face(transform.ModifiedShape(face)));
   return result;
 }
 

@@ -89,8 +89,8 @@ class Sewer {
     return fmt::format("({:.6g}, {:.6g}, {:.6g})", m.x(), m.y(), m.z());
   }
   std::string name(const Piece& piece) const {
-    return fmt::format("curve {} of loop {} of face {}, from {} to {} m,", piece.index, piece.loop, piece.face,
-                       place(piece.curve.point(0)), place(piece.curve.point(1)));
+    return fmt::format("curve {} of loop {} of face {}, from {} to {} m,", piece.index, piece.loop,
+                       piece.face, place(piece.curve.point(0)), place(piece.curve.point(1)));
   }
 
   void require_closed_loops() const {
@@ -102,8 +102,8 @@ class Sewer {
       const double gap = (piece.curve.point(1) - next.curve.point(0)).norm();
       if (gap > tolerance_)
         throw Error(ErrorCode::invalid_argument,
-                    fmt::format("{} ends {:.3g} m away from the start of the next one; loops must close", name(piece),
-                                gap / scale_));
+                    fmt::format("{} ends {:.3g} m away from the start of the next one; loops must close",
+                                name(piece), gap / scale_));
     }
   }
 
@@ -161,7 +161,8 @@ class Sewer {
         const Piece &a = pieces_[j], &b = pieces_[i];
         if (std::minmax(a.start, a.end) != std::minmax(b.start, b.end)) continue;
         const CurveMatch found = match(a.curve, b.curve);
-        if (std::max(found.distance, match(b.curve, a.curve).distance) <= curve_tolerance_) pairs.push_back({j, i, found});
+        if (std::max(found.distance, match(b.curve, a.curve).distance) <= curve_tolerance_)
+          pairs.push_back({j, i, found});
       }
     std::stable_sort(pairs.begin(), pairs.end(),
                      [](const Pair& a, const Pair& b) { return a.match.distance < b.match.distance; });
@@ -169,9 +170,11 @@ class Sewer {
       Piece &a = pieces_[pair.first], &b = pieces_[pair.second];
       if (!a.taken && !b.taken)
         join(a, b, pair.match);
-      else if (pair.match.distance <= tolerance_ && !(a.taken && b.taken && a.edge == b.edge) && !accept_open_)
-        throw Error(ErrorCode::not_manifold,
-                    fmt::format("{} is shared by more than two faces; face {} is one of them", name(a), b.face));
+      else if (pair.match.distance <= tolerance_ && !(a.taken && b.taken && a.edge == b.edge) &&
+               !accept_open_)
+        throw Error(
+            ErrorCode::not_manifold,
+            fmt::format("{} is shared by more than two faces; face {} is one of them", name(a), b.face));
     }
   }
 
@@ -203,7 +206,8 @@ class Sewer {
   static Straightened straightened(const Handle(Geom2d_BSplineCurve) & curve) {
     if (curve->Degree() == 1 && curve->NbPoles() == 2 && !curve->IsRational()) {
       const gp_Vec2d along(curve->Pole(1), curve->Pole(2));
-      if (along.Magnitude() > 0) return {Handle(Geom2d_Curve)(new Geom2d_Line(curve->Pole(1), gp_Dir2d(along))), 0, along.Magnitude()};
+      if (along.Magnitude() > 0)
+        return {Handle(Geom2d_Curve)(new Geom2d_Line(curve->Pole(1), gp_Dir2d(along))), 0, along.Magnitude()};
     }
     return {Handle(Geom2d_Curve)(curve), curve->FirstParameter(), curve->LastParameter()};
   }
@@ -230,9 +234,10 @@ class Sewer {
 
   void add_free(Piece& piece) {
     if (!accept_open_)
-      throw Error(ErrorCode::not_manifold,
-                  fmt::format("{} belongs to one face only{}; the faces must close up to {:.3g} m at corners and {:.3g} m along edges",
-                              name(piece), nearest_text(piece), tolerance_ / scale_, curve_tolerance_ / scale_));
+      throw Error(ErrorCode::not_manifold, fmt::format("{} belongs to one face only{}; the faces must close "
+                                                       "up to {:.3g} m at corners and {:.3g} m along edges",
+                                                       name(piece), nearest_text(piece), tolerance_ / scale_,
+                                                       curve_tolerance_ / scale_));
     leading_edge(piece);
   }
 
@@ -286,8 +291,8 @@ class Sewer {
     TopoDS_Wire result;
     builder_.MakeWire(result);
     for (const Piece* piece : loop)
-      builder_.Add(result,
-                   edges_[piece->edge].Oriented(piece->reversed == as_it_is ? TopAbs_REVERSED : TopAbs_FORWARD));
+      builder_.Add(result, edges_[piece->edge].Oriented(piece->reversed == as_it_is ? TopAbs_REVERSED
+                                                                                    : TopAbs_FORWARD));
     return result;
   }
 
@@ -297,7 +302,8 @@ class Sewer {
       for (const std::size_t vertex : {piece.start, piece.end})
         vertex_tolerance_[vertex] = std::max(vertex_tolerance_[vertex], edge_tolerance_[piece.edge]);
     for (std::size_t i = 0; i < edges_.size(); ++i) builder_.UpdateEdge(edges_[i], edge_tolerance_[i]);
-    for (std::size_t i = 0; i < vertices_.size(); ++i) builder_.UpdateVertex(vertices_[i], vertex_tolerance_[i]);
+    for (std::size_t i = 0; i < vertices_.size(); ++i)
+      builder_.UpdateVertex(vertices_[i], vertex_tolerance_[i]);
   }
 
   const std::vector<TrimmedSurface>& input_;

@@ -98,7 +98,8 @@ Eigen::Vector3d ShapeKernel::tangent(EdgeId edge, double t) const {
 
 EdgeProjection ShapeKernel::project(EdgeId edge, const Eigen::Vector3d& target) const {
   const EdgeGeometry& geometry = of(edge);
-  const double found = nearest_parameter(*geometry.curve, geometry.first, geometry.last, target / input_.metres);
+  const double found =
+      nearest_parameter(*geometry.curve, geometry.first, geometry.last, target / input_.metres);
   const double t = (found - geometry.first) / (geometry.last - geometry.first);
   const Eigen::Vector3d at = point(edge, t);
   return {t, at, (at - target).norm()};
@@ -107,13 +108,14 @@ EdgeProjection ShapeKernel::project(EdgeId edge, const Eigen::Vector3d& target) 
 NurbsCurve ShapeKernel::curve(EdgeId edge) const {
   const EdgeGeometry& geometry = of(edge);
   try {
-    const Handle(Geom_TrimmedCurve) piece = new Geom_TrimmedCurve(geometry.curve, geometry.first, geometry.last);
+    const Handle(Geom_TrimmedCurve) piece =
+        new Geom_TrimmedCurve(geometry.curve, geometry.first, geometry.last);
     const Handle(Geom_BSplineCurve) spline = GeomConvert::CurveToBSplineCurve(piece);
     if (spline->IsPeriodic()) spline->SetNotPeriodic();
     return to_nurbs(*spline, input_.metres);
   } catch (const Standard_Failure& failure) {
-    throw Error(ErrorCode::unsupported, fmt::format("edge {} has no exact NURBS form: {}", edge.value,
-                                                    failure.GetMessageString()));
+    throw Error(ErrorCode::unsupported,
+                fmt::format("edge {} has no exact NURBS form: {}", edge.value, failure.GetMessageString()));
   }
 }
 
@@ -179,7 +181,8 @@ bool ShapeKernel::contains(FaceId face, const Eigen::Vector2d& uv) const {
   Lazy::OfFace& lazy = lazy_->faces[static_cast<std::size_t>(face.value)];
   const std::lock_guard<std::mutex> lock(lazy.classifier_lock);
   if (!lazy.classifier)
-    lazy.classifier = std::make_unique<BRepTopAdaptor_FClass2d>(of(face).face, BRep_Tool::Tolerance(of(face).face));
+    lazy.classifier =
+        std::make_unique<BRepTopAdaptor_FClass2d>(of(face).face, BRep_Tool::Tolerance(of(face).face));
   const TopAbs_State state = lazy.classifier->Perform(gp_Pnt2d(uv.x(), uv.y()));
   return state == TopAbs_IN || state == TopAbs_ON;
 }
@@ -215,7 +218,8 @@ std::optional<Carrier> ShapeKernel::carrier(FaceId face) const {
 
 Tessellation ShapeKernel::tessellate(const TessellationOptions& options) const {
   const double size = (tables_.box[1] - tables_.box[0]).norm();
-  return tessellate_shape(input_, faces_, edges_, options.chord * size / input_.metres, options.turn.radians());
+  return tessellate_shape(input_, faces_, edges_, options.chord * size / input_.metres,
+                          options.turn.radians());
 }
 
 }  // namespace isopatch::geometry

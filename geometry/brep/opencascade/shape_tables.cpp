@@ -139,8 +139,8 @@ class TableMaker {
     std::vector<TopoDS_Edge> walked, listed;
     for (BRepTools_WireExplorer it(wire, geometry.face); it.More(); it.Next()) walked.push_back(it.Current());
     for (TopoDS_Iterator it(wire); it.More(); it.Next())
-      if (it.Value().ShapeType() == TopAbs_EDGE && (it.Value().Orientation() == TopAbs_FORWARD ||
-                                                    it.Value().Orientation() == TopAbs_REVERSED))
+      if (it.Value().ShapeType() == TopAbs_EDGE &&
+          (it.Value().Orientation() == TopAbs_FORWARD || it.Value().Orientation() == TopAbs_REVERSED))
         listed.push_back(TopoDS::Edge(it.Value()));
     return walked.size() == listed.size() ? walked : listed;
   }
@@ -188,10 +188,11 @@ class TableMaker {
       const BrepEdge& edge = tables.edges[i];
       if (edge.length > 1e-9 * size) continue;
       const Eigen::Vector3d at = tables.vertices.col(edge.start.value);
-      throw Error(ErrorCode::not_manifold,
-                  fmt::format("edge {} of faces {} at ({:.6g}, {:.6g}, {:.6g}) m has no length; remove it in the CAD "
-                              "program",
-                              i, fmt::join(face_numbers(edge), " and "), at.x(), at.y(), at.z()));
+      throw Error(
+          ErrorCode::not_manifold,
+          fmt::format("edge {} of faces {} at ({:.6g}, {:.6g}, {:.6g}) m has no length; remove it in the CAD "
+                      "program",
+                      i, fmt::join(face_numbers(edge), " and "), at.x(), at.y(), at.z()));
     }
   }
 

@@ -81,7 +81,9 @@ FileShape file_shape(const std::shared_ptr<Document>& document, const TDF_Label&
   FileShape result;
   result.shape = document->shapes()->GetShape(label);
   result.name = name_at(label);
-  result.name_of = [document](const TopoDS_Face& face) { return name_at(label_of(document->shapes(), face)); };
+  result.name_of = [document](const TopoDS_Face& face) {
+    return name_at(label_of(document->shapes(), face));
+  };
   const std::optional<Colour> of_all = colour_at(document->colours(), result.shape);
   result.colour_of = [document, of_all](const TopoDS_Face& face) {
     const auto own = colour_at(document->colours(), face);

@@ -18,7 +18,8 @@
 namespace isopatch::geometry {
 namespace {
 
-FaceTriangles triangles_of(const Poly_Triangulation& mesh, const gp_Trsf& place, bool reversed, double metres) {
+FaceTriangles triangles_of(const Poly_Triangulation& mesh, const gp_Trsf& place, bool reversed,
+                           double metres) {
   FaceTriangles result;
   result.uv.resize(2, mesh.NbNodes());
   result.points.resize(3, mesh.NbNodes());
@@ -38,8 +39,8 @@ FaceTriangles triangles_of(const Poly_Triangulation& mesh, const gp_Trsf& place,
 
 class Mesher {
  public:
-  Mesher(const ShapeInput& input, const std::vector<FaceGeometry>& faces, const std::vector<EdgeGeometry>& edges,
-         double chord, double turn)
+  Mesher(const ShapeInput& input, const std::vector<FaceGeometry>& faces,
+         const std::vector<EdgeGeometry>& edges, double chord, double turn)
       : input_(input), faces_(faces), edges_(edges), copy_(input.shape, false, false) {
     // On a copy, since meshes are kept in the shape.
     BRepMesh_IncrementalMesh(copy_.Shape(), chord, false, turn, false);
@@ -57,12 +58,14 @@ class Mesher {
     TopLoc_Location location;
     const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(copied, location);
     if (mesh.IsNull() || mesh->NbTriangles() == 0)
-      throw Error(ErrorCode::unsupported, fmt::format("face {} cannot be triangulated; its loops may cross", index));
+      throw Error(ErrorCode::unsupported,
+                  fmt::format("face {} cannot be triangulated; its loops may cross", index));
     const bool reversed = input_.faces[index].Orientation() == TopAbs_REVERSED;
     FaceTriangles face = triangles_of(*mesh, location.Transformation(), reversed, input_.metres);
     for (const auto& [use, curve] : faces_[index].uses) {
       const TopoDS_Edge edge = oriented_copy(use, reversed);
-      const Handle(Poly_PolygonOnTriangulation) polygon = BRep_Tool::PolygonOnTriangulation(edge, mesh, location);
+      const Handle(Poly_PolygonOnTriangulation) polygon =
+          BRep_Tool::PolygonOnTriangulation(edge, mesh, location);
       if (polygon.IsNull())
         throw Error(ErrorCode::unsupported,
                     fmt::format("edge {} of face {} cannot be triangulated", use.edge.value, index));
@@ -94,7 +97,8 @@ class Mesher {
       return;
     }
     if (count != edge.points.cols())
-      throw Error(ErrorCode::unsupported, fmt::format("the faces at edge {} are triangulated differently", id.value));
+      throw Error(ErrorCode::unsupported,
+                  fmt::format("the faces at edge {} are triangulated differently", id.value));
     for (int i = 0; i < count; ++i) face.points.col(polygon.Node(i + 1) - 1) = edge.points.col(i);
   }
 

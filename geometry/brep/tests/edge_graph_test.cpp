@@ -16,7 +16,6 @@
 namespace isopatch::geometry {
 namespace {
 
-
 EdgeGraph graph_of(const Polyhedron& polyhedron) {
   return edge_graph(static_cast<int>(polyhedron.vertices.cols()), polyhedron.faces);
 }
@@ -26,11 +25,13 @@ ConnectivityReport connectivity_of(const EdgeGraph& graph) {
 }
 
 // Faces of a planar map, some of whose edges go: both sides become one face.
-std::vector<std::vector<int>> without_edge(std::vector<std::vector<int>> faces, std::size_t first, std::size_t at) {
+std::vector<std::vector<int>> without_edge(std::vector<std::vector<int>> faces, std::size_t first,
+                                           std::size_t at) {
   const int a = faces[first][at], b = faces[first][(at + 1) % faces[first].size()];
   for (std::size_t other = 0; other < faces.size(); ++other)
     for (std::size_t i = 0; i < faces[other].size(); ++i) {
-      if (faces[other][i] != b || faces[other][(i + 1) % faces[other].size()] != a || other == first) continue;
+      if (faces[other][i] != b || faces[other][(i + 1) % faces[other].size()] != a || other == first)
+        continue;
       std::vector<int> merged;
       for (std::size_t k = 1; k <= faces[first].size(); ++k)
         merged.push_back(faces[first][(at + k) % faces[first].size()]);  // b ... a
@@ -43,7 +44,8 @@ std::vector<std::vector<int>> without_edge(std::vector<std::vector<int>> faces, 
   return faces;
 }
 
-// By the definition: no two vertices whose removal leaves the others in pieces. Graphs may have vertices without edges.
+// By the definition: no two vertices whose removal leaves the others in pieces. Graphs may have vertices
+// without edges.
 bool three_connected_by_definition(const EdgeGraph& graph) {
   if (graph.vertex_count < 4) return false;
   std::set<std::pair<int, int>> edges;
@@ -62,7 +64,8 @@ bool three_connected_by_definition(const EdgeGraph& graph) {
           if (u == a || v == a || u == b || v == b) continue;
           const int low = std::min(piece[static_cast<std::size_t>(u)], piece[static_cast<std::size_t>(v)]);
           for (const int end : {u, v})
-            if (piece[static_cast<std::size_t>(end)] != low) piece[static_cast<std::size_t>(end)] = low, changed = true;
+            if (piece[static_cast<std::size_t>(end)] != low)
+              piece[static_cast<std::size_t>(end)] = low, changed = true;
         }
       }
       std::set<int> pieces;
@@ -96,17 +99,26 @@ TEST(EdgeGraph, ATorusHasOneHandle) {
 
 TEST(EdgeGraph, AnInnerLoopMakesAHandleWhenTheTubeIsOpenAtBothEnds) {
   // A block with a square hole: two faces with inner loops, four walls inside.
-  EdgeGraph graph = edge_graph(16, {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7},
-                                    {9, 8, 12, 13}, {10, 9, 13, 14}, {11, 10, 14, 15}, {8, 11, 15, 12}});
+  EdgeGraph graph = edge_graph(16, {{0, 1, 5, 4},
+                                    {1, 2, 6, 5},
+                                    {2, 3, 7, 6},
+                                    {3, 0, 4, 7},
+                                    {9, 8, 12, 13},
+                                    {10, 9, 13, 14},
+                                    {11, 10, 14, 15},
+                                    {8, 11, 15, 12}});
   const auto use = [&](int from, int to) {
     for (std::size_t e = 0; e < graph.edges.size(); ++e) {
       const auto& edge = graph.edges[e];
-      if (edge.start == VertexId(from) && edge.end == VertexId(to)) return EdgeUse{EdgeId(static_cast<int>(e)), false};
-      if (edge.start == VertexId(to) && edge.end == VertexId(from)) return EdgeUse{EdgeId(static_cast<int>(e)), true};
+      if (edge.start == VertexId(from) && edge.end == VertexId(to))
+        return EdgeUse{EdgeId(static_cast<int>(e)), false};
+      if (edge.start == VertexId(to) && edge.end == VertexId(from))
+        return EdgeUse{EdgeId(static_cast<int>(e)), true};
     }
     throw std::logic_error("no such edge");
   };
-  graph.faces.push_back({{{use(3, 2), use(2, 1), use(1, 0), use(0, 3)}, {use(8, 9), use(9, 10), use(10, 11), use(11, 8)}}});
+  graph.faces.push_back(
+      {{{use(3, 2), use(2, 1), use(1, 0), use(0, 3)}, {use(8, 9), use(9, 10), use(10, 11), use(11, 8)}}});
   graph.faces.push_back(
       {{{use(4, 5), use(5, 6), use(6, 7), use(7, 4)}, {use(15, 14), use(14, 13), use(13, 12), use(12, 15)}}});
   const BoundaryReport seen = boundary(graph);
@@ -155,7 +167,8 @@ TEST(GraphConnectivity, AgreesWithTheDefinitionOnRandomPlanarMaps) {
       faces = without_edge(faces, face, random() % faces[face].size());
     }
     const EdgeGraph graph = edge_graph(6 + static_cast<int>(seed % 6), faces);
-    if (!boundary(graph).bounds_a_solid()) continue;  // a vertex has lost all edges, or a face walks one twice
+    if (!boundary(graph).bounds_a_solid())
+      continue;  // a vertex has lost all edges, or a face walks one twice
     const TopologyReport kind = topology(graph, boundary(graph));
     if (!kind.contractible) continue;
     const ConnectivityReport report = connectivity(graph, kind);
@@ -170,8 +183,9 @@ TEST(GraphConnectivity, AgreesWithTheDefinitionOnRandomPlanarMaps) {
 }
 
 TEST(GraphConnectivity, ThePairOfFacesAndItsVerticesAreNamed) {
-  // Two cubes glued at a corner-cut: a block with a prism on its top that reaches over two of its corners would do; here
-  // the smallest: an octahedron's belt doubled, faces 0 and 1 share vertices 0 and 2 without an edge between them.
+  // Two cubes glued at a corner-cut: a block with a prism on its top that reaches over two of its corners
+  // would do; here the smallest: an octahedron's belt doubled, faces 0 and 1 share vertices 0 and 2 without
+  // an edge between them.
   const EdgeGraph graph = edge_graph(4, {{0, 1, 2, 3}, {0, 3, 2, 1}});
   const ConnectivityReport report = connectivity_of(graph);
   EXPECT_FALSE(report.three_connected);
@@ -194,7 +208,8 @@ double signed_area(const EdgeGraph& graph, const Eigen::Matrix2Xd& at, const Edg
 }
 
 TEST(PlanarDrawing, FacesFillTheOuterOneWithoutOverlap) {
-  for (const Polyhedron& solid : {test::block(1, 1, 1), test::prism(7), test::pyramid(5), test::random_hull(15, 3)}) {
+  for (const Polyhedron& solid :
+       {test::block(1, 1, 1), test::prism(7), test::pyramid(5), test::random_hull(15, 3)}) {
     const EdgeGraph graph = graph_of(solid);
     const Eigen::Matrix2Xd at = planar_drawing(graph, connectivity_of(graph), {.outer = FaceId(0)});
     double sum = 0;

@@ -25,10 +25,11 @@ TEST(ReadBrep, TheBlockIsTheBlockOfTheTable) {
 
 TEST(ReadBrep, TheChairStandsNineSolidsAreCubesWithSixFaces) {
   double sum = 0;
-  for (const char* part : {"1_seed002_3", "1_seed002_4", "1_seed002_5", "2", "3", "4_seed005_3", "4_seed005_4",
-                           "4_seed005_5", "5"}) {
+  for (const char* part : {"1_seed002_3", "1_seed002_4", "1_seed002_5", "2", "3", "4_seed005_3",
+                           "4_seed005_4", "4_seed005_5", "5"}) {
     SCOPED_TRACE(part);
-    const auto path = data_file(std::string("chair_stand/solids/segmented_objStandFiveParts") + part + ".xml");
+    const auto path =
+        data_file(std::string("chair_stand/solids/segmented_objStandFiveParts") + part + ".xml");
     ISOPATCH_NEEDS(path);
     const BrepFile file = read_brep(path);
     EXPECT_EQ(file.brep.faces().size(), 6u);

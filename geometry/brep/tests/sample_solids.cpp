@@ -4,7 +4,8 @@
 
 namespace isopatch::geometry::test {
 
-// By trial: a triangle belongs to the hull if all other points lie on one side. O(n^4), fine for some twenty points.
+// By trial: a triangle belongs to the hull if all other points lie on one side. O(n^4), fine for some twenty
+// points.
 Polyhedron random_hull(int count, unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
@@ -15,7 +16,8 @@ Polyhedron random_hull(int count, unsigned seed) {
   for (int i = 0; i < count; ++i)
     for (int j = i + 1; j < count; ++j)
       for (int k = j + 1; k < count; ++k) {
-        const Eigen::Vector3d a = result.vertices.col(i), b = result.vertices.col(j), c = result.vertices.col(k);
+        const Eigen::Vector3d a = result.vertices.col(i), b = result.vertices.col(j),
+                              c = result.vertices.col(k);
         const Eigen::Vector3d n = (b - a).cross(c - a);
         int above = 0, below = 0;
         for (int l = 0; l < count; ++l) {

@@ -73,8 +73,8 @@ inline Polyhedron l_shape() {
   return result;
 }
 
-/// A frame: n x m grid of quadrilaterals around a torus, with plane faces if n = 4 and m = 4 are sections by planes; here
-/// every quadrilateral is cut in two triangles. Genus 1.
+/// A frame: n x m grid of quadrilaterals around a torus, with plane faces if n = 4 and m = 4 are sections by
+/// planes; here every quadrilateral is cut in two triangles. Genus 1.
 inline Polyhedron triangulated_torus(int n, int m) {
   Polyhedron result;
   result.vertices.resize(3, n * m);
@@ -82,7 +82,8 @@ inline Polyhedron triangulated_torus(int n, int m) {
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < m; ++j) {
       const double u = 2 * std::numbers::pi * i / n, v = 2 * std::numbers::pi * j / m;
-      result.vertices.col(id(i, j)) << (3 + std::cos(v)) * std::cos(u), (3 + std::cos(v)) * std::sin(u), std::sin(v);
+      result.vertices.col(id(i, j)) << (3 + std::cos(v)) * std::cos(u), (3 + std::cos(v)) * std::sin(u),
+          std::sin(v);
       result.faces.push_back({id(i, j), id(i + 1, j), id(i + 1, j + 1)});
       result.faces.push_back({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
     }
@@ -97,8 +98,8 @@ inline double polyhedron_volume(const Polyhedron& polyhedron) {
   double sum = 0;
   for (const auto& face : polyhedron.faces)
     for (std::size_t i = 1; i + 1 < face.size(); ++i)
-      sum += polyhedron.vertices.col(face[0])
-                 .dot(polyhedron.vertices.col(face[i]).cross(polyhedron.vertices.col(face[i + 1]))) /
+      sum += polyhedron.vertices.col(face[0]).dot(
+                 polyhedron.vertices.col(face[i]).cross(polyhedron.vertices.col(face[i + 1]))) /
              6;
   return sum;
 }
@@ -109,7 +110,8 @@ inline double polyhedron_area(const Polyhedron& polyhedron) {
     Eigen::Vector3d total = Eigen::Vector3d::Zero();
     for (std::size_t i = 1; i + 1 < face.size(); ++i)
       total += (polyhedron.vertices.col(face[i]) - polyhedron.vertices.col(face[0]))
-                   .cross(Eigen::Vector3d(polyhedron.vertices.col(face[i + 1]) - polyhedron.vertices.col(face[0]))) /
+                   .cross(Eigen::Vector3d(polyhedron.vertices.col(face[i + 1]) -
+                                          polyhedron.vertices.col(face[0]))) /
                2;
     sum += total.norm();
   }

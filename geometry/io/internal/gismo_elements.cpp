@@ -6,7 +6,8 @@
 
 namespace isopatch::geometry {
 
-pugi::xml_node required_child(const XmlText& xml, pugi::xml_node parent, const char* tag, const std::string& name) {
+pugi::xml_node required_child(const XmlText& xml, pugi::xml_node parent, const char* tag,
+                              const std::string& name) {
   const pugi::xml_node found = parent.child(tag);
   if (!found) xml.fail(parent, fmt::format("{}: element <{}> lacks its <{}>", name, parent.name(), tag));
   return found;
@@ -46,17 +47,20 @@ template std::array<GivenKnots, 2> given_knots<2>(const XmlText&, pugi::xml_node
 template std::array<GivenKnots, 3> given_knots<3>(const XmlText&, pugi::xml_node, const std::string&);
 
 KnotVector knot_vector(const XmlText& xml, GivenKnots given, const std::string& name) {
-  return located(xml.source(), given.line, name, [&] { return KnotVector(given.degree, std::move(given.knots)); });
+  return located(xml.source(), given.line, name,
+                 [&] { return KnotVector(given.degree, std::move(given.knots)); });
 }
 
-Eigen::MatrixXd numbers(const XmlText& xml, pugi::xml_node node, int rows, std::int64_t count, const std::string& what) {
+Eigen::MatrixXd numbers(const XmlText& xml, pugi::xml_node node, int rows, std::int64_t count,
+                        const std::string& what) {
   const std::string_view format = node.attribute("format").value();
   if (!format.empty() && format != "ASCII")
     xml.fail(node, fmt::format("{}: numbers in format {}; write them as ASCII", what, quoted(format)),
              ErrorCode::unsupported);
   const std::string content = xml.content(node);
   TextScanner scanner(content, xml.source(), xml.line(node));
-  scanner.require_room(static_cast<std::size_t>(rows * count), fmt::format("{} numbers ({})", rows * count, what));
+  scanner.require_room(static_cast<std::size_t>(rows * count),
+                       fmt::format("{} numbers ({})", rows * count, what));
   Eigen::MatrixXd result(rows, count);
   for (Eigen::Index i = 0; i < count; ++i)
     for (int r = 0; r < rows; ++r) result(r, i) = scanner.number(what + " " + std::to_string(i));

@@ -14,7 +14,8 @@ namespace isopatch::geometry {
 // What all geometries of a G+Smo file are made of. `name` says in messages what is being read.
 
 /// @throws Error bad_format if there is no such child
-pugi::xml_node required_child(const XmlText& xml, pugi::xml_node parent, const char* tag, const std::string& name);
+pugi::xml_node required_child(const XmlText& xml, pugi::xml_node parent, const char* tag,
+                              const std::string& name);
 
 /// A `KnotVector` element as it stands there.
 struct GivenKnots {
@@ -32,6 +33,7 @@ std::array<GivenKnots, D> given_knots(const XmlText& xml, pugi::xml_node basis, 
 KnotVector knot_vector(const XmlText& xml, GivenKnots given, const std::string& name);
 
 /// The numbers in an element, (rows, count), the rows running fastest; exactly as many.
-Eigen::MatrixXd numbers(const XmlText& xml, pugi::xml_node node, int rows, std::int64_t count, const std::string& what);
+Eigen::MatrixXd numbers(const XmlText& xml, pugi::xml_node node, int rows, std::int64_t count,
+                        const std::string& what);
 
 }  // namespace isopatch::geometry

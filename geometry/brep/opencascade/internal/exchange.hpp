@@ -15,8 +15,8 @@ namespace isopatch::geometry {
 struct FileShape {
   TopoDS_Shape shape;  ///< millimetres from STEP and IGES
   std::string name;
-  std::function<std::string(const TopoDS_Face&)> name_of;                   ///< may be empty
-  std::function<std::optional<Colour>(const TopoDS_Face&)> colour_of;       ///< may be empty
+  std::function<std::string(const TopoDS_Face&)> name_of;              ///< may be empty
+  std::function<std::optional<Colour>(const TopoDS_Face&)> colour_of;  ///< may be empty
 };
 
 /// @throws Error io, bad_format
@@ -27,8 +27,8 @@ std::vector<FileShape> read_native(const std::filesystem::path& path);
 /// The solids among shapes; where there are none, what their faces make when sewn.
 /// @param metres  that a unit of the shapes measures
 /// @throws Error unsupported if there are no faces at all
-std::vector<KernelSolid> solids_of(const std::vector<FileShape>& shapes, double metres, const SewOptions& options,
-                                   const std::string& source);
+std::vector<KernelSolid> solids_of(const std::vector<FileShape>& shapes, double metres,
+                                   const SewOptions& options, const std::string& source);
 
 /// @param unit  "mm", "m", "in"
 void write_step(const std::filesystem::path& path, const ShapeKernel& kernel, const std::string& unit);

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom_Surface.hxx>
-#include <Eigen/Core>
 
 namespace isopatch::geometry {
 
@@ -43,7 +43,7 @@ struct FollowingCurve {
   double distance = 0;  ///< largest between the two in space at the same t
 };
 /// @param enough  distance at which the search for a better one ends
-FollowingCurve follow(const LoopCurve& leader, const LoopCurve& follower, const CurveMatch& match, double first,
-                      double last, double enough);
+FollowingCurve follow(const LoopCurve& leader, const LoopCurve& follower, const CurveMatch& match,
+                      double first, double last, double enough);
 
 }  // namespace isopatch::geometry

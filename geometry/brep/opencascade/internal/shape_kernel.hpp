@@ -21,10 +21,11 @@ namespace isopatch::geometry {
 struct ShapeInput {
   TopoDS_Shape shape;              ///< solid or shell of the faces, with outward normals
   std::vector<TopoDS_Face> faces;  ///< oriented as in the shape, in the order of their ids
-  std::vector<TopoDS_Vertex> vertices;  ///< first vertices, in the order of their ids; others follow as they are met
-  std::vector<std::string> names;  ///< one a face, or none at all
+  std::vector<TopoDS_Vertex>
+      vertices;  ///< first vertices, in the order of their ids; others follow as they are met
+  std::vector<std::string> names;              ///< one a face, or none at all
   std::vector<std::optional<Colour>> colours;  ///< the same
-  double metres = 1;               ///< that one unit of the shape's coordinates measures
+  double metres = 1;                           ///< that one unit of the shape's coordinates measures
 };
 
 /// A face's use of an edge: the curve in its domain.
@@ -66,7 +67,8 @@ class ShapeKernel final : public BrepKernel {
   Eigen::Matrix<double, 3, 2> derivatives(FaceId face, const Eigen::Vector2d& uv) const override;
   Eigen::Matrix3d second_derivatives(FaceId face, const Eigen::Vector2d& uv) const override;
   FaceProjection project(FaceId face, const Eigen::Vector3d& point) const override;
-  FaceProjection project(FaceId face, const Eigen::Vector3d& point, const Eigen::Vector2d& start) const override;
+  FaceProjection project(FaceId face, const Eigen::Vector3d& point,
+                         const Eigen::Vector2d& start) const override;
   bool contains(FaceId face, const Eigen::Vector2d& uv) const override;
   std::optional<Carrier> carrier(FaceId face) const override;
   Tessellation tessellate(const TessellationOptions& options) const override;
