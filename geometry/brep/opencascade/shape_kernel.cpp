@@ -26,7 +26,7 @@ namespace isopatch::geometry {
 namespace {
 
 // Relative error asked of the adaptive quadrature.
-constexpr double quadrature_error = 1e-11;
+constexpr double quadrature_error = 1e-7;
 
 double parameter(const EdgeGeometry& edge, double t) {
   return edge.first + (edge.last - edge.first) * t;

@@ -172,13 +172,27 @@ class TableMaker {
     return VertexId(vertices_.Add(vertex) - 1);
   }
 
+  // Optimal boxes of surfaces are slow, so only those faces get one that may reach beyond all edges.
   void set_box() {
     Bnd_Box box;
-    for (const TopoDS_Face& face : input_.faces) BRepBndLib::AddOptimal(face, box, false, false);
+    for (const EdgeGeometry& edge : result_.edges) BRepBndLib::AddOptimal(edge.edge, box, false, false);
+    if (box.IsVoid()) throw Error(ErrorCode::unsupported, "the solid has no edges");
+    box.SetGap(0);
+    for (const TopoDS_Face& face : input_.faces) {
+      Bnd_Box generous;
+      BRepBndLib::Add(face, generous, false);
+      if (!contains(box, generous)) BRepBndLib::AddOptimal(face, box, false, false);
+    }
     auto& corners = result_.tables.box;
-    if (box.IsVoid()) throw Error(ErrorCode::unsupported, "the solid has no faces");
     box.Get(corners[0].x(), corners[0].y(), corners[0].z(), corners[1].x(), corners[1].y(), corners[1].z());
     for (Eigen::Vector3d& corner : corners) corner *= input_.metres;
+  }
+
+  static bool contains(const Bnd_Box& outer, const Bnd_Box& inner) {
+    const gp_Pnt low = outer.CornerMin(), high = outer.CornerMax();
+    const gp_Pnt from = inner.CornerMin(), to = inner.CornerMax();
+    return low.X() <= from.X() && low.Y() <= from.Y() && low.Z() <= from.Z() && to.X() <= high.X() &&
+           to.Y() <= high.Y() && to.Z() <= high.Z();
   }
 
   void require_lengths() const {
