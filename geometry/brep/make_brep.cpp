@@ -39,8 +39,8 @@ void require_two_faces(const Polyhedron& polyhedron, const EdgeGraph& graph) {
                                                      place(polyhedron, graph.edge(id).start.value),
                                                      place(polyhedron, graph.edge(id).end.value), what));
   };
-  if (!report.free_edges.empty()) fail(report.free_edges.front(), "one face only");
   if (!report.overused_edges.empty()) fail(report.overused_edges.front(), "more than two faces");
+  if (!report.free_edges.empty()) fail(report.free_edges.front(), "one face only");
 }
 
 }  // namespace

@@ -13,10 +13,10 @@ namespace isopatch::geometry {
 struct ReadBrepOptions {
   /// Metres that one unit of the file measures, for formats that do not say it (.brep, .xml, .off). Positive.
   /// STEP and IGES files state their unit; giving it for them is an error.
-  std::optional<double> length_unit;  // 1 where needed and not given
+  std::optional<double> length_unit = {};  // 1 where needed and not given
   /// How faces are joined that do not share their edges; `accept_open` also takes a boundary with free or
   /// overused edges from any format as it is, for `check` to report.
-  SewOptions sew;
+  SewOptions sew = {};
 };
 
 /// What was read.

@@ -46,12 +46,12 @@ std::string boundary_problem(const Brep& brep, const BoundaryReport& report) {
   const auto count = [](const auto& ids) {
     return ids.size() == 1 ? "1 edge" : fmt::format("{} edges", ids.size());
   };
-  if (!report.free_edges.empty())
-    return fmt::format("the boundary is open: {} with one face only: {}", count(report.free_edges),
-                       listed(brep, report.free_edges));
   if (!report.overused_edges.empty())
     return fmt::format("the boundary is not a manifold: {} with more than two faces: {}",
                        count(report.overused_edges), listed(brep, report.overused_edges));
+  if (!report.free_edges.empty())
+    return fmt::format("the boundary is open: {} with one face only: {}", count(report.free_edges),
+                       listed(brep, report.free_edges));
   if (!report.misoriented_edges.empty())
     return fmt::format(
         "the faces cannot be oriented: {} between a face turned outwards and one turned inwards: {}",

@@ -1,6 +1,7 @@
 #include <IFSelect_ReturnStatus.hxx>
 #include <Interface_Static.hxx>
 #include <Quantity_Color.hxx>
+#include <STEPCAFControl_Controller.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <STEPCAFControl_Writer.hxx>
 #include <TCollection_ExtendedString.hxx>
@@ -96,9 +97,10 @@ FileShape file_shape(const std::shared_ptr<Document>& document, const TDF_Label&
 
 std::vector<FileShape> read_step(const std::filesystem::path& path) {
   const auto document = std::make_shared<Document>();
-  STEPCAFControl_Reader reader;
+  STEPCAFControl_Controller::Init();
   Interface_Static::SetIVal("read.stepcaf.subshapes.name", 1);
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  STEPCAFControl_Reader reader;
   reader.SetColorMode(true);
   reader.SetNameMode(true);
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
@@ -128,10 +130,12 @@ void write_step(const std::filesystem::path& path, const ShapeKernel& kernel, co
       colours->SetColor(label, Quantity_Color((*colour)[0], (*colour)[1], (*colour)[2], Quantity_TOC_sRGB),
                         XCAFDoc_ColorSurf);
   }
-  STEPCAFControl_Writer writer;
+  // The writer looks at these when it is made, and they exist once its library is initialized.
+  STEPCAFControl_Controller::Init();
   Interface_Static::SetIVal("write.stepcaf.subshapes.name", 1);
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   Interface_Static::SetCVal("write.step.unit", unit == "in" ? "INCH" : unit == "m" ? "M" : "MM");
+  STEPCAFControl_Writer writer;
   writer.SetColorMode(true);
   writer.SetNameMode(true);
   if (!writer.Transfer(document.handle(), STEPControl_ManifoldSolidBrep) ||
