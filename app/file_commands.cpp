@@ -6,6 +6,7 @@
 #include "app/internal/json_values.hpp"
 #include "app/output_directory.hpp"
 #include "app/report_page.hpp"
+#include "app/solid_input.hpp"
 #include "app/stored_results.hpp"
 #include "app/write_results.hpp"
 #include "geometry/base/atomic_file.hpp"
@@ -59,9 +60,32 @@ std::string values_json(const StoredValues& found) {
                     {"jacobian", found.values.jacobian}});
 }
 
+/// Prints the report of each solid; fails after that if one is none.
+ExitCode solid_info(const InfoCommand& command, const Console& console) {
+  ProgressDisplay display(console);
+  display.progress()("reading and checking", 0);
+  const std::vector<SolidReport> solids = load_solids(command.input);
+  display.clear();
+  if (command.json) console.out << solids_json_text(solids);
+  ExitCode code = ExitCode::ok;
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    const SolidReport& solid = solids[i];
+    const std::string number = solids.size() > 1 ? fmt::format(", solid {}", i) : "";
+    const std::string name = solid.file.name.empty() ? "" : fmt::format(" '{}'", solid.file.name);
+    if (!command.json)
+      console.out << fmt::format("{}{}{}{}\n", i > 0 ? "\n" : "", command.input.path.string(), number, name)
+                  << solid_text(solid, command.all);
+    if (solid.report.stage != geometry::BrepStage::repair) continue;
+    console.fail(fmt::format("{}{}: {}", command.input.path.string(), number, solid.report.findings.front()));
+    code = ExitCode::wrong_input;
+  }
+  return code;
+}
+
 }  // namespace
 
 ExitCode info_command(const InfoCommand& command, const Console& console) {
+  if (is_solid_file(command.input.path)) return solid_info(command, console);
   ProgressDisplay display(console);
   const LoadedInput input = load_input(command.input);
   const geometry::MultiPatch& model = input.model;

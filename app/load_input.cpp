@@ -11,15 +11,6 @@
 namespace isopatch::app {
 namespace {
 
-double length_unit(const std::string& text) {
-  const Quantity unit = parse_scale(text);
-  const bool plain = unit.dimension == dimensions::none;
-  if ((unit.dimension != dimensions::length && !plain) || !(unit.value > 0))
-    throw Error(ErrorCode::invalid_argument,
-                fmt::format("--length-unit: expected a length such as mm or '225 mm', got '{}'", text));
-  return unit.value;
-}
-
 std::string title_of(const Study& study, const std::filesystem::path& path) {
   return study.title.empty() ? path.filename().string() : study.title;
 }
@@ -35,6 +26,17 @@ LoadedInput load_result(const std::filesystem::path& path) {
 
 }  // namespace
 
+double length_unit(const InputFile& input) {
+  const std::string& text = input.length_unit;
+  if (text.empty()) return 1;
+  const Quantity unit = parse_scale(text);
+  const bool plain = unit.dimension == dimensions::none;
+  if ((unit.dimension != dimensions::length && !plain) || !(unit.value > 0))
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("--length-unit: expected a length such as mm or '225 mm', got '{}'", text));
+  return unit.value;
+}
+
 LoadedInput load_input(const InputFile& input) {
   const auto extension = input.path.extension();
   if (extension == ".h5") return load_result(input.path);
@@ -44,7 +46,7 @@ LoadedInput load_input(const InputFile& input) {
   }
   ModelInput model;
   model.file = input.path;
-  model.length_unit = length_unit(input.length_unit);
+  model.length_unit = length_unit(input);
   return {load_model(model), std::nullopt, input.path.filename().string()};
 }
 

@@ -14,8 +14,12 @@ namespace isopatch::app {
 struct InputFile {
   std::filesystem::path path;
   std::vector<std::string> overrides;  ///< --set, for a study
-  std::string length_unit = "m";       ///< for patches
+  std::string length_unit;             ///< for files that do not say it; "" is m
 };
+
+/// Metres that one unit of the file measures.
+/// @throws Error invalid_argument for a text that is no length
+double length_unit(const InputFile& input);
 
 /// Its model, in m, connected; and the results if it has any.
 struct LoadedInput {

@@ -59,6 +59,7 @@ constexpr const char* info_examples = R"(Examples:
   isopatch info model.xml                            G+Smo XML, GoTools .g2 or an MFEM NURBS mesh
   isopatch info model.xml --length-unit '225 mm'
   isopatch info study.toml --json | jq .volume
+  isopatch info part.step                            a CAD solid: what is ready, what stands in the way
   isopatch info results/results.h5                   what a result file holds
 Faces are named as in the file, so they can be copied into a study: faces = ["0:back"].)";
 
@@ -81,6 +82,8 @@ constexpr const char* render_examples = R"(Examples:
   isopatch render results/results.h5 -o s.png --range '0,300 MPa' --deformation 1 --edges elements
   isopatch render results/results.h5 -o in.png --clip 'z=6 mm' --view top
   isopatch render study.toml -o model.png            the study's model, coloured by patch
+  isopatch render part.step -o part.png              a CAD solid: convex edges dark, others red, flat ones grey
+  isopatch render part.step -o graph.svg             its edge graph, drawn in the plane
 Without --range the colours span the values of 99.9 % of the surface (--percentile), so that a singular corner
 does not take them all; the largest value stands below the bar. Needs an X display; where there is none, Xvfb
 (Debian package xvfb) is started for the time of drawing.)";
@@ -108,6 +111,9 @@ ExitCode exit_code(ErrorCode code) {
     case ErrorCode::bad_format:
     case ErrorCode::unsupported:
     case ErrorCode::not_conforming:
+    case ErrorCode::not_manifold:
+    case ErrorCode::not_contractible:
+    case ErrorCode::not_three_connected:
     case ErrorCode::fold_over:
       return ExitCode::wrong_input;
     default:
@@ -184,14 +190,18 @@ void add_study_commands(CLI::App& app, CommandLine& line) {
 }
 
 void add_input(CLI::App* command, InputFile& input) {
-  command->add_option("input", input.path, "Patches (.xml, .g2, .mesh), a study (.toml) or results (.h5)")
+  command
+      ->add_option(
+          "input", input.path,
+          "Patches (.xml, .g2, .mesh), a solid (.step, .iges, .brep, .xml, .off), a study (.toml) or "
+          "results (.h5)")
       ->required();
   command->add_option("--set", input.overrides, "Replaces a key of the study")
       ->take_all()
       ->expected(1)
       ->type_name("KEY=VALUE");
-  command->add_option("--length-unit", input.length_unit, "What one unit of the patches measures")
-      ->capture_default_str();
+  command->add_option("--length-unit", input.length_unit,
+                      "What one unit of the file measures [m]; STEP and IGES files say it themselves");
 }
 
 void add_render_command(CLI::App& app, CommandLine& line) {
@@ -203,7 +213,8 @@ void add_render_command(CLI::App& app, CommandLine& line) {
     return render->add_option(name, target, meaning)->type_name(type);
   };
   add_input(render, line.render.input);
-  option("-o,--output", line.render.output, "The picture (.png)", "FILE")->required();
+  option("-o,--output", line.render.output, "The picture (.png), or of a solid's edge graph (.svg)", "FILE")
+      ->required();
   option("--field", words.field,
          "von_mises, displacement, patch, jacobian or none; default: von_mises for results, else patch",
          "NAME");

@@ -3,6 +3,8 @@
 #include "app/commands.hpp"
 #include "app/part_picture.hpp"
 #include "app/pictures/draw.hpp"
+#include "app/solid_input.hpp"
+#include "app/solid_picture.hpp"
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/error.hpp"
 
@@ -10,10 +12,11 @@ namespace isopatch::app {
 namespace {
 
 /// Refuses what could not be written before any work is done.
-void check_output(const std::filesystem::path& file) {
-  if (file.extension() != ".png")
+void check_output(const std::filesystem::path& file, bool of_solid) {
+  if (file.extension() != ".png" && !(of_solid && file.extension() == ".svg"))
     throw Error(ErrorCode::invalid_argument,
-                fmt::format("pictures are written as .png, not as '{}'", file.string()));
+                fmt::format("pictures are written as .png{}, not as '{}'",
+                            of_solid ? ", edge graphs of solids as .svg" : "", file.string()));
   std::error_code none;
   if (std::filesystem::is_directory(file, none))
     throw Error(ErrorCode::io, fmt::format("cannot write {}: it is a directory", file.string()));
@@ -23,10 +26,37 @@ void check_output(const std::filesystem::path& file) {
                 fmt::format("cannot write {}: there is no directory {}", file.string(), folder.string()));
 }
 
+ExitCode render_solid(const RenderCommand& command, const Console& console) {
+  const PictureOptions options = parse_picture_options(command.words, false);
+  ProgressDisplay display(console);
+  const Progress progress = display.progress();
+  progress("reading and checking", 0);
+  const std::vector<SolidReport> solids = load_solids(command.input);
+  if (solids.size() > 1)
+    throw Error(ErrorCode::unsupported, fmt::format("{} holds {} solids; draw them one by one",
+                                                    command.input.path.string(), solids.size()));
+  progress("drawing", 0);
+  const std::string title = command.input.path.filename().string();
+  std::string description = "edge graph";
+  if (command.output.extension() == ".svg") {
+    write_file(command.output, solid_graph_svg(solids[0], title));
+  } else {
+    const PartPicture composed = solid_picture(solids[0], options, title);
+    write_file(command.output, draw(composed.picture));
+    description =
+        fmt::format("{} x {} pixels, {}", options.size.width, options.size.height, composed.description);
+  }
+  display.clear();
+  if (!console.quiet) console.out << fmt::format("{}: {}\n", command.output.string(), description);
+  return ExitCode::ok;
+}
+
 }  // namespace
 
 ExitCode render_command(const RenderCommand& command, const Console& console) {
-  check_output(command.output);
+  const bool of_solid = is_solid_file(command.input.path);
+  check_output(command.output, of_solid);
+  if (of_solid) return render_solid(command, console);
   const bool has_results = command.input.path.extension() == ".h5";
   const PictureOptions options = parse_picture_options(command.words, has_results);
   ProgressDisplay display(console);

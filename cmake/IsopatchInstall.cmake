@@ -7,7 +7,7 @@ set(config_folder "${CMAKE_INSTALL_LIBDIR}/cmake/isopatch")
 get_property(libraries GLOBAL PROPERTY ISOPATCH_LIBRARIES)
 
 install(TARGETS isopatch RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
-install(TARGETS isopatch_drawing LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/isopatch")
+install(TARGETS isopatch_drawing isopatch_brep_module LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/isopatch")
 install(TARGETS isopatch_settings ${libraries} EXPORT isopatch ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 install(EXPORT isopatch NAMESPACE isopatch:: FILE isopatchTargets.cmake DESTINATION "${config_folder}")
 

@@ -50,6 +50,12 @@ View view_from(const Eigen::Vector3d& toward_eye, const std::optional<Eigen::Vec
   return view;
 }
 
+Eigen::Vector2d pixel(const Camera& camera, const Eigen::Vector3d& point, const PictureSize& size) {
+  const Eigen::Vector3d from_focus = point - camera.focus;
+  const Eigen::Vector2d flat(camera.view.right.dot(from_focus), camera.view.up.dot(from_focus));
+  return size.height / camera.height * flat + 0.5 * Eigen::Vector2d(size.width, size.height);
+}
+
 Camera fitted(const View& view, const Eigen::Matrix3Xd& points, const Layout& layout, double zoom) {
   Eigen::Matrix<double, 2, 3> axes;
   axes.row(0) = view.right;

@@ -35,6 +35,9 @@ struct Camera {
   double height = 1;                                ///< of the picture, model units
 };
 
+/// Where a point appears: pixels from the lower left of the picture.
+Eigen::Vector2d pixel(const Camera& camera, const Eigen::Vector3d& point, const PictureSize& size);
+
 /// The camera that fills a box of the picture with a surface and centres it there.
 /// @param zoom  above 1: larger than the box
 Camera fitted(const View& view, const Eigen::Matrix3Xd& points, const Layout& layout, double zoom);

@@ -28,6 +28,13 @@ struct PicturePolygon {
   Colour colour;
 };
 
+/// Lines of one colour.
+struct ColouredLines {
+  Lines lines;
+  Colour colour;
+  double width = 1;  ///< pixels
+};
+
 /// All that is drawn; later items lie over earlier ones.
 struct Picture {
   PictureSize size;
@@ -36,6 +43,7 @@ struct Picture {
   std::vector<Colour> palette;  ///< equally wide, at least one
   Lines patch_lines;
   Lines element_lines;
+  std::vector<ColouredLines> coloured_lines;
   std::vector<PicturePolygon> polygons;
   std::vector<PictureText> texts;
   double line_width = 1;     ///< of patch edges, pixels; half of it for elements

@@ -14,6 +14,12 @@ const char* name(ErrorCode code) {
       return "unsupported";
     case ErrorCode::not_conforming:
       return "not_conforming";
+    case ErrorCode::not_manifold:
+      return "not_manifold";
+    case ErrorCode::not_contractible:
+      return "not_contractible";
+    case ErrorCode::not_three_connected:
+      return "not_three_connected";
     case ErrorCode::fold_over:
       return "fold_over";
     case ErrorCode::free_body:

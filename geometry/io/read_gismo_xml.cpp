@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/io/internal/gismo_elements.hpp"
 #include "geometry/io/internal/xml_text.hpp"
 #include "geometry/io/reader_limits.hpp"
 
@@ -116,73 +117,26 @@ class GismoReader {
                 fmt::format("{} is of type {}; volumes of type TensorBSpline3 and TensorNurbs3 are supported",
                             name, quoted(type)),
                 ErrorCode::unsupported);
-    const pugi::xml_node outer = child(geometry, "Basis", name);
-    const pugi::xml_node weights_node = rational ? child(outer, "weights", name) : pugi::xml_node();
-    const pugi::xml_node basis = rational ? child(outer, "Basis", name) : outer;
-    NurbsVolume::KnotVectors knots = knot_vectors(basis, name);
+    const pugi::xml_node outer = required_child(xml_, geometry, "Basis", name);
+    const pugi::xml_node weights_node =
+        rational ? required_child(xml_, outer, "weights", name) : pugi::xml_node();
+    const pugi::xml_node basis = rational ? required_child(xml_, outer, "Basis", name) : outer;
+    const auto given = given_knots<3>(xml_, basis, name);
+    NurbsVolume::KnotVectors knots;
+    for (std::size_t d = 0; d < 3; ++d)
+      knots[d] = knot_vector(xml_, given[d], fmt::format("{}, direction {}", name, d));
     const auto count = located(xml_.source(), xml_.line(basis), name,
                                [&] { return checked_control_points(knots[0], knots[1], knots[2]); });
-    const pugi::xml_node coefficients = child(geometry, "coefs", name);
+    const pugi::xml_node coefficients = required_child(xml_, geometry, "coefs", name);
     if (const int dimension = xml_.integer_attribute(coefficients, "geoDim", 1, 1000); dimension != 3)
       xml_.fail(coefficients,
                 fmt::format("{} has control points in {} dimensions; 3 are needed", name, dimension),
                 ErrorCode::unsupported);
-    const Eigen::MatrixXd points = numbers(coefficients, 3, count, name + ", control point");
+    const Eigen::MatrixXd points = numbers(xml_, coefficients, 3, count, name + ", control point");
     Eigen::VectorXd weights = Eigen::VectorXd::Ones(count);
-    if (rational) weights = numbers(weights_node, 1, count, name + ", weight").transpose();
+    if (rational) weights = numbers(xml_, weights_node, 1, count, name + ", weight").transpose();
     return located(xml_.source(), xml_.line(rational ? weights_node : coefficients), name,
                    [&] { return NurbsVolume(std::move(knots), points, std::move(weights)); });
-  }
-
-  pugi::xml_node child(pugi::xml_node parent, const char* tag, const std::string& name) const {
-    const pugi::xml_node found = parent.child(tag);
-    if (!found) xml_.fail(parent, fmt::format("{}: element <{}> lacks its <{}>", name, parent.name(), tag));
-    return found;
-  }
-
-  NurbsVolume::KnotVectors knot_vectors(pugi::xml_node basis, const std::string& name) const {
-    NurbsVolume::KnotVectors result;
-    int next = 0;
-    std::array<bool, 3> seen{};
-    for (const pugi::xml_node factor : basis.children("Basis")) {
-      if (next == 3) xml_.fail(factor, fmt::format("{}: more than three directions", name));
-      const int index = factor.attribute("index") ? xml_.integer_attribute(factor, "index", 0, 2) : next;
-      const auto direction = static_cast<std::size_t>(index);
-      if (seen[direction]) xml_.fail(factor, fmt::format("{}: direction {} is given twice", name, index));
-      seen[direction] = true;
-      ++next;
-      result[direction] =
-          knot_vector(child(factor, "KnotVector", name), fmt::format("{}, direction {}", name, index));
-    }
-    if (next != 3) xml_.fail(basis, fmt::format("{}: {} directions instead of three", name, next));
-    return result;
-  }
-
-  KnotVector knot_vector(pugi::xml_node node, const std::string& name) const {
-    const int degree = xml_.integer_attribute(node, "degree", 1, KnotVector::max_degree);
-    const std::string content = xml_.content(node);
-    TextScanner scanner(content, xml_.source(), xml_.line(node));
-    std::vector<double> knots;
-    while (!scanner.at_end()) knots.push_back(scanner.number("a knot of " + name));
-    return located(xml_.source(), xml_.line(node), name,
-                   [&] { return KnotVector(degree, std::move(knots)); });
-  }
-
-  // (rows, count) numbers, the rows running fastest.
-  Eigen::MatrixXd numbers(pugi::xml_node node, int rows, std::int64_t count, const std::string& what) const {
-    const std::string_view format = node.attribute("format").value();
-    if (!format.empty() && format != "ASCII")
-      xml_.fail(node, fmt::format("{}: numbers in format {}; write them as ASCII", what, quoted(format)),
-                ErrorCode::unsupported);
-    const std::string content = xml_.content(node);
-    TextScanner scanner(content, xml_.source(), xml_.line(node));
-    scanner.require_room(static_cast<std::size_t>(rows * count),
-                         fmt::format("{} numbers ({})", rows * count, what));
-    Eigen::MatrixXd result(rows, count);
-    for (Eigen::Index i = 0; i < count; ++i)
-      for (int r = 0; r < rows; ++r) result(r, i) = scanner.number(what + " " + std::to_string(i));
-    scanner.expect_end(fmt::format("the {} numbers that the knot vectors ask for ({})", rows * count, what));
-    return result;
   }
 
   PatchFace face(TextScanner& scanner) const {

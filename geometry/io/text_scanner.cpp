@@ -72,7 +72,19 @@ void TextScanner::expect(std::string_view expected) {
 }
 
 double TextScanner::number(std::string_view what) {
+  return number_in(word(what), what);
+}
+
+double TextScanner::fraction(std::string_view what) {
   const std::string_view whole = word(what);
+  const std::size_t bar = whole.find('/');
+  if (bar == whole.npos) return number_in(whole, what);
+  const double value = number_in(whole.substr(0, bar), what) / number_in(whole.substr(bar + 1), what);
+  if (!std::isfinite(value)) fail(fmt::format("{} is {}; it must be finite", what, quoted(whole)));
+  return value;
+}
+
+double TextScanner::number_in(std::string_view whole, std::string_view what) const {
   const std::string_view digits = without_plus(whole);
   double value = 0;
   const auto [end, status] = std::from_chars(digits.data(), digits.data() + digits.size(), value);

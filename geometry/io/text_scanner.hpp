@@ -29,6 +29,8 @@ class TextScanner {
   void expect(std::string_view expected);
   /// A finite number; magnitudes too small for a double are 0.
   double number(std::string_view what);
+  /// A finite number, or a fraction of two: "-1/2".
+  double fraction(std::string_view what);
   /// An integer in [low, high].
   int integer(std::string_view what, int low, int high);
   /// The rest of the current line, trimmed, without its comment.
@@ -46,6 +48,7 @@ class TextScanner {
 
  private:
   void skip_space();
+  double number_in(std::string_view word, std::string_view what) const;
 
   std::string_view text_;
   std::string source_;

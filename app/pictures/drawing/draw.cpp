@@ -64,6 +64,9 @@ void fill(vtkRenderer* renderer, const Picture& picture, double scale) {
         lines_actor(picture.element_lines, 0.5 * scale * picture.line_width, {90, 90, 90}, shift));
   if (!picture.patch_lines.segments.empty())
     renderer->AddActor(lines_actor(picture.patch_lines, scale * picture.line_width, {25, 25, 25}, shift));
+  for (const ColouredLines& some : picture.coloured_lines)
+    if (!some.lines.segments.empty())
+      renderer->AddActor(lines_actor(some.lines, scale * some.width, some.colour, shift));
   if (!picture.polygons.empty()) renderer->AddActor2D(polygons_actor(picture.polygons, scale));
   for (const PictureText& text : picture.texts) renderer->AddActor2D(text_actor(text, scale));
   add_lights(renderer);

@@ -2,10 +2,13 @@
 #include <unistd.h>
 
 #include <array>
+#include <functional>
 #include <random>
 
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/io/hdf5_file.hpp"
+#include "geometry/io/read_gismo_solid.hpp"
+#include "geometry/io/read_off.hpp"
 #include "geometry/io/read_patches.hpp"
 #include "geometry/io/tests/sample_patches.hpp"
 #include "geometry/io/write_gismo_xml.hpp"
@@ -47,6 +50,20 @@ std::string xml_seed() {
   return replaced(to_gismo_xml(set), "  <boundary",
                   "  <interfaces>0 2 1 1 0 1 2 1 1 1\n</interfaces><!-- x -->\n  <boundary");
 }
+
+const std::string off_seed =
+    "OFF\n# a tetrahedron\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1e0\n3 0 2 1\n3 0 1 3 255 0 0\n3 1 2 3\n3 2 0 3\n";
+
+const std::string gismo_solid_seed =
+    "<xml><TrimSurface id=\"7\"><Geometry type=\"TensorBSpline2\"><Basis type=\"TensorBSplineBasis2\">"
+    "<Basis index=\"0\"><KnotVector degree=\"1\">0 0 1 1</KnotVector></Basis>"
+    "<Basis index=\"1\"><KnotVector degree=\"1\">0 0 1 1</KnotVector></Basis></Basis>"
+    "<coefs geoDim=\"3\">0 0 0 2 0 0 0 2 0 2 2 1</coefs></Geometry><PlanarDomain><CurveLoop>"
+    "<Geometry type=\"BSpline\"><Basis><KnotVector degree=\"1\">0 0 .5 .5 1 1</KnotVector></Basis>"
+    "<coefs geoDim=\"2\">0 0 .25 0 .25 0 1 0</coefs></Geometry></CurveLoop></PlanarDomain></TrimSurface>"
+    "<Solid><Vertex>0 0 0 1 0 0 0 1 0 0 0 -1/2</Vertex><Face>3 0 2 1 7\n3 0 1 3 -1\n3 1 2 3 7\n3 2 0 3 "
+    "7</Face>"
+    "<Volume>4 3 0 1 2\n2 1 0</Volume></Solid></xml>";
 
 // Broken versions of a text: bytes changed, pieces cut out, repeated or moved, numbers replaced.
 class Mutator {
@@ -110,15 +127,32 @@ struct Tally {
   int refused = 0;
 };
 
+using Reader = std::function<bool(std::string_view, const std::string&)>;  // whether anything was in the text
+
+bool patches(std::string_view text, const std::string& source) {
+  return !read_patches(text, source).patches.empty();
+}
+bool polyhedron(std::string_view text, const std::string& source) {
+  return read_off(text, source).faces.size() < 1e6;
+}
+bool solid(std::string_view text, const std::string& source) {
+  return !read_gismo_solids(text, source).empty();
+}
+
+struct Seed {
+  const char* name;
+  std::string text;
+  Reader read = patches;
+};
+
 // Anything but an Error escapes and fails the test.
-Tally read_mutants(const std::string& seed, int count) {
-  EXPECT_EQ(error_of([&] { read_patches(seed, "seed"); }), "no error");
+Tally read_mutants(const Seed& seed, int count) {
+  EXPECT_EQ(error_of([&] { seed.read(seed.text, "seed"); }), "no error");
   Tally tally;
   for (int n = 0; n < count; ++n) {
-    const std::string text = Mutator(static_cast<unsigned>(n))(seed);
+    const std::string text = Mutator(static_cast<unsigned>(n))(seed.text);
     try {
-      const PatchSet found = read_patches(text, "mutant");
-      EXPECT_FALSE(found.patches.empty());
+      EXPECT_TRUE(seed.read(text, "mutant"));
       ++tally.read;
     } catch (const Error& error) {
       EXPECT_TRUE(error.code() == ErrorCode::bad_format || error.code() == ErrorCode::unsupported)
@@ -130,20 +164,21 @@ Tally read_mutants(const std::string& seed, int count) {
   return tally;
 }
 
-class BrokenFile : public testing::TestWithParam<std::pair<const char*, std::string>> {};
+class BrokenFile : public testing::TestWithParam<Seed> {};
 
 TEST_P(BrokenFile, GivesAnErrorAndNothingElse) {
-  const Tally tally = read_mutants(GetParam().second, 4000);
+  const Tally tally = read_mutants(GetParam(), 4000);
   // The mutator must reach both outcomes, or it tests nothing.
   EXPECT_GT(tally.read, 100);
   EXPECT_GT(tally.refused, 1000);
 }
 
 INSTANTIATE_TEST_SUITE_P(Fuzz, BrokenFile,
-                         testing::Values(std::pair{"gismo", xml_seed()}, std::pair{"g2", g2_seed},
-                                         std::pair{"mfem", mfem_seed},
-                                         std::pair{"mfem_patches", mfem_patch_seed}),
-                         [](const auto& test) { return test.param.first; });
+                         testing::Values(Seed{"gismo", xml_seed()}, Seed{"g2", g2_seed},
+                                         Seed{"mfem", mfem_seed}, Seed{"mfem_patches", mfem_patch_seed},
+                                         Seed{"off", off_seed, polyhedron},
+                                         Seed{"gismo_solid", gismo_solid_seed, solid}),
+                         [](const auto& test) { return std::string(test.param.name); });
 
 TEST(Fuzz, DamagedHdf5FilesGiveErrorsAndNothingElse) {
   Hdf5Writer writer;

@@ -1,0 +1,235 @@
+#include "app/describe_solid.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "app/engineering_units.hpp"
+#include "app/internal/json_values.hpp"
+
+namespace isopatch::app {
+namespace {
+
+using geometry::Brep;
+using geometry::BrepEdge;
+using geometry::BrepFace;
+using geometry::BrepReport;
+using geometry::Convexity;
+
+constexpr std::size_t short_list = 24;
+
+std::string cut(std::size_t shown, std::size_t total, const char* what) {
+  return shown < total ? fmt::format("  ... and {} more {} (--all lists them)\n", total - shown, what) : "";
+}
+
+const char* yes(bool holds, const char* if_so, const char* if_not) {
+  return holds ? if_so : if_not;
+}
+
+std::string boundary_text(const BrepReport& report) {
+  const auto& boundary = report.boundary;
+  std::string text =
+      fmt::format("{}, {}, {}, {}", yes(boundary.closed(), "closed", "open"),
+                  yes(boundary.manifold(), "manifold", "not manifold"),
+                  yes(boundary.oriented(), "oriented", "not oriented"),
+                  boundary.shells == 1 ? "one shell" : fmt::format("{} shells", boundary.shells));
+  if (!boundary.bounds_a_solid()) return text;
+  return text + fmt::format(", genus {}{}", report.topology.genus,
+                            yes(report.topology.contractible, ", contractible", ""));
+}
+
+std::string graph_text(const BrepReport& report) {
+  const auto& graph = report.connectivity;
+  return fmt::format("{}, {}, {}{}", yes(graph.connected, "connected", "in pieces"),
+                     yes(graph.simple(), "simple", "not simple"),
+                     yes(graph.three_connected, "3-connected", "not 3-connected"),
+                     yes(report.stage == geometry::BrepStage::parameterization, ", that of a cube", ""));
+}
+
+std::string edges_summary(const BrepReport& report) {
+  std::string text;
+  for (const Convexity kind :
+       {Convexity::convex, Convexity::non_convex, Convexity::flat, Convexity::seam, Convexity::free}) {
+    const int count = report.count(kind);
+    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name(kind));
+  }
+  double low = 360, high = 0;
+  for (const auto& edge : report.angles) {
+    if (edge.convexity == Convexity::free || edge.convexity == Convexity::seam) continue;
+    low = std::min(low, edge.smallest.degrees());
+    high = std::max(high, edge.largest.degrees());
+  }
+  return low <= high ? text + fmt::format("; inner angles {:.4g} to {:.4g} degrees", low, high) : text;
+}
+
+std::size_t edge_count(const BrepFace& face) {
+  std::size_t count = 0;
+  for (const auto& loop : face.loops) count += loop.size();
+  return count;
+}
+
+std::string colour_text(const BrepFace& face) {
+  if (!face.colour) return "";
+  const auto& c = *face.colour;
+  const auto byte = [](double x) { return static_cast<int>(std::clamp(x, 0.0, 1.0) * 255 + 0.5); };
+  return fmt::format("#{:02x}{:02x}{:02x}", byte(c[0]), byte(c[1]), byte(c[2]));
+}
+
+std::string faces_text(const Brep& brep, bool all) {
+  const std::size_t total = brep.faces().size(), shown = all ? total : std::min(short_list, total);
+  std::string text = fmt::format("\nfaces\n  {:>4}  {:<9} {:>6} {:>6} {:>12}  {}\n", "no", "surface", "edges", "loops",
+                                 "area", "colour and name");
+  for (std::size_t i = 0; i < shown; ++i) {
+    const BrepFace& face = brep.faces()[i];
+    std::string line = fmt::format("  {:>4}  {:<9} {:>6} {:>6} {:>12}  {} {}", i, name(face.kind), edge_count(face),
+                                   face.loops.size(), with_unit(brep.area(FaceId(static_cast<int>(i))), "m^2"),
+                                   colour_text(face), face.name);
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  return text + cut(shown, total, "faces");
+}
+
+std::string angle_text(const geometry::EdgeAngles& angles) {
+  if (angles.convexity == Convexity::free) return "";
+  const double low = angles.smallest.degrees(), high = angles.largest.degrees();
+  if (high - low < 0.05) return fmt::format("{:.1f}", low);
+  return fmt::format("{:.1f} to {:.1f}", low, high);
+}
+
+std::vector<int> numbers(const std::vector<FaceId>& faces) {
+  std::vector<int> result;
+  for (const FaceId face : faces) result.push_back(face.value);
+  return result;
+}
+
+std::string edges_text(const Brep& brep, const BrepReport& report, bool all) {
+  const std::size_t total = brep.edges().size(), shown = all ? total : std::min(short_list, total);
+  std::string text = fmt::format("\nedges\n  {:>4}  {:<8} {:>9}  {:<9} {:>10}  {:<10} {}\n", "no", "curve", "vertices",
+                                 "faces", "length", "kind", "inner angle, degrees");
+  for (std::size_t i = 0; i < shown; ++i) {
+    const BrepEdge& edge = brep.edges()[i];
+    text += fmt::format("  {:>4}  {:<8} {:>9}  {:<9} {:>10}  {:<10} {}\n", i, name(edge.kind),
+                        fmt::format("{}-{}", edge.start.value, edge.end.value),
+                        fmt::format("{}", fmt::join(numbers(edge.faces), ", ")), with_unit(edge.length, "m"),
+                        name(report.angles[i].convexity), angle_text(report.angles[i]));
+  }
+  return text + cut(shown, total, "edges");
+}
+
+std::string findings_text(const BrepReport& report) {
+  std::string text = fmt::format("ready for {}\n", name(report.stage));
+  for (const std::string& finding : report.findings) text += "  - " + finding + "\n";
+  return text;
+}
+
+Json face_json(const Brep& brep, std::size_t index) {
+  const BrepFace& face = brep.faces()[index];
+  Json loops = Json::array();
+  for (const auto& loop : face.loops) {
+    Json uses = Json::array();
+    for (const auto& use : loop) uses.push_back({{"edge", use.edge.value}, {"reversed", use.reversed}});
+    loops.push_back(uses);
+  }
+  Json colour;
+  if (face.colour) colour = *face.colour;
+  return {{"name", face.name},
+          {"colour", colour},
+          {"surface", name(face.kind)},
+          {"area", brep.area(FaceId(static_cast<int>(index)))},
+          {"loops", loops}};
+}
+
+Json edge_json(const BrepEdge& edge, const geometry::EdgeAngles& angles) {
+  return {{"vertices", {edge.start.value, edge.end.value}},
+          {"faces", numbers(edge.faces)},
+          {"curve", name(edge.kind)},
+          {"length", edge.length},
+          {"convexity", name(angles.convexity)},
+          {"smallest_angle", angles.smallest.degrees()},
+          {"largest_angle", angles.largest.degrees()}};
+}
+
+template <class IdType>
+Json ids_json(const std::vector<IdType>& ids) {
+  Json result = Json::array();
+  for (const IdType id : ids) result.push_back(id.value);
+  return result;
+}
+
+Json checks_json(const BrepReport& report) {
+  const auto& boundary = report.boundary;
+  const auto& graph = report.connectivity;
+  Json conflict;
+  if (graph.conflict)
+    conflict = {{"faces", {graph.conflict->first.value, graph.conflict->second.value}},
+                {"vertices", {graph.conflict->u.value, graph.conflict->v.value}}};
+  return {{"closed", boundary.closed()},
+          {"manifold", boundary.manifold()},
+          {"oriented", boundary.oriented()},
+          {"shells", boundary.shells},
+          {"free_edges", ids_json(boundary.free_edges)},
+          {"overused_edges", ids_json(boundary.overused_edges)},
+          {"misoriented_edges", ids_json(boundary.misoriented_edges)},
+          {"pinched_vertices", ids_json(boundary.pinched_vertices)},
+          {"euler_characteristic", report.topology.euler_characteristic},
+          {"genus", report.topology.genus},
+          {"contractible", report.topology.contractible},
+          {"faces_with_inner_loops", ids_json(report.topology.with_inner_loops)},
+          {"periodic_faces", ids_json(report.topology.periodic)},
+          {"closed_edges", ids_json(report.topology.closed_edges)},
+          {"connected", graph.connected},
+          {"simple", graph.simple()},
+          {"three_connected", graph.three_connected},
+          {"conflict", conflict}};
+}
+
+Json solid_json(const SolidReport& solid) {
+  const Brep& brep = solid.file.brep;
+  const BrepReport& report = solid.report;
+  Json faces = Json::array(), edges = Json::array(), vertices = Json::array();
+  for (std::size_t i = 0; i < brep.faces().size(); ++i) faces.push_back(face_json(brep, i));
+  for (std::size_t i = 0; i < brep.edges().size(); ++i) edges.push_back(edge_json(brep.edges()[i], report.angles[i]));
+  for (const auto& vertex : brep.vertices().colwise()) vertices.push_back(to_json(Eigen::Vector3d(vertex)));
+  return {{"name", solid.file.name},
+          {"stage", name(report.stage)},
+          {"findings", report.findings},
+          {"volume", report.volume},
+          {"area", report.area},
+          {"box", {to_json(brep.box()[0]), to_json(brep.box()[1])}},
+          {"largest_correction", solid.file.largest_correction},
+          {"largest_gap", report.largest_gap},
+          {"checks", checks_json(report)},
+          {"faces", faces},
+          {"edges", edges},
+          {"vertices", vertices}};
+}
+
+}  // namespace
+
+std::string solid_text(const SolidReport& solid, bool all) {
+  const Brep& brep = solid.file.brep;
+  const BrepReport& report = solid.report;
+  std::string text = fmt::format("{} faces, {} edges, {} vertices: {}\n", brep.faces().size(), brep.edges().size(),
+                                 brep.vertices().cols(), boundary_text(report));
+  text += fmt::format("edge graph {}\n", graph_text(report));
+  text += fmt::format("edges {}\n", edges_summary(report));
+  text += fmt::format("volume {}, surface {}\n", with_unit(report.volume, "m^3"), with_unit(report.area, "m^2"));
+  text += fmt::format("box {} to {}\n", place_with_unit(brep.box()[0], brep.size()),
+                      place_with_unit(brep.box()[1], brep.size()));
+  text += fmt::format("largest gap between an edge and its face {}, shortest edge {} ({})\n",
+                      with_unit(report.largest_gap, "m"), report.shortest_edge.value,
+                      with_unit(brep.edge(report.shortest_edge).length, "m"));
+  if (solid.file.largest_correction > 0)
+    text += fmt::format("sewn: points moved by up to {}\n", with_unit(solid.file.largest_correction, "m"));
+  return text + findings_text(report) + faces_text(brep, all) + edges_text(brep, report, all);
+}
+
+std::string solids_json_text(const std::vector<SolidReport>& solids) {
+  Json result = Json::array();
+  for (const SolidReport& solid : solids) result.push_back(solid_json(solid));
+  return file_text({{"solids", result}});
+}
+
+}  // namespace isopatch::app

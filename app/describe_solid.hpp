@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/brep/check_brep.hpp"
+#include "geometry/brep/read_brep.hpp"
+
+namespace isopatch::app {
+
+/// A solid of a file with what was found about it.
+struct SolidReport {
+  geometry::BrepFile file;
+  geometry::BrepReport report;
+};
+
+/// What `isopatch info` prints of a solid, in engineering units.
+/// @param all  every face and edge; otherwise long lists are cut after 24 lines
+std::string solid_text(const SolidReport& solid, bool all = false);
+
+/// All solids of a file as JSON, SI units, angles in degrees, complete.
+std::string solids_json_text(const std::vector<SolidReport>& solids);
+
+}  // namespace isopatch::app

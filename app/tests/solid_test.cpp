@@ -1,0 +1,127 @@
+#include <fstream>
+#include <regex>
+
+#include "app/tests/program_fixture.hpp"
+
+namespace isopatch::app {
+namespace {
+
+/// An L of three unit squares, one thick; the edge above vertex 3 is not convex.
+const std::string l_shape = R"(OFF
+12 8 18
+0 0 0
+2 0 0
+2 1 0
+1 1 0
+1 2 0
+0 2 0
+0 0 1
+2 0 1
+2 1 1
+1 1 1
+1 2 1
+0 2 1
+6 5 4 3 2 1 0
+6 6 7 8 9 10 11
+4 0 1 7 6
+4 1 2 8 7
+4 2 3 9 8
+4 3 4 10 9
+4 4 5 11 10
+4 5 0 6 11
+)";
+
+class SolidFiles : public Program {
+ protected:
+  void SetUp() override {
+    Program::SetUp();
+    write_file(folder_ / "l.off", l_shape);
+  }
+  std::string solid() const { return (folder_ / "l.off").string(); }
+};
+
+TEST_F(SolidFiles, TheCadLibraryIsNotThereBeforeTheFirstSolid) {
+  const auto loaded = [] {
+    std::ifstream maps("/proc/self/maps");
+    const std::string text((std::istreambuf_iterator<char>(maps)), std::istreambuf_iterator<char>());
+    return text.find("libTKernel") != text.npos;
+  };
+  if (loaded()) GTEST_SKIP() << "another test in this process has loaded it";
+  EXPECT_EQ(run({"info", study()}), 0);
+  EXPECT_FALSE(loaded());
+  EXPECT_EQ(run({"info", solid()}), 0);
+  EXPECT_TRUE(loaded());
+}
+
+TEST_F(SolidFiles, InfoSaysWhatIsReadyAndWhatIsNot) {
+  ASSERT_EQ(run({"info", solid(), "--length-unit", "mm"}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("8 faces, 18 edges, 12 vertices: closed, manifold, oriented, one shell, genus 0, "
+                              "contractible"));
+  EXPECT_THAT(out_, HasSubstr("edge graph connected, simple, 3-connected"));
+  EXPECT_THAT(out_, HasSubstr("17 convex, 1 non-convex; inner angles 90 to 270 degrees"));
+  EXPECT_THAT(out_, HasSubstr("volume 3 mm^3, surface 14 mm^2"));
+  EXPECT_THAT(out_, HasSubstr("ready for decomposition"));
+  EXPECT_THAT(out_, HasSubstr("1 non-convex edge"));
+}
+
+TEST_F(SolidFiles, InfoAsJsonIsComplete) {
+  ASSERT_EQ(run({"info", solid(), "--json"}), 0) << err_;
+  const json solids = json::parse(out_)["solids"];
+  ASSERT_EQ(solids.size(), 1u);
+  const json& read = solids[0];
+  EXPECT_EQ(read["stage"], "decomposition");
+  EXPECT_NEAR(read["volume"].get<double>(), 3, 1e-12);
+  EXPECT_NEAR(read["area"].get<double>(), 14, 1e-12);
+  EXPECT_EQ(read["faces"].size(), 8u);
+  EXPECT_EQ(read["edges"].size(), 18u);
+  EXPECT_EQ(read["vertices"].size(), 12u);
+  EXPECT_EQ(read["checks"]["three_connected"], true);
+  EXPECT_EQ(read["checks"]["genus"], 0);
+  int non_convex = 0;
+  for (const json& edge : read["edges"]) {
+    if (edge["convexity"] != "non-convex") continue;
+    ++non_convex;
+    EXPECT_NEAR(edge["largest_angle"].get<double>(), 270, 1e-9);
+    EXPECT_EQ(edge["vertices"], json({3, 9}));
+  }
+  EXPECT_EQ(non_convex, 1);
+}
+
+TEST_F(SolidFiles, AnOpenBoundaryIsDescribedAndRefused) {
+  std::string open = l_shape;
+  open.replace(open.find("12 8 18"), 7, "12 7 18");
+  open.erase(open.find("4 5 0 6 11"));
+  write_file(folder_ / "open.off", open);
+  EXPECT_EQ(run({"info", (folder_ / "open.off").string()}), 2);
+  EXPECT_THAT(out_, HasSubstr("open, manifold, oriented, one shell"));
+  EXPECT_THAT(out_, HasSubstr("ready for repair"));
+  EXPECT_THAT(err_, HasSubstr("4 edges with one face only"));
+  EXPECT_THAT(err_, HasSubstr("vertex 5 at (0, 2, 0) m"));
+}
+
+TEST_F(SolidFiles, TheEdgeGraphIsDrawnInThePlane) {
+  const fs::path graph = folder_ / "graph.svg";
+  ASSERT_EQ(run({"render", solid(), "-o", graph.string()}), 0) << err_;
+  const std::string text = read_file(graph);
+  const auto count = [&](const std::string& pattern) {
+    const std::regex expression(pattern);
+    return std::distance(std::sregex_iterator(text.begin(), text.end(), expression), std::sregex_iterator());
+  };
+  EXPECT_EQ(count("<circle"), 12);
+  EXPECT_EQ(count("<line class=\"curve s1\""), 17 + 1);  // the legend's sample too
+  EXPECT_EQ(count("<line class=\"curve s2\""), 1 + 1);
+  EXPECT_THAT(text, HasSubstr(">f7<"));
+}
+
+TEST_F(SolidFiles, PicturesShowFacesEdgesAndNumbers) {
+  const fs::path picture = folder_ / "l.png";
+  ASSERT_EQ(run({"render", solid(), "-o", picture.string(), "--size", "400x300"}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("400 x 300 pixels, 8 faces, 18 edges, 12 vertices"));
+  EXPECT_THAT(read_file(picture), StartsWith("\x89PNG"));
+  EXPECT_EQ(run({"render", solid(), "-o", picture.string(), "--field", "jacobian"}), 2);
+  EXPECT_THAT(err_, HasSubstr("a solid has only its faces to show"));
+  EXPECT_EQ(run({"render", study(), "-o", (folder_ / "x.svg").string()}), 2);
+}
+
+}  // namespace
+}  // namespace isopatch::app

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/brep/brep.hpp"
+#include "geometry/brep/edge_angles.hpp"
+#include "geometry/brep/edge_graph.hpp"
+#include "geometry/brep/graph_connectivity.hpp"
+
+namespace isopatch::geometry {
+
+/// Where on the way from a solid to patches a solid can go in. Each is nearer to the end than the one before.
+enum class BrepStage {
+  repair,         ///< the faces do not bound one solid
+  preprocessing,  ///< holes, cavities, inner loops, seams or a graph that is not 3-connected have to go first
+  decomposition,  ///< cutting loops can take it apart
+  parameterization,  ///< a topological hexahedron
+};
+const char* name(BrepStage stage);
+
+/// What a solid is like.
+struct BrepReport {
+  BoundaryReport boundary;
+  TopologyReport topology;
+  ConnectivityReport connectivity;
+  std::vector<EdgeAngles> angles;  ///< of each edge
+  double volume = 0;               ///< m^3; 0 for an open boundary
+  double area = 0;                 ///< m^2
+  double largest_gap = 0;          ///< m, between an edge and its curve on a face
+  EdgeId shortest_edge;
+  BrepStage stage = BrepStage::repair;
+  std::vector<std::string>
+      findings;  ///< sentences: what stands between the solid and the next stage, entities named
+
+  int count(Convexity convexity) const;
+};
+
+/// Checks a solid: closed, manifold, oriented, one shell, contractible, simple and 3-connected, angles at
+/// edges.
+/// @cost  that of the volume, and samples x edges evaluations
+BrepReport check(const Brep& brep, const EdgeAngleOptions& options = {});
+
+}  // namespace isopatch::geometry

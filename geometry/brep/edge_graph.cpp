@@ -1,0 +1,175 @@
+#include "geometry/brep/edge_graph.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "geometry/base/error.hpp"
+#include "geometry/brep/brep.hpp"
+
+namespace isopatch::geometry {
+namespace {
+
+std::size_t index(VertexId id) {
+  return static_cast<std::size_t>(id.value);
+}
+std::size_t index(EdgeId id) {
+  return static_cast<std::size_t>(id.value);
+}
+std::size_t index(FaceId id) {
+  return static_cast<std::size_t>(id.value);
+}
+
+/// Sets that grow together.
+class Union {
+ public:
+  explicit Union(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t(0));
+  }
+  std::size_t root(std::size_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::size_t a, std::size_t b) { parent_[root(a)] = root(b); }
+  int count() {
+    int roots = 0;
+    for (std::size_t i = 0; i < parent_.size(); ++i) roots += root(i) == i;
+    return roots;
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+int shells(const EdgeGraph& graph, const std::vector<std::vector<EdgeGraph::Place>>& used) {
+  Union faces(graph.faces.size());
+  for (const auto& at : used)
+    for (const EdgeGraph::Place& place : at) faces.join(index(at.front().face), index(place.face));
+  return faces.count();
+}
+
+// The edge ends at a vertex are joined by the corners of faces; more than one piece is a pinch.
+std::vector<VertexId> pinched(const EdgeGraph& graph) {
+  Union ends(2 * graph.edges.size());  // 2 e: at the start of e, 2 e + 1: at its end
+  for (const EdgeGraph::Face& face : graph.faces)
+    for (const auto& loop : face.loops)
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const EdgeUse arriving = loop[i], leaving = loop[(i + 1) % loop.size()];
+        ends.join(2 * index(arriving.edge) + (arriving.reversed ? 0 : 1),
+                  2 * index(leaving.edge) + (leaving.reversed ? 1 : 0));
+      }
+  std::vector<std::vector<std::size_t>> fans(static_cast<std::size_t>(graph.vertex_count));
+  for (std::size_t e = 0; e < graph.edges.size(); ++e)
+    for (const auto& [vertex, end] :
+         {std::pair(graph.edges[e].start, 2 * e), std::pair(graph.edges[e].end, 2 * e + 1)})
+      fans[index(vertex)].push_back(ends.root(end));
+  std::vector<VertexId> result;
+  for (std::size_t v = 0; v < fans.size(); ++v) {
+    std::sort(fans[v].begin(), fans[v].end());
+    const auto last = std::unique(fans[v].begin(), fans[v].end());
+    if (last - fans[v].begin() > 1) result.emplace_back(static_cast<int>(v));
+  }
+  return result;
+}
+
+}  // namespace
+
+EdgeGraph edge_graph(const Brep& brep) {
+  EdgeGraph graph;
+  graph.vertex_count = static_cast<int>(brep.vertices().cols());
+  for (const BrepEdge& edge : brep.edges()) graph.edges.push_back({edge.start, edge.end});
+  for (const BrepFace& face : brep.faces()) graph.faces.push_back({face.loops});
+  return graph;
+}
+
+EdgeGraph edge_graph(int vertex_count, const std::vector<std::vector<int>>& faces) {
+  EdgeGraph graph;
+  graph.vertex_count = vertex_count;
+  std::map<std::pair<int, int>, EdgeId> known;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    std::vector<EdgeUse> loop;
+    const std::vector<int>& polygon = faces[f];
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const int from = polygon[i], to = polygon[(i + 1) % polygon.size()];
+      if (from < 0 || from >= vertex_count || from == to)
+        throw Error(ErrorCode::invalid_argument,
+                    fmt::format("face {} goes from vertex {} to {}; they must differ and lie below {}", f,
+                                from, to, vertex_count));
+      const auto [found, is_new] =
+          known.try_emplace(std::minmax(from, to), EdgeId(static_cast<int>(graph.edges.size())));
+      if (is_new) graph.edges.push_back({VertexId(from), VertexId(to)});
+      loop.push_back({found->second, graph.edge(found->second).start != VertexId(from)});
+    }
+    graph.faces.push_back({{std::move(loop)}});
+  }
+  return graph;
+}
+
+std::vector<VertexId> corners(const EdgeGraph& graph, const std::vector<EdgeUse>& loop) {
+  std::vector<VertexId> result;
+  for (const EdgeUse use : loop) result.push_back(graph.from(use));
+  return result;
+}
+
+std::vector<std::vector<EdgeGraph::Place>> places(const EdgeGraph& graph) {
+  std::vector<std::vector<EdgeGraph::Place>> result(graph.edges.size());
+  for (std::size_t f = 0; f < graph.faces.size(); ++f)
+    for (std::size_t l = 0; l < graph.faces[f].loops.size(); ++l)
+      for (std::size_t i = 0; i < graph.faces[f].loops[l].size(); ++i) {
+        const EdgeUse use = graph.faces[f].loops[l][i];
+        result[index(use.edge)].push_back(
+            {FaceId(static_cast<int>(f)), static_cast<int>(l), static_cast<int>(i), use.reversed});
+      }
+  return result;
+}
+
+std::vector<int> degrees(const EdgeGraph& graph) {
+  std::vector<int> result(static_cast<std::size_t>(graph.vertex_count));
+  for (const EdgeGraph::Edge& edge : graph.edges) {
+    ++result[index(edge.start)];
+    ++result[index(edge.end)];
+  }
+  return result;
+}
+
+BoundaryReport boundary(const EdgeGraph& graph) {
+  BoundaryReport report;
+  const auto used = places(graph);
+  for (std::size_t e = 0; e < used.size(); ++e) {
+    const EdgeId id(static_cast<int>(e));
+    if (used[e].size() < 2) report.free_edges.push_back(id);
+    if (used[e].size() > 2) report.overused_edges.push_back(id);
+    if (used[e].size() == 2 && used[e][0].reversed == used[e][1].reversed)
+      report.misoriented_edges.push_back(id);
+  }
+  report.pinched_vertices = pinched(graph);
+  report.shells = shells(graph, used);
+  return report;
+}
+
+TopologyReport topology(const EdgeGraph& graph, const BoundaryReport& boundary) {
+  TopologyReport report;
+  report.euler_characteristic = graph.vertex_count - static_cast<int>(graph.edges.size());
+  for (std::size_t f = 0; f < graph.faces.size(); ++f) {
+    const auto& loops = graph.faces[f].loops;
+    report.euler_characteristic += 2 - static_cast<int>(loops.size());
+    const FaceId id(static_cast<int>(f));
+    if (loops.size() > 1) report.with_inner_loops.push_back(id);
+    std::vector<int> used;
+    for (const auto& loop : loops)
+      for (const EdgeUse use : loop) used.push_back(use.edge.value);
+    std::sort(used.begin(), used.end());
+    if (std::adjacent_find(used.begin(), used.end()) != used.end()) report.periodic.push_back(id);
+  }
+  for (std::size_t e = 0; e < graph.edges.size(); ++e)
+    if (graph.edges[e].start == graph.edges[e].end) report.closed_edges.emplace_back(static_cast<int>(e));
+  if (boundary.bounds_a_solid()) {
+    report.genus = boundary.shells - report.euler_characteristic / 2;
+    report.contractible = boundary.shells == 1 && report.genus == 0;
+  }
+  return report;
+}
+
+}  // namespace isopatch::geometry

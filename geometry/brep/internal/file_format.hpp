@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "geometry/brep/module.hpp"
+
+namespace isopatch::geometry {
+
+/// A file's ending in small letters: ".step".
+std::string file_ending(const std::filesystem::path& path);
+
+/// The format that an ending stands for, if the module reads it.
+std::optional<BrepFormat> module_format(const std::string& ending);
+
+}  // namespace isopatch::geometry

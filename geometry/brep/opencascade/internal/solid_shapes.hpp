@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "geometry/brep/module.hpp"
+#include "geometry/brep/opencascade/internal/shape_kernel.hpp"
+
+namespace isopatch::geometry {
+
+/// A shell's faces as a solid with outward normals; a shell if it is open.
+///
+/// Turns faces around so that neighbours agree, and all if the volume is negative.
+/// @param faces  in the order of their ids; edges shared
+ShapeInput oriented_solid(std::vector<TopoDS_Face> faces, double metres);
+
+/// A power of two that brings a size in metres to about 100, where OpenCASCADE's tolerances are at home.
+/// Multiplying by it is exact.
+double kernel_scale(double size);
+
+KernelSolid sewn_solid(const std::vector<TrimmedSurface>& faces, const SewOptions& options);
+KernelSolid polyhedral_solid(const Polyhedron& polyhedron, const SewOptions& options);
+
+}  // namespace isopatch::geometry

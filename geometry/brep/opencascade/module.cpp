@@ -1,0 +1,87 @@
+#include "geometry/brep/module.hpp"
+
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <Message_Printer.hxx>
+#include <Standard_Failure.hxx>
+#include <mutex>
+
+#include <fmt/format.h>
+
+#include "geometry/base/error.hpp"
+#include "geometry/brep/opencascade/internal/exchange.hpp"
+#include "geometry/brep/opencascade/internal/solid_shapes.hpp"
+
+namespace isopatch::geometry {
+namespace {
+
+/// Its exceptions as ours.
+template <class Work>
+auto guarded(const std::string& what, Work work) {
+  try {
+    return work();
+  } catch (const Standard_Failure& failure) {
+    throw Error(ErrorCode::unsupported,
+                fmt::format("{}: OpenCASCADE cannot do this ({}: {})", what, failure.DynamicType()->Name(),
+                            failure.GetMessageString()));
+  }
+}
+
+/// The readers and writers share settings that belong to the whole process, so they take turns.
+class OpenCascade final : public BrepModule {
+ public:
+  // It would print to the standard output.
+  OpenCascade() { Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer)); }
+
+  std::vector<KernelSolid> read(const std::filesystem::path& path, BrepFormat format, double metres,
+                                const SewOptions& options) const override {
+    const std::lock_guard<std::mutex> lock(files_);
+    return guarded(path.string(), [&] {
+      switch (format) {
+        case BrepFormat::step:
+          return solids_of(read_step(path), 1e-3, options, path.string());
+        case BrepFormat::iges:
+          return solids_of(read_iges(path), 1e-3, options, path.string());
+        case BrepFormat::brep:
+          break;
+      }
+      return solids_of(read_native(path), metres, options, path.string());
+    });
+  }
+
+  void write(const std::filesystem::path& path, BrepFormat format, const BrepKernel& kernel,
+             const std::string& unit) const override {
+    const std::lock_guard<std::mutex> lock(files_);
+    const auto& shape = dynamic_cast<const ShapeKernel&>(kernel);
+    guarded(path.string(), [&] {
+      switch (format) {
+        case BrepFormat::step:
+          return write_step(path, shape, unit);
+        case BrepFormat::iges:
+          return write_iges(path, shape, unit);
+        case BrepFormat::brep:
+          break;
+      }
+      return write_native(path, shape, unit);
+    });
+  }
+
+  KernelSolid sew(const std::vector<TrimmedSurface>& faces, const SewOptions& options) const override {
+    return guarded("sewing trimmed surfaces", [&] { return sewn_solid(faces, options); });
+  }
+
+  KernelSolid polyhedron(const Polyhedron& polyhedron, const SewOptions& options) const override {
+    return guarded("making a polyhedron", [&] { return polyhedral_solid(polyhedron, options); });
+  }
+
+ private:
+  mutable std::mutex files_;
+};
+
+}  // namespace
+}  // namespace isopatch::geometry
+
+extern "C" const isopatch::geometry::BrepModule* isopatch_brep_module() {
+  static const isopatch::geometry::OpenCascade module;
+  return &module;
+}

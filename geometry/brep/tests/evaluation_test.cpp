@@ -1,0 +1,167 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "geometry/base/error.hpp"
+#include "geometry/brep/brep.hpp"
+#include "geometry/brep/make_brep.hpp"
+#include "geometry/brep/read_brep.hpp"
+#include "geometry/brep/tests/data_file.hpp"
+#include "geometry/brep/tests/sample_solids.hpp"
+
+namespace isopatch::geometry {
+namespace {
+
+using test::data_file;
+
+/// Solids of every kind of surface: plane, cylinder, cone, torus, spline; block.step stands in where data are absent.
+std::vector<Brep> solids() {
+  std::vector<Brep> result = {make_brep(test::block(0.3, 0.2, 0.1))};
+  for (const char* name : {"models/screw.step", "models/block_torus_fillet3.step", "models/block_through_hole.step",
+                           "models/pipe_helix.step",
+                           "chair_stand/solids/segmented_objStandFiveParts1_seed002_5.xml"})
+    if (const auto path = data_file(name); std::filesystem::exists(path)) result.push_back(read_brep(path).brep);
+  return result;
+}
+
+TEST(BrepEvaluation, CurvesInDomainsFollowTheEdges) {
+  for (const Brep& brep : solids())
+    for (std::size_t f = 0; f < brep.faces().size(); ++f)
+      for (const auto& loop : brep.faces()[f].loops)
+        for (const EdgeUse use : loop)
+          for (const double t : {0.0, 0.21, 0.5, 1.0}) {
+            const FaceId face(static_cast<int>(f));
+            const Eigen::Vector2d uv = brep.domain_point(face, use, t);
+            EXPECT_LT((brep.point(face, uv) - brep.point(use.edge, t)).norm(), 2e-4 * brep.size());
+            // The chain rule: as the edge runs, its image in the domain runs. Curves of files are fitted, and the
+            // derivatives of fits are poor at their ends.
+            if (t == 0 || t == 1) continue;
+            const Eigen::Vector3d along = brep.derivatives(face, uv) * brep.domain_tangent(face, use, t);
+            const Eigen::Vector3d tangent = brep.tangent(use.edge, t);
+            EXPECT_LT((along - tangent).norm(), 0.02 * tangent.norm() + 1e-6 * brep.size())
+                << "face " << f << " edge " << use.edge.value << " t " << t;
+          }
+}
+
+TEST(BrepEvaluation, EdgesBeginAndEndInTheirVertices) {
+  for (const Brep& brep : solids())
+    for (std::size_t e = 0; e < brep.edges().size(); ++e) {
+      const EdgeId id(static_cast<int>(e));
+      EXPECT_LT((brep.point(id, 0) - brep.vertex(brep.edge(id).start)).norm(), 5e-5 * brep.size());
+      EXPECT_LT((brep.point(id, 1) - brep.vertex(brep.edge(id).end)).norm(), 5e-5 * brep.size());
+    }
+}
+
+TEST(BrepEvaluation, DerivativesAreThoseOfDifferences) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(0.1, 0.9);
+  for (const Brep& brep : solids())
+    for (std::size_t f = 0; f < brep.faces().size(); ++f) {
+      const FaceId face(static_cast<int>(f));
+      const DomainBox box = brep.domain(face);
+      const Eigen::Vector2d range = box.high - box.low;
+      const Eigen::Vector2d uv = box.low + range.cwiseProduct(Eigen::Vector2d(uniform(random), uniform(random)));
+      const auto d = brep.derivatives(face, uv);
+      const Eigen::Matrix3d dd = brep.second_derivatives(face, uv);
+      for (int k = 0; k < 2; ++k) {
+        const Eigen::Vector2d step = 1e-5 * range(k) * Eigen::Vector2d::Unit(k);
+        const Eigen::Vector3d slope = (brep.point(face, uv + step) - brep.point(face, uv - step)) / (2 * step(k));
+        EXPECT_LT((slope - d.col(k)).norm(), 1e-6 * brep.size() / range(k));
+        const auto difference = (brep.derivatives(face, uv + step) - brep.derivatives(face, uv - step)) / (2 * step(k));
+        const double scale = 1e-5 * brep.size() / range(k);
+        EXPECT_LT((difference.col(0) - dd.col(k)).norm(), scale / range(0));
+        EXPECT_LT((difference.col(1) - dd.col(k + 1)).norm(), scale / range(1));
+      }
+    }
+}
+
+TEST(BrepEvaluation, NormalsPointOutwards) {
+  const Brep brep = make_brep(test::prism(6));
+  const Eigen::Vector3d middle(0, 0, 0.5);
+  for (std::size_t f = 0; f < brep.faces().size(); ++f) {
+    const FaceId face(static_cast<int>(f));
+    const DomainBox box = brep.domain(face);
+    const Eigen::Vector2d uv = (box.low + box.high) / 2;
+    EXPECT_GT(brep.outward_normal(face, uv).dot(brep.point(face, uv) - middle), 0.1);
+  }
+}
+
+TEST(BrepEvaluation, NearestPointsOfFacesAreFoundAgain) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (const Brep& brep : solids())
+    for (std::size_t f = 0; f < brep.faces().size(); ++f) {
+      const FaceId face(static_cast<int>(f));
+      const DomainBox box = brep.domain(face);
+      for (int i = 0; i < 4; ++i) {
+        const Eigen::Vector2d uv =
+            box.low + (box.high - box.low).cwiseProduct(Eigen::Vector2d(uniform(random), uniform(random)));
+        const Eigen::Vector3d on = brep.point(face, uv);
+        const FaceProjection found = brep.project(face, on);
+        EXPECT_LT(found.distance, 1e-9 * brep.size()) << "face " << f;
+        // Off the surface by little: the foot is the same point, and not farther away.
+        const double height = 1e-4 * brep.size();
+        const Eigen::Vector3d off = on + height * brep.outward_normal(face, uv);
+        for (const FaceProjection& foot : {brep.project(face, off), brep.project(face, off, uv)}) {
+          EXPECT_LE(foot.distance, height * (1 + 1e-9));
+          EXPECT_GT(foot.distance, 0.5 * height);
+          EXPECT_NEAR((foot.point - brep.point(face, foot.uv)).norm(), 0, 1e-12 * brep.size());
+        }
+      }
+    }
+}
+
+TEST(BrepEvaluation, NearestPointsOfEdgesAreFoundAgain) {
+  for (const Brep& brep : solids())
+    for (std::size_t e = 0; e < brep.edges().size(); ++e) {
+      const EdgeId edge(static_cast<int>(e));
+      for (const double t : {0.0, 0.3, 0.77, 1.0})
+        EXPECT_LT(brep.project(edge, brep.point(edge, t)).distance, 1e-9 * brep.size());
+    }
+}
+
+TEST(BrepEvaluation, EdgesAsNurbsCurvesAreExact) {
+  for (const Brep& brep : solids())
+    for (std::size_t e = 0; e < brep.edges().size(); ++e) {
+      const EdgeId edge(static_cast<int>(e));
+      const NurbsCurve curve = brep.curve(edge);
+      EXPECT_LT((curve.point(curve.low()) - brep.point(edge, 0)).norm(), 1e-12 * brep.size());
+      EXPECT_LT((curve.point(curve.high()) - brep.point(edge, 1)).norm(), 1e-12 * brep.size());
+      for (const double s : {0.2, 0.5, 0.9}) {
+        const Eigen::Vector3d on = curve.point(curve.low() + s * (curve.high() - curve.low()));
+        EXPECT_LT(brep.project(edge, on).distance, 1e-9 * brep.size());
+      }
+    }
+}
+
+TEST(BrepEvaluation, AHoleDoesNotBelongToItsFace) {
+  const auto path = data_file("models/block_through_hole.step");
+  ISOPATCH_NEEDS(path);
+  const Brep brep = read_brep(path).brep;
+  int faces = 0;
+  for (std::size_t f = 0; f < brep.faces().size(); ++f) {
+    if (brep.faces()[f].loops.size() != 2) continue;
+    const FaceId face(static_cast<int>(f));
+    const EdgeUse rim = brep.faces()[f].loops[1].front();
+    const Eigen::Vector2d middle = (brep.domain_point(face, rim, 0) + brep.domain_point(face, rim, 0.5)) / 2;
+    EXPECT_FALSE(brep.contains(face, middle));
+    EXPECT_TRUE(brep.contains(face, middle + 1.05 * (brep.domain_point(face, rim, 0.3) - middle)));
+    ++faces;
+  }
+  EXPECT_EQ(faces, 2);
+}
+
+TEST(BrepEvaluation, IdsOutOfRangeAreRefused) {
+  const Brep brep = make_brep(test::block(1, 1, 1));
+  EXPECT_THROW(brep.point(FaceId(6), Eigen::Vector2d::Zero()), Error);
+  EXPECT_THROW(brep.point(EdgeId(-1), 0), Error);
+  EXPECT_THROW(brep.vertex(VertexId(8)), Error);
+  const EdgeUse use = brep.faces()[0].loops[0][0];
+  EXPECT_THROW(brep.domain_point(FaceId(0), {use.edge, !use.reversed}, 0), Error);
+}
+
+}  // namespace
+}  // namespace isopatch::geometry
