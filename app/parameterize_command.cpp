@@ -11,7 +11,7 @@ ExitCode parameterize_command(const ParameterizeCommand& command, const Console&
   BlocksInput input = command.input;
   input.files.files = command.blocks;
   if (!command.pairs.empty()) input.files.pairs = command.pairs;
-  input.files.length_unit = parse_length_unit(command.length_unit);
+  input.files.length_unit = length_unit({.length_unit = command.length_unit});
   input.options.method = command.method == "paper" ? segmentation::ParameterizationMethod::paper
                                                    : segmentation::ParameterizationMethod::shared;
   const auto folder = command.output.parent_path();
