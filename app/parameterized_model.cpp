@@ -5,9 +5,6 @@
 #include <algorithm>
 
 #include "app/engineering_units.hpp"
-#include "geometry/base/atomic_file.hpp"
-#include "geometry/brep/read_brep.hpp"
-#include "geometry/io/read_gismo_solid.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -39,11 +36,6 @@ std::string histogram_text(const ParameterizationReport& report) {
 }
 
 }  // namespace
-
-bool holds_solids(const std::filesystem::path& path) {
-  if (geometry::is_brep_file(path)) return true;
-  return path.extension() == ".xml" && geometry::is_gismo_solid(read_file(path));
-}
 
 segmentation::Parameterization parameterized(const BlocksInput& input, const Progress& progress) {
   progress("reading blocks", 0);

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
 #include <string>
-#include <vector>
 
 #include "geometry/base/progress.hpp"
 #include "segmentation/parameterization/parameterize.hpp"
@@ -16,10 +13,6 @@ struct BlocksInput {
   segmentation::BlockFiles files;
   segmentation::ParameterizationOptions options;
 };
-
-/// Whether a file holds solids rather than patches; a G+Smo .xml may hold either, which its content tells.
-/// @throws Error io  an .xml that cannot be read
-bool holds_solids(const std::filesystem::path& path);
 
 /// Reads the blocks and parameterizes them; lengths are metres.
 /// @throws Error as `read_blocks` and `parameterize` do

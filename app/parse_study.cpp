@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/attachment_keys.hpp"
+#include "app/solid_input.hpp"
 #include "app/standard_materials.hpp"
 #include "app/study_keys.hpp"
 #include "geometry/base/atomic_file.hpp"
@@ -71,7 +72,7 @@ std::optional<BlocksInput> read_blocks(const ModelKeys& keys, const Section& inp
   if (keys.file) {
     const std::filesystem::path file = path(*keys.file, "file");
     std::error_code ignored;
-    if (std::filesystem::exists(file, ignored) && holds_solids(file)) blocks.files.files.push_back(file);
+    if (std::filesystem::exists(file, ignored) && is_solid_file(file)) blocks.files.files.push_back(file);
   }
   if (blocks.files.files.empty()) {
     if (keys.pairs) throw error_at(input.place, "pairs says how blocks meet, but [model] has no blocks");
