@@ -130,15 +130,21 @@ LocatedProbe locate_probe(const ProbeInput& probe, const iga::ElasticityProblem&
 
 }  // namespace
 
-MultiPatch load_model(const ModelInput& input) {
+LoadedModel load_model(const ModelInput& input, const Progress& progress) {
+  if (input.blocks) {
+    segmentation::Parameterization found = parameterized(*input.blocks, progress);
+    geometry::PatchSet set = attached(std::move(found.patches), input.attachments);
+    return {geometry::connect(std::move(set), input.tolerance), std::move(found.report)};
+  }
   geometry::PatchSet set = input.generator ? input.generator() : geometry::read_patches(input.file);
   set = attached(std::move(set), input.attachments);
-  return geometry::connect(scaled(std::move(set), input.length_unit), input.tolerance);
+  return {geometry::connect(scaled(std::move(set), input.length_unit), input.tolerance), std::nullopt};
 }
 
 BuiltProblem build_problem(const Study& study, const Progress& progress) {
   progress("reading the model", 0);
-  const MultiPatch model = load_model(study.model);
+  const LoadedModel loaded = load_model(study.model, progress);
+  const MultiPatch& model = loaded.model;
   const std::vector<iga::Material> materials = assign_materials(study, model.patch_count());
   const ModelReport seen = report(model, progress);
   progress("refining", 0);
@@ -148,6 +154,8 @@ BuiltProblem build_problem(const Study& study, const Progress& progress) {
                      {},
                      {},
                      certificate_warnings(model, seen)};
+  if (loaded.parameterization)
+    for (const std::string& complaint : loaded.parameterization->complaints()) built.warnings.push_back({complaint});
   for (const SupportInput& support : study.supports) {
     auto faces = caught_faces(support.selection, support.name, name(support.kind), built, built.supports);
     std::vector<iga::SupportedEdge> edges;

@@ -10,10 +10,16 @@
 
 namespace isopatch::app {
 
-/// Reads or generates the patches, attaches more, scales them to metres and finds how they meet.
-/// @throws Error as the readers and `connect` do, and invalid_argument for a generated model's dimensions and
-/// for attachments
-geometry::MultiPatch load_model(const ModelInput& input);
+/// A model, and how its solids became patches if it is made of solids.
+struct LoadedModel {
+  geometry::MultiPatch model;
+  std::optional<segmentation::ParameterizationReport> parameterization;
+};
+
+/// Reads or generates the patches, or makes them of solids, attaches more, scales them to metres and finds how they meet.
+/// @throws Error as the readers, `parameterize` and `connect` do, and invalid_argument for a generated model's
+/// dimensions and for attachments
+LoadedModel load_model(const ModelInput& input, const Progress& progress = {});
 
 /// A probe, found in the model.
 struct LocatedProbe {

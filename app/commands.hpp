@@ -8,6 +8,7 @@
 #include "app/compare_levels.hpp"
 #include "app/console.hpp"
 #include "app/load_input.hpp"
+#include "app/parameterized_model.hpp"
 #include "app/picture_options.hpp"
 #include "app/program.hpp"
 #include "solvers/processes.hpp"
@@ -68,6 +69,18 @@ struct RenderCommand {
 };
 /// Draws a model or results as a picture.
 ExitCode render_command(const RenderCommand& command, const Console& console);
+
+struct ParameterizeCommand {
+  std::vector<std::filesystem::path> blocks;
+  std::string pairs;  ///< a file, or "" to find them from the geometry
+  std::string length_unit;  ///< as of InputFile
+  std::string method = "shared";
+  BlocksInput input;  ///< the options; files are filled in
+  std::filesystem::path output;  ///< .xml
+};
+/// Makes patches of topological hexahedra and writes them as G+Smo XML; `failed` if one is not certified or deviates too
+/// far, after writing.
+ExitCode parameterize_command(const ParameterizeCommand& command, const Console& console);
 
 struct ConvertCommand {
   std::filesystem::path input;

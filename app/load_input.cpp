@@ -42,12 +42,12 @@ LoadedInput load_input(const InputFile& input) {
   if (extension == ".h5") return load_result(input.path);
   if (extension == ".toml") {
     const Study study = read_study(input.path, input.overrides);
-    return {load_model(study.model), std::nullopt, title_of(study, input.path)};
+    return {load_model(study.model).model, std::nullopt, title_of(study, input.path)};
   }
   ModelInput model;
   model.file = input.path;
   model.length_unit = length_unit(input);
-  return {load_model(model), std::nullopt, input.path.filename().string()};
+  return {load_model(model).model, std::nullopt, input.path.filename().string()};
 }
 
 }  // namespace isopatch::app

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/attachment_keys.hpp"
+#include "app/solid_input.hpp"
 #include "app/standard_materials.hpp"
 #include "app/study_keys.hpp"
 #include "geometry/base/atomic_file.hpp"
@@ -60,7 +61,38 @@ AttachmentInput read_attachment(const Section& input, double length_unit) {
   return result;
 }
 
-ModelInput read_model(const Section& input, const std::string& source) {
+/// The solids that a model is made of, if it is made of any.
+std::optional<BlocksInput> read_blocks(const ModelKeys& keys, const Section& input, const Section& how,
+                                       const std::string& source) {
+  BlocksInput blocks;
+  const auto path = [&](const std::string& text, const char* key) {
+    return resolved(text, input.table.find(key)->value.place, source);
+  };
+  for (const std::string& file : keys.blocks) blocks.files.files.push_back(path(file, "blocks"));
+  if (keys.file) {
+    const std::filesystem::path file = path(*keys.file, "file");
+    std::error_code ignored;
+    if (std::filesystem::exists(file, ignored) && is_solid_file(file)) blocks.files.files.push_back(file);
+  }
+  if (blocks.files.files.empty()) {
+    if (keys.pairs) throw error_at(input.place, "pairs says how blocks meet, but [model] has no blocks");
+    return std::nullopt;
+  }
+  const auto options =
+      read_table<ParameterizationKeys>(how.table, how.place, "[parameterization]", parameterization_keys());
+  blocks.options = options.options;
+  blocks.files.complex.same_point = options.same_point;
+  blocks.files.length_unit = keys.length_unit;
+  if (keys.pairs) blocks.files.pairs = path(*keys.pairs, "pairs");
+  try {
+    segmentation::validate(blocks.options);
+  } catch (const Error& error) {
+    throw error_at(how.place, error.what());
+  }
+  return blocks;
+}
+
+ModelInput read_model(const Section& input, const Section& parameterization, const std::string& source) {
   const ConfigEntry* generate = input.table.find("generate");
   const GeneratedModel* generator = generate ? &find_generator(generate->value) : nullptr;
   std::vector<std::string> known = names(model_keys());
@@ -77,14 +109,18 @@ ModelInput read_model(const Section& input, const std::string& source) {
         throw unknown_key(entry, fmt::format("[model] with generate = \"{}\"", generator->name), known);
   }
   const auto keys = read_table<ModelKeys>(common, input.place, "[model]", model_keys());
-  if (keys.file.has_value() == keys.generate.has_value())
-    throw error_at(input.place, "[model] needs either file = \"...\" or generate = \"...\"");
+  if (keys.file.has_value() + keys.generate.has_value() + !keys.blocks.empty() != 1)
+    throw error_at(input.place, "[model] needs either file = \"...\", blocks = [\"...\"] or generate = \"...\"");
   ModelInput model;
   model.place = input.place;
   model.length_unit = keys.length_unit;
   model.tolerance = {.same_point = keys.same_point, .near_miss = keys.near_miss, .same_knot = keys.same_knot};
   if (keys.near_miss <= keys.same_point) throw error_at(input.place, "near_miss must be above same_point");
   if (keys.file) model.file = resolved(*keys.file, input.table.find("file")->value.place, source);
+  model.blocks = read_blocks(keys, input, parameterization, source);
+  if (!model.blocks && !parameterization.table.entries.empty())
+    throw error_at(parameterization.place,
+                   "[parameterization] is for solids, but [model] has patches already; remove one");
   if (generator) {
     model.generate = generator->name;
     model.generator = generator->read(dimensions, input.place, keys.length_unit);
@@ -245,7 +281,8 @@ Study parse_study(const std::string& text, const std::filesystem::path& source_n
   for (const std::string& assignment : overrides) table = with_override(std::move(table), assignment);
   const auto top = read_table<StudyKeys>(table, {study.source, 0, 0}, "the study", study_keys());
   study.title = top.title;
-  study.model = read_model(section(top.model, "model", study.source), study.source);
+  study.model = read_model(section(top.model, "model", study.source),
+                           section(top.parameterization, "parameterization", study.source), study.source);
   for (const Section& input : sections(top.material, "material"))
     study.materials.push_back(read_material(input));
   for (const Section& input : sections(top.support, "support"))

@@ -88,6 +88,13 @@ Without --range the colours span the values of 99.9 % of the surface (--percenti
 does not take them all; the largest value stands below the bar. Needs an X display; where there is none, Xvfb
 (Debian package xvfb) is started for the time of drawing.)";
 
+constexpr const char* parameterize_examples = R"(Examples:
+  isopatch parameterize block.step -o patches.xml
+  isopatch parameterize part*.xml --pairs pairs.txt --length-unit '225 mm' -o patches.xml
+  isopatch parameterize part*.xml -o patches.xml --tolerance 1e-5
+Each solid must be a topological hexahedron: 8 vertices, 12 edges, 6 faces with four edges each. Prints how far the
+patches are from the solids and how good they are. Exit code 1 if one is folded or deviates too far.)";
+
 constexpr const char* convert_examples = R"(Examples:
   isopatch convert model.g2 --output model.xml
   isopatch convert part.mesh --output part.xml)";
@@ -131,6 +138,7 @@ struct CommandLine {
   ReportCommand report;
   RenderCommand render;
   ConvertCommand convert;
+  ParameterizeCommand parameterize;
   VerifyCommand verify;
   std::string topic;
   std::string output;  ///< of run and compare
@@ -238,6 +246,30 @@ void add_render_command(CLI::App& app, CommandLine& line) {
   render->add_flag("--no-bar", words.no_bar, "No colour bar");
 }
 
+void add_parameterize_command(CLI::App& app, CommandLine& line) {
+  ParameterizeCommand& command = line.parameterize;
+  CLI::App* parameterize = add_command(
+      app, line, "parameterize", "Makes patches of solids that are topological hexahedra", parameterize_examples,
+      [&command](const Console& console) { return parameterize_command(command, console); });
+  parameterize->add_option("blocks", command.blocks, "Solids: .step, .stp, .iges, .igs, .brep, .xml (G+Smo), .off")
+      ->required();
+  parameterize->add_option("-o,--output", command.output, "The patches (.xml)")->required()->type_name("FILE");
+  parameterize->add_option("--pairs", command.pairs, "How blocks meet; default: found from the geometry")
+      ->type_name("FILE");
+  parameterize->add_option("--length-unit", command.length_unit,
+                           "What one unit measures, in formats that do not say it; default: m");
+  parameterize->add_option("--tolerance", command.input.options.fit.tolerance, "Largest deviation, share of the size")
+      ->capture_default_str();
+  parameterize->add_option("--degree", command.input.options.fit.degree, "Of the patches")->capture_default_str();
+  parameterize
+      ->add_option("--same-point", command.input.files.complex.same_point,
+                   "Points of two blocks this close, as a share of the size, are one")
+      ->capture_default_str();
+  parameterize->add_option("--method", command.method, "shared, or paper for comparison")
+      ->check(CLI::IsMember({"shared", "paper"}))
+      ->capture_default_str();
+}
+
 void add_file_commands(CLI::App& app, CommandLine& line) {
   CLI::App* info =
       add_command(app, line, "info", "Describes a model, a study's model or a result file", info_examples,
@@ -273,6 +305,7 @@ void add_file_commands(CLI::App& app, CommandLine& line) {
       ->type_name("FILE");
 
   add_render_command(app, line);
+  add_parameterize_command(app, line);
 
   CLI::App* convert =
       add_command(app, line, "convert", "Writes patches as G+Smo XML", convert_examples,

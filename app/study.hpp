@@ -11,6 +11,7 @@
 
 #include "app/attachment.hpp"
 #include "app/config_value.hpp"
+#include "app/parameterized_model.hpp"
 #include "app/selection.hpp"
 #include "geometry/base/tolerance.hpp"
 #include "geometry/multi_patch.hpp"
@@ -21,11 +22,12 @@
 
 namespace isopatch::app {
 
-/// Where the patches come from: exactly one of file and generate.
+/// Where the patches come from: exactly one of file, blocks and generate.
 struct ModelInput {
   std::filesystem::path
       file;              ///< G+Smo XML, GoTools .g2 or MFEM NURBS mesh; resolved against the study's folder
-  std::string generate;  ///< name of a generated model, or ""
+  std::optional<BlocksInput> blocks;  ///< solids to be made patches
+  std::string generate;               ///< name of a generated model, or ""
   /// The generated model with the dimensions given, model units; empty for files.
   std::function<geometry::PatchSet()> generator;
   std::vector<AttachmentInput> attachments;

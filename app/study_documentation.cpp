@@ -53,7 +53,10 @@ std::vector<SectionText> study_sections() {
   std::vector<SectionText> sections = {
       {"study", "The file", "Keys and tables at the top.", texts(study_keys())},
       {"model", "[model]", "Where the patches come from: a file, or a generated model with its dimensions.",
-       texts(model_keys())}};
+       texts(model_keys())},
+      {"parameterization", "[parameterization]",
+       "How topological hexahedra become patches, if [model] has `blocks` or a `file` of solids.",
+       texts(parameterization_keys())}};
   for (const GeneratedModel& model : generated_models())
     sections.push_back({"model." + model.name, fmt::format("[model] with generate = \"{}\"", model.name),
                         model.meaning + " Plain numbers are model units, see `length_unit`.", model.keys});

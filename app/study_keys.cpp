@@ -59,6 +59,8 @@ const Keys<StudyKeys>& study_keys() {
   static const Keys<StudyKeys> keys = {
       text_key<StudyKeys>("title", &StudyKeys::title, "Name of the study, for reports."),
       value_key<StudyKeys>("model", "table", &StudyKeys::model, "Where the patches come from.").required(),
+      value_key<StudyKeys>("parameterization", "table", &StudyKeys::parameterization,
+                           "How solids become patches, where the model is made of solids."),
       value_key<StudyKeys>("discretization", "table", &StudyKeys::discretization, "The solution space."),
       value_key<StudyKeys>("material", "array of tables", &StudyKeys::material,
                            "Materials; every patch needs exactly one.")
@@ -80,7 +82,20 @@ const Keys<ModelKeys>& model_keys() {
           "file", &ModelKeys::file,
           "A file of patches: G+Smo XML (.xml), GoTools (.g2) or MFEM NURBS mesh (.mesh). Relative "
           "paths count from the study's folder; ${NAME} and ${NAME:-default} are environment "
-          "variables. Either this or `generate`."),
+          "variables. Or a file of topological hexahedra, as in `blocks`. Either this, `blocks` or `generate`."),
+      custom_key<ModelKeys>(
+          "blocks", "array of strings",
+          "Files of solids that are topological hexahedra: STEP (.step, .stp), IGES (.iges, .igs), OpenCASCADE "
+          "(.brep), G+Smo solids (.xml), polyhedra (.off). [parameterization] says how each becomes a patch; their "
+          "outer faces are boundaries called \"block:face\".",
+          [](ModelKeys& target, const ConfigValue& value) {
+            for (const ConfigValue& item : read_array(value, "blocks"))
+              target.blocks.push_back(read_text(item, "blocks"));
+          }),
+      optional_text_key<ModelKeys>(
+          "pairs", &ModelKeys::pairs,
+          "With blocks, a file that says how they meet, a line each: block, number of its face, block, number of its "
+          "face. Without it the pairs are found from the geometry."),
       optional_text_key<ModelKeys>(
           "generate", &ModelKeys::generate,
           "Name of a generated model, whose dimensions are further keys of [model]; see below."),

@@ -8,6 +8,8 @@ namespace isopatch::app {
 /// What [model] says before its generator's keys.
 struct ModelKeys {
   std::optional<std::string> file;
+  std::vector<std::string> blocks;
+  std::optional<std::string> pairs;
   std::optional<std::string> generate;
   std::optional<ConfigValue> attach;
   double length_unit = 1;
@@ -73,10 +75,16 @@ struct OutputKeys {
   bool report = true;
 };
 
+struct ParameterizationKeys {
+  segmentation::ParameterizationOptions options;
+  double same_point = segmentation::ComplexOptions{}.same_point;
+};
+
 /// The whole file: each section is read with its own keys.
 struct StudyKeys {
   std::string title;
   std::optional<ConfigValue> model;
+  std::optional<ConfigValue> parameterization;
   std::optional<ConfigValue> discretization;
   std::optional<ConfigValue> material;
   std::optional<ConfigValue> support;
@@ -90,6 +98,7 @@ struct StudyKeys {
 /// The one table of keys: the parser reads by it and the documentation is printed from it.
 const Keys<StudyKeys>& study_keys();
 const Keys<ModelKeys>& model_keys();
+const Keys<ParameterizationKeys>& parameterization_keys();
 const Keys<DiscretizationKeys>& discretization_keys();
 const Keys<MaterialKeys>& material_keys();
 const Keys<LameKeys>& lame_keys();

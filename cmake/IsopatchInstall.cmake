@@ -12,7 +12,7 @@ install(TARGETS isopatch_settings ${libraries} EXPORT isopatch ARCHIVE DESTINATI
 install(EXPORT isopatch NAMESPACE isopatch:: FILE isopatchTargets.cmake DESTINATION "${config_folder}")
 
 # Headers keep their folders, so that they are included as in the tree: "geometry/multi_patch.hpp".
-install(DIRECTORY geometry solvers iga app DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/isopatch"
+install(DIRECTORY geometry segmentation solvers iga app DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/isopatch"
   FILES_MATCHING PATTERN "*.hpp" PATTERN tests EXCLUDE PATTERN internal EXCLUDE PATTERN program EXCLUDE)
 install(FILES LICENSE NOTICE.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 

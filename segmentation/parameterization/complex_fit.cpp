@@ -1,0 +1,341 @@
+#include "segmentation/parameterization/complex_fit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "geometry/base/error.hpp"
+#include "geometry/splines/grid.hpp"
+#include "geometry/splines/transfer.hpp"
+#include "segmentation/parameterization/coons.hpp"
+#include "segmentation/parameterization/edge_samples.hpp"
+
+namespace isopatch::segmentation {
+namespace {
+
+using Shares = std::vector<double>;
+
+constexpr int samples_a_span = 8;
+/// Share of the tolerance that edges may use; the rest is for the faces that keep them.
+constexpr double for_edges = 0.4;
+constexpr double for_faces = 0.8;
+
+struct Use {
+  int edge = 0;  ///< of the complex
+  bool reversed = false;
+};
+
+Use edge_of(const HexComplex& complex, int block, int cube_edge) {
+  const int edge = complex.block_edges[static_cast<std::size_t>(block)][static_cast<std::size_t>(cube_edge)];
+  for (const EdgeUse& use : complex.edges[static_cast<std::size_t>(edge)].uses)
+    if (use.block == block && use.edge == cube_edge) return {edge, use.reversed};
+  throw Error(ErrorCode::internal, "an edge of a complex does not know its block");
+}
+
+KnotVector knots_along(const HexComplex& complex, const ComplexFit& fit, int block, int direction) {
+  const Use use = edge_of(complex, block, 4 * direction);
+  const KnotVector knots = edge_knots(complex, fit, static_cast<std::size_t>(use.edge));
+  return use.reversed ? reversed(knots) : knots;
+}
+
+Shares turned(Shares shares) {
+  for (double& x : shares) x = 1 - x;
+  return shares;
+}
+
+/// The sides of a face as the complex' edges; `turned` says whether the edge runs against the face's frame.
+struct FaceSide {
+  std::size_t edge = 0;
+  bool turned = false;
+};
+
+std::array<FaceSide, 4> sides_of(const HexComplex& complex, std::size_t face) {
+  const BlockSide first = complex.faces[face].uses[0].side;
+  const auto edges = side_edges(first.side);
+  std::array<FaceSide, 4> result;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Use use = edge_of(complex, first.block, edges[k]);
+    result[k] = {static_cast<std::size_t>(use.edge), use.reversed};
+  }
+  return result;
+}
+
+Eigen::Matrix3Xd in_frame(const Eigen::Matrix3Xd& points, bool turned_around) {
+  return turned_around ? Eigen::Matrix3Xd(points.rowwise().reverse()) : points;
+}
+
+/// A face's net with its edges' control points on its boundary and the blend inside.
+Eigen::Matrix3Xd framed_net(const HexComplex& complex, const ComplexFit& fit, std::size_t face,
+                            const std::array<KnotVector, 2>& knots) {
+  const Eigen::Index n = knots[0].size(), m = knots[1].size();
+  Eigen::Matrix3Xd net = Eigen::Matrix3Xd::Zero(3, n * m);
+  const auto sides = sides_of(complex, face);
+  const auto points = [&](std::size_t k) { return in_frame(fit.edges[sides[k].edge], sides[k].turned); };
+  net.leftCols(n) = points(0);
+  net.rightCols(n) = points(1);
+  const Eigen::Matrix3Xd left = points(2), right = points(3);
+  for (Eigen::Index j = 0; j < m; ++j) {
+    net.col(n * j) = left.col(j);
+    net.col(n * j + n - 1) = right.col(j);
+  }
+  return coons_net(knots, net);
+}
+
+/// Adds the transfinite blend of what is given on the four sides of a grid.
+template <class Points>
+void add_blend(Points& grid, const std::array<Points, 4>& sides, const Shares& s, const Shares& t) {
+  const auto n = static_cast<Eigen::Index>(s.size()), m = static_cast<Eigen::Index>(t.size());
+  for (Eigen::Index j = 0; j < m; ++j)
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const double x = s[static_cast<std::size_t>(i)], y = t[static_cast<std::size_t>(j)];
+      grid.col(i + n * j) += (1 - y) * sides[0].col(i) + y * sides[1].col(i) + (1 - x) * sides[2].col(j) +
+                             x * sides[3].col(j) -
+                             (1 - y) * ((1 - x) * sides[0].col(0) + x * sides[0].col(n - 1)) -
+                             y * ((1 - x) * sides[1].col(0) + x * sides[1].col(n - 1));
+    }
+}
+
+/// What a face's net is fitted to.
+struct FaceTarget {
+  Eigen::Matrix3Xd surface;  ///< points of the surface whose sides lie nearest to the complex' edges
+  Eigen::Matrix3Xd points;   ///< the same, moved so that the sides are the edges
+};
+
+FaceTarget face_target(const HexComplex& complex, std::size_t face, const Shares& s, const Shares& t) {
+  const FaceMap& map = complex.map(complex.faces[face].uses[0].side);
+  const auto sides = sides_of(complex, face);
+  std::array<Eigen::Matrix2Xd, 4> shift;
+  std::array<Eigen::Matrix3Xd, 4> off;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Shares& along = k < 2 ? s : t;
+    const Eigen::Matrix3Xd edge = sample_edge(complex, sides[k].edge, sides[k].turned ? turned(along) : along).points;
+    const Eigen::Matrix2Xd own = map.side_domain(static_cast<int>(k), along);
+    Eigen::Matrix2Xd nearest = own;
+    for (Eigen::Index i = 0; i < own.cols(); ++i) nearest.col(i) = project(map, edge.col(i), own.col(i));
+    shift[k] = nearest - own;
+    off[k] = edge - map.on_surface(nearest);
+  }
+  Eigen::Matrix2Xd domain = map.domain_grid(s, t);
+  add_blend(domain, shift, s, t);
+  FaceTarget result{map.on_surface(domain), {}};
+  result.points = result.surface;
+  add_blend(result.points, off, s, t);
+  return result;
+}
+
+/// Spans to be halved, by sheet.
+using Marks = std::vector<std::vector<bool>>;
+
+void mark(Marks& marks, const HexComplex& complex, std::size_t edge, std::size_t span, bool turned_around) {
+  const ComplexEdge& found = complex.edges[edge];
+  auto& spans = marks[static_cast<std::size_t>(found.sheet)];
+  spans[found.against_sheet != turned_around ? spans.size() - 1 - span : span] = true;
+}
+
+bool any(const Marks& marks) {
+  return std::any_of(marks.begin(), marks.end(), [](const auto& spans) {
+    return std::find(spans.begin(), spans.end(), true) != spans.end();
+  });
+}
+
+/// Halves the marked spans, as far as the limit allows; returns whether any was.
+bool halve(const HexComplex& complex, ComplexFit& fit, Marks marks, int max_spans) {
+  bool changed = false;
+  for (std::size_t k = 0; k < marks.size(); ++k) {
+    if (complex.sheets[k].symmetric)
+      for (std::size_t i = 0; i < marks[k].size(); ++i)
+        if (marks[k][i]) marks[k][marks[k].size() - 1 - i] = true;
+    const std::vector<double> breaks = fit.sheets[k].breaks();
+    std::vector<double> inserted;
+    for (std::size_t i = 0; i < marks[k].size(); ++i)
+      if (marks[k][i]) inserted.push_back((breaks[i] + breaks[i + 1]) / 2);
+    if (inserted.empty() || static_cast<int>(marks[k].size() + inserted.size()) > max_spans) continue;
+    fit.sheets[k] = geometry::with_knots(fit.sheets[k], inserted);
+    changed = true;
+  }
+  return changed;
+}
+
+Marks no_marks(const ComplexFit& fit) {
+  Marks marks;
+  for (const KnotVector& knots : fit.sheets)
+    marks.emplace_back(static_cast<std::size_t>(knots.element_count()), false);
+  return marks;
+}
+
+std::size_t span_of(const std::vector<double>& breaks, double t) {
+  const auto above = std::upper_bound(breaks.begin(), breaks.end() - 1, t);
+  return static_cast<std::size_t>(above - breaks.begin()) - 1;
+}
+
+Marks fit_edges(const HexComplex& complex, ComplexFit& fit, double tolerance) {
+  Marks marks = no_marks(fit);
+  for (std::size_t e = 0; e < complex.edges.size(); ++e) {
+    const KnotVector knots = edge_knots(complex, fit, e);
+    const Shares at = fitting_parameters(knots, samples_a_span);
+    const EdgeSamples samples = sample_edge(complex, e, at);
+    const auto& ends = complex.edges[e].vertices;
+    fit.edges[e] = fit_curve(knots, at, samples.points, complex.vertices[static_cast<std::size_t>(ends[0])],
+                             complex.vertices[static_cast<std::size_t>(ends[1])]);
+    const Eigen::Matrix3Xd points = geometry::points_on_grid(geometry::NurbsCurve({knots}, fit.edges[e]), {at});
+    const Eigen::VectorXd errors = (points - samples.points).colwise().norm();
+    fit.edge_deviation[e] = errors.maxCoeff();
+    fit.edge_gap[e] = samples.gap;
+    const std::vector<double> breaks = knots.breaks();
+    // The ends are the vertices, which no knot brings closer.
+    for (std::size_t i = 1; i + 1 < at.size(); ++i)
+      if (errors[static_cast<Eigen::Index>(i)] > for_edges * tolerance)
+        mark(marks, complex, e, span_of(breaks, at[i]), false);
+  }
+  return marks;
+}
+
+void mark_face(Marks& marks, const HexComplex& complex, std::size_t face, const std::array<KnotVector, 2>& knots,
+               const std::array<Shares, 2>& at, const Eigen::Matrix3Xd& target, const Eigen::VectorXd& errors,
+               double tolerance) {
+  const auto sides = sides_of(complex, face);
+  bool marked = false;
+  for (int d = 0; d < 2; ++d) {
+    const std::vector<double> lines = line_errors(knots, at, target, d);
+    const FaceSide& side = sides[d == 0 ? 0 : 2];
+    for (std::size_t span = 0; span < lines.size(); ++span)
+      if (lines[span] > 0.5 * for_faces * tolerance) {
+        mark(marks, complex, side.edge, span, side.turned);
+        marked = true;
+      }
+  }
+  if (marked) return;
+  Eigen::Index worst = 0;
+  errors.maxCoeff(&worst);
+  const auto n = static_cast<Eigen::Index>(at[0].size());
+  for (std::size_t d = 0; d < 2; ++d) {
+    const auto index = static_cast<std::size_t>(d == 0 ? worst % n : worst / n);
+    const FaceSide& side = sides[d == 0 ? 0 : 2];
+    mark(marks, complex, side.edge, span_of(knots[d].breaks(), at[d][index]), side.turned);
+  }
+}
+
+struct FittedFace {
+  std::array<KnotVector, 2> knots;
+  std::array<Shares, 2> at;
+  FaceTarget target;
+  Eigen::VectorXd errors;
+};
+
+FittedFace fit_face(const HexComplex& complex, ComplexFit& fit, std::size_t face) {
+  FittedFace result;
+  result.knots = face_knots(complex, fit, face);
+  result.at = {fitting_parameters(result.knots[0], samples_a_span),
+               fitting_parameters(result.knots[1], samples_a_span)};
+  result.target = face_target(complex, face, result.at[0], result.at[1]);
+  fit.faces[face] =
+      fit_surface(result.knots, result.at, result.target.points, framed_net(complex, fit, face, result.knots));
+  const Eigen::Matrix3Xd points =
+      geometry::points_on_grid(geometry::NurbsSurface(result.knots, fit.faces[face]), {result.at[0], result.at[1]});
+  result.errors = (points - result.target.points).colwise().norm();
+  fit.face_deviation[face] = (points - result.target.surface).colwise().norm().maxCoeff();
+  return result;
+}
+
+Marks fit_faces(const HexComplex& complex, ComplexFit& fit, double tolerance) {
+  Marks marks = no_marks(fit);
+  for (std::size_t f = 0; f < complex.faces.size(); ++f) {
+    const FittedFace fitted = fit_face(complex, fit, f);
+    if (fitted.errors.maxCoeff() > for_faces * tolerance)
+      mark_face(marks, complex, f, fitted.knots, fitted.at, fitted.target.points, fitted.errors, tolerance);
+  }
+  return marks;
+}
+
+}  // namespace
+
+void validate(const FitOptions& options) {
+  const auto check = [](bool good, const std::string& what) {
+    if (!good) throw Error(ErrorCode::invalid_argument, what);
+  };
+  check(options.degree >= 2 && options.degree <= 8,
+        fmt::format("degree is {}; its range is 2 to 8", options.degree));
+  check(options.tolerance >= 1e-8 && options.tolerance <= 0.1,
+        fmt::format("tolerance is {}; its range is 1e-8 to 0.1", options.tolerance));
+  check(options.start_spans >= 1 && options.start_spans <= 64,
+        fmt::format("start_spans is {}; its range is 1 to 64", options.start_spans));
+  check(options.max_spans >= options.start_spans && options.max_spans <= 256,
+        fmt::format("max_spans is {}; its range is start_spans to 256", options.max_spans));
+}
+
+ComplexFit fit(const HexComplex& complex, const FitOptions& options) {
+  validate(options);
+  const double tolerance = options.tolerance * complex.size;
+  ComplexFit fit;
+  fit.sheets.assign(complex.sheets.size(), KnotVector::uniform(options.degree, options.start_spans));
+  fit.edges.resize(complex.edges.size());
+  fit.edge_deviation.assign(complex.edges.size(), 0);
+  fit.edge_gap = fit.edge_deviation;
+  fit.faces.resize(complex.faces.size());
+  fit.face_deviation.assign(complex.faces.size(), 0);
+  for (;; ++fit.rounds) {
+    Marks marks = fit_edges(complex, fit, tolerance);
+    const bool edges_open = any(marks);
+    if (edges_open && halve(complex, fit, marks, options.max_spans)) continue;
+    marks = fit_faces(complex, fit, tolerance);
+    if (any(marks) && halve(complex, fit, marks, options.max_spans)) continue;
+    fit.reached = !edges_open && !any(marks);
+    return fit;
+  }
+}
+
+void refit_face(const HexComplex& complex, ComplexFit& fit, std::size_t face) {
+  fit_face(complex, fit, face);
+}
+
+KnotVector edge_knots(const HexComplex& complex, const ComplexFit& fit, std::size_t edge) {
+  const ComplexEdge& found = complex.edges[edge];
+  const KnotVector& knots = fit.sheets[static_cast<std::size_t>(found.sheet)];
+  return found.against_sheet ? reversed(knots) : knots;
+}
+
+std::array<KnotVector, 2> face_knots(const HexComplex& complex, const ComplexFit& fit, std::size_t face) {
+  const BlockSide first = complex.faces[face].uses[0].side;
+  const auto along = geometry::tangents(first.side);
+  return {knots_along(complex, fit, first.block, along[0]), knots_along(complex, fit, first.block, along[1])};
+}
+
+std::array<KnotVector, 3> block_knots(const HexComplex& complex, const ComplexFit& fit, int block) {
+  return {knots_along(complex, fit, block, 0), knots_along(complex, fit, block, 1),
+          knots_along(complex, fit, block, 2)};
+}
+
+std::vector<int> points_in_block(const HexComplex& complex, const ComplexFit& fit,
+                                 const FaceUse& use) {
+  const auto knots = block_knots(complex, fit, use.side.block);
+  const std::array<int, 3> sizes{knots[0].size(), knots[1].size(), knots[2].size()};
+  const std::vector<int> on_side = geometry::face_control_points(sizes, use.side.side);
+  const auto along = geometry::tangents(use.side.side);
+  const int n = sizes[static_cast<std::size_t>(along[0])], m = sizes[static_cast<std::size_t>(along[1])];
+  const FaceOrientation& o = use.orientation;
+  const int own_n = o.swapped ? m : n, own_m = o.swapped ? n : m;
+  std::vector<int> result;
+  for (int j = 0; j < own_m; ++j)
+    for (int i = 0; i < own_n; ++i) {
+      int a = o.swapped ? j : i, b = o.swapped ? i : j;
+      if (o.flip_first) a = n - 1 - a;
+      if (o.flip_second) b = m - 1 - b;
+      result.push_back(on_side[static_cast<std::size_t>(a + n * b)]);
+    }
+  return result;
+}
+
+Eigen::Matrix3Xd block_net(const HexComplex& complex, const ComplexFit& fit, int block) {
+  const auto knots = block_knots(complex, fit, block);
+  Eigen::Matrix3Xd net = Eigen::Matrix3Xd::Zero(3, Eigen::Index(knots[0].size()) * knots[1].size() * knots[2].size());
+  for (const int f : complex.block_faces[static_cast<std::size_t>(block)])
+    for (const FaceUse& use : complex.faces[static_cast<std::size_t>(f)].uses) {
+      if (use.side.block != block) continue;
+      const std::vector<int> where = points_in_block(complex, fit, use);
+      for (std::size_t i = 0; i < where.size(); ++i)
+        net.col(where[i]) = fit.faces[static_cast<std::size_t>(f)].col(static_cast<Eigen::Index>(i));
+    }
+  return coons_net(knots, net);
+}
+
+}  // namespace isopatch::segmentation

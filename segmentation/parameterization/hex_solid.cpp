@@ -1,0 +1,233 @@
+#include "segmentation/parameterization/hex_solid.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "geometry/base/error.hpp"
+#include "segmentation/parameterization/outline.hpp"
+
+namespace isopatch::segmentation {
+namespace {
+
+using VertexPair = std::pair<int, int>;
+
+VertexPair ordered(int a, int b) {
+  return {std::min(a, b), std::max(a, b)};
+}
+
+std::string of(const HexSolid& solid, const SolidFace& face) {
+  return fmt::format("solid '{}', face '{}'", solid.name, face.name);
+}
+
+std::string place(const Eigen::Vector3d& p) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", p[0], p[1], p[2]);
+}
+
+double size_of(const HexSolid& solid) {
+  Eigen::AlignedBox3d box;
+  for (const auto& vertex : solid.vertices) box.extend(vertex);
+  return box.diagonal().norm();
+}
+
+/// The faces at every edge.
+using EdgeFaces = std::map<VertexPair, std::vector<std::size_t>>;
+
+EdgeFaces edge_faces(const HexSolid& solid) {
+  EdgeFaces result;
+  for (std::size_t f = 0; f < solid.faces.size(); ++f) {
+    const auto& corners = solid.faces[f].corners;
+    for (std::size_t k = 0; k < corners.size(); ++k)
+      result[ordered(corners[k], corners[(k + 1) % corners.size()])].push_back(f);
+  }
+  return result;
+}
+
+void check_faces(const HexSolid& solid) {
+  for (const SolidFace& face : solid.faces) {
+    if (face.corners.size() != 4)
+      throw Error(ErrorCode::unsupported,
+                  fmt::format("{} has {} corners; each face of a hexahedron has four. Cut the solid further, or "
+                              "divide the edge that has a vertex too many",
+                              of(solid, face), face.corners.size()));
+    if (face.curves.size() != 4 || !face.surface)
+      throw Error(ErrorCode::invalid_argument, of(solid, face) + " lacks a curve or its surface");
+    for (const int corner : face.corners)
+      if (corner < 0 || static_cast<std::size_t>(corner) >= solid.vertices.size())
+        throw Error(ErrorCode::invalid_argument,
+                    fmt::format("{} names vertex {}, which does not exist", of(solid, face), corner));
+    if (std::set<int>(face.corners.begin(), face.corners.end()).size() != 4)
+      throw Error(ErrorCode::unsupported,
+                  fmt::format("{} visits a vertex twice: {}", of(solid, face), fmt::join(face.corners, " ")));
+  }
+}
+
+void check_shell(const HexSolid& solid, const EdgeFaces& edges) {
+  for (const auto& [edge, faces] : edges) {
+    if (faces.size() == 2) continue;
+    std::vector<std::string> names;
+    for (const std::size_t f : faces) names.push_back("'" + solid.faces[f].name + "'");
+    const std::string where =
+        fmt::format("solid '{}', edge between vertices {} {} and {} {}: ", solid.name, edge.first,
+                    place(solid.vertices[static_cast<std::size_t>(edge.first)]), edge.second,
+                    place(solid.vertices[static_cast<std::size_t>(edge.second)]));
+    throw Error(ErrorCode::not_conforming,
+                where + (faces.size() == 1
+                             ? fmt::format("the shell is open, only face {} ends here", names[0])
+                             : fmt::format("{} faces meet here ({}); an edge has two", faces.size(),
+                                           fmt::join(names, ", "))));
+  }
+}
+
+void check_geometry(const HexSolid& solid) {
+  const double size = size_of(solid);
+  for (const SolidFace& face : solid.faces) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      const int from = face.corners[k];
+      const int to = face.corners[(k + 1) % 4];
+      double length = 0;
+      Eigen::Vector3d last = face.surface(face.curves[k](0));
+      for (int i = 1; i <= 16; ++i) {
+        const Eigen::Vector3d next = face.surface(face.curves[k](i / 16.0));
+        length += (next - last).norm();
+        last = next;
+      }
+      if (!(length > 1e-9 * size))
+        throw Error(ErrorCode::invalid_argument,
+                    fmt::format("{}: the edge between vertices {} and {} at {} has no length; merge the two",
+                                of(solid, face), from, to, place(last)));
+    }
+    const std::optional<Eigen::Vector2d> crossing = self_intersection(face.curves);
+    if (crossing)
+      throw Error(ErrorCode::invalid_argument,
+                  fmt::format("{}: its outline crosses itself at {}", of(solid, face),
+                              place(face.surface(*crossing))));
+  }
+}
+
+std::string not_a_cube(const HexSolid& solid, const EdgeFaces& edges, const std::string& why) {
+  std::set<int> used;
+  for (const auto& entry : edges) used.insert({entry.first.first, entry.first.second});
+  return fmt::format(
+      "solid '{}' is no topological hexahedron: {}. It has {} vertices, {} edges and {} faces; a cube has 8, 12 and "
+      "6, connected as a cube's",
+      solid.name, why, used.size(), edges.size(), solid.faces.size());
+}
+
+/// The vertex at each corner of the cube: grown from vertex 0 and its three neighbours.
+std::array<int, 8> label_corners(const HexSolid& solid, const EdgeFaces& edges) {
+  const auto fail = [&](const std::string& why) {
+    return Error(ErrorCode::unsupported, not_a_cube(solid, edges, why));
+  };
+  std::map<int, std::set<int>> neighbours;
+  for (const auto& entry : edges) {
+    neighbours[entry.first.first].insert(entry.first.second);
+    neighbours[entry.first.second].insert(entry.first.first);
+  }
+  if (neighbours.size() != 8 || edges.size() != 12 || solid.faces.size() != 6) throw fail("wrong counts");
+  for (const auto& [vertex, near] : neighbours)
+    if (near.size() != 3) throw fail(fmt::format("{} edges meet at vertex {}", near.size(), vertex));
+  const int origin = neighbours.begin()->first;
+  const std::vector<int> axes(neighbours[origin].begin(), neighbours[origin].end());
+  // The fourth corner of the face through the origin and two of its neighbours.
+  const auto across = [&](int a, int b) {
+    for (const SolidFace& face : solid.faces) {
+      const std::set<int> in(face.corners.begin(), face.corners.end());
+      if (!in.contains(origin) || !in.contains(a) || !in.contains(b)) continue;
+      for (const int corner : face.corners)
+        if (corner != origin && corner != a && corner != b) return corner;
+    }
+    throw fail(fmt::format("no face has the vertices {}, {} and {}", a, origin, b));
+  };
+  std::array<int, 8> at{origin, axes[0], axes[1], across(axes[0], axes[1]), axes[2], 0, 0, -1};
+  at[5] = across(axes[0], axes[2]);
+  at[6] = across(axes[1], axes[2]);
+  const std::set<int> seven(at.begin(), at.end() - 1);
+  for (const auto& entry : neighbours)
+    if (!seven.contains(entry.first)) at[7] = entry.first;
+  if (seven.size() != 7) throw fail("its faces share vertices that a cube's do not");
+  return at;
+}
+
+/// The face whose corners are those of a side, turned into the side's frame.
+QuadFace face_on(const HexSolid& solid, const EdgeFaces& edges, const std::array<int, 8>& at, Side side) {
+  const auto vertex = [&](int s, int t) { return at[static_cast<std::size_t>(side_corner(side, s, t))]; };
+  const std::set<int> wanted{vertex(0, 0), vertex(1, 0), vertex(0, 1), vertex(1, 1)};
+  for (std::size_t f = 0; f < solid.faces.size(); ++f) {
+    const SolidFace& face = solid.faces[f];
+    if (std::set<int>(face.corners.begin(), face.corners.end()) != wanted) continue;
+    const auto curve = [&](int from, int to) -> DomainCurve {
+      for (std::size_t k = 0; k < 4; ++k) {
+        const int a = face.corners[k];
+        const int b = face.corners[(k + 1) % 4];
+        if (a == from && b == to) return face.curves[k];
+        if (a == to && b == from) return [c = face.curves[k]](double t) { return c(1 - t); };
+      }
+      throw Error(ErrorCode::unsupported,
+                  not_a_cube(solid, edges,
+                             fmt::format("face '{}' has no edge between vertices {} and {}", face.name, from, to)));
+    };
+    return {face.name,
+            static_cast<int>(f),
+            {curve(vertex(0, 0), vertex(1, 0)), curve(vertex(0, 1), vertex(1, 1)),
+             curve(vertex(0, 0), vertex(0, 1)), curve(vertex(1, 0), vertex(1, 1))},
+            face.surface};
+  }
+  throw Error(ErrorCode::unsupported,
+              not_a_cube(solid, edges, fmt::format("no face has the vertices {}", fmt::join(wanted, " "))));
+}
+
+Hexahedron assembled(const HexSolid& solid, const EdgeFaces& edges, const std::array<int, 8>& at) {
+  Hexahedron result;
+  result.name = solid.name;
+  for (std::size_t c = 0; c < 8; ++c) result.corners[c] = solid.vertices[static_cast<std::size_t>(at[c])];
+  for (const Side side : geometry::all_sides)
+    result.faces[static_cast<std::size_t>(side)] = face_on(solid, edges, at, side);
+  return result;
+}
+
+/// Six times the volume inside the faces' grids, by the divergence theorem.
+double sixfold_volume(const Hexahedron& block) {
+  constexpr int n = 12;
+  double sum = 0;
+  for (const Side side : geometry::all_sides) {
+    const QuadFace& face = block.face(side);
+    const auto at = [&](int i, int j) {
+      return face.surface(coons_point(face.sides, double(i) / n, double(j) / n));
+    };
+    // s, t and the outward normal are right-handed on the high sides of directions 0 and 2, and on the low of 1.
+    const double sign = (geometry::is_high(side) ? 1 : -1) * (geometry::direction(side) == 1 ? -1 : 1);
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) {
+        const Eigen::Vector3d a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
+        sum += sign * (a.dot(b.cross(c)) + a.dot(c.cross(d)));
+      }
+  }
+  return sum;
+}
+
+}  // namespace
+
+Hexahedron hexahedron(const HexSolid& solid) {
+  check_faces(solid);
+  const EdgeFaces edges = edge_faces(solid);
+  check_shell(solid, edges);
+  std::array<int, 8> at = label_corners(solid, edges);
+  check_geometry(solid);
+  const Hexahedron first = assembled(solid, edges, at);
+  const double volume = sixfold_volume(first);
+  const double size = size_of(solid);
+  if (!(std::abs(volume) > 1e-12 * size * size * size))
+    throw Error(ErrorCode::invalid_argument, fmt::format("solid '{}' has no volume", solid.name));
+  if (volume > 0) return first;
+  std::swap(at[1], at[2]);
+  std::swap(at[5], at[6]);
+  return assembled(solid, edges, at);
+}
+
+}  // namespace isopatch::segmentation

@@ -1,0 +1,250 @@
+#include "segmentation/parameterization/improve_blocks.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "segmentation/parameterization/coons.hpp"
+
+namespace isopatch::segmentation {
+namespace {
+
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+std::array<int, 3> sizes_of(const std::array<KnotVector, 3>& knots) {
+  return {knots[0].size(), knots[1].size(), knots[2].size()};
+}
+
+Eigen::Index index_of(const std::array<int, 3>& n, int i, int j, int k) {
+  return i + Eigen::Index(n[0]) * (j + Eigen::Index(n[1]) * k);
+}
+
+/// Mean lengths of a net's twelve edges, by direction.
+Eigen::Vector3d mean_lengths(const std::array<int, 3>& n, const Eigen::Matrix3Xd& net) {
+  Eigen::Vector3d sum(0, 0, 0);
+  for (int e = 0; e < 12; ++e) {
+    const int d = e / 4;
+    std::array<int, 3> at{};
+    const std::array<int, 2> others = other_directions(d);
+    for (std::size_t i = 0; i < 2; ++i)
+      at[static_cast<std::size_t>(others[i])] = (e >> i & 1) ? n[static_cast<std::size_t>(others[i])] - 1 : 0;
+    Eigen::Vector3d last = net.col(index_of(n, at[0], at[1], at[2]));
+    for (int i = 1; i < n[static_cast<std::size_t>(d)]; ++i) {
+      at[static_cast<std::size_t>(d)] = i;
+      const Eigen::Vector3d next = net.col(index_of(n, at[0], at[1], at[2]));
+      sum[d] += (next - last).norm() / 4;
+      last = next;
+    }
+  }
+  return sum;
+}
+
+/// Variables move control points by about the block's size.
+double step_of(const Eigen::Vector3d& lengths) {
+  return std::cbrt(lengths.prod());
+}
+
+// One variable for each coordinate of each inner control point, from `first` on.
+int add_interior(Triplets& moves, const std::array<int, 3>& n, double step, int first) {
+  for (int k = 1; k + 1 < n[2]; ++k)
+    for (int j = 1; j + 1 < n[1]; ++j)
+      for (int i = 1; i + 1 < n[0]; ++i)
+        for (int c = 0; c < 3; ++c)
+          moves.emplace_back(3 * index_of(n, i, j, k) + c, first++, step);
+  return first;
+}
+
+Eigen::SparseMatrix<double, Eigen::RowMajor> matrix_of(const Triplets& moves, Eigen::Index rows, int columns) {
+  Eigen::SparseMatrix<double, Eigen::RowMajor> result(rows, columns);
+  result.setFromTriplets(moves.begin(), moves.end());
+  return result;
+}
+
+Eigen::Matrix3Xd moved(const MovableBlock& block, const Eigen::VectorXd& variables) {
+  const Eigen::VectorXd moves = block.moves * variables;
+  return block.points + moves.reshaped(3, moves.size() / 3);
+}
+
+void look_at(MovableBlock& block, const geometry::Parameter<3>& place) {
+  for (std::size_t d = 0; d < 3; ++d) {
+    const double t = place[static_cast<Eigen::Index>(d)];
+    if (t > block.knots[d].first() && t < block.knots[d].last()) block.extra[d].push_back(t);
+  }
+}
+
+/// A face whose inner control points slide: two variables each, of the domain.
+struct SlidingFace {
+  int first_variable = 0;
+  std::array<KnotVector, 2> knots;
+  double step = 0;  ///< of the domain, a unit of a variable
+};
+
+/// S_u and S_v at the parameters where the face's inner control points sit, (3, 2) each, in the net's order.
+std::vector<Eigen::Matrix<double, 3, 2>> tangents_at_greville(const FaceMap& map,
+                                                              const std::array<KnotVector, 2>& knots, double step) {
+  const Eigen::Matrix2Xd at = map.domain_grid(knots[0].greville(), knots[1].greville());
+  std::vector<Eigen::Matrix<double, 3, 2>> result;
+  for (Eigen::Index i = 0; i < at.cols(); ++i) {
+    Eigen::Matrix<double, 3, 2> columns;
+    for (int d = 0; d < 2; ++d) {
+      const Eigen::Vector2d h = 1e-4 * step * Eigen::Vector2d::Unit(d);
+      columns.col(d) = (map.face().surface(at.col(i) + h) - map.face().surface(at.col(i) - h)) / 2e-4;
+    }
+    result.push_back(columns);
+  }
+  return result;
+}
+
+geometry::NurbsSurface displacement(const SlidingFace& face, const Eigen::VectorXd& variables, double factor) {
+  const int n = face.knots[0].size(), m = face.knots[1].size();
+  Eigen::Matrix3Xd net = Eigen::Matrix3Xd::Zero(3, Eigen::Index(n) * m);
+  int variable = face.first_variable;
+  for (int j = 1; j + 1 < m; ++j)
+    for (int i = 1; i + 1 < n; ++i, variable += 2)
+      net.col(i + n * j).head<2>() = factor * face.step * variables.segment<2>(variable);
+  return {face.knots, net};
+}
+
+/// The problem of faces sliding on their surfaces.
+struct SlidingProblem {
+  std::vector<int> blocks;                  ///< of the complex
+  std::vector<MovableBlock> movable;        ///< one each
+  std::map<std::size_t, SlidingFace> faces; ///< by face of the complex
+};
+
+SlidingProblem sliding_problem(const HexComplex& complex, const ComplexFit& fit, const BlockNets& nets,
+                               const std::vector<int>& unhealthy) {
+  SlidingProblem problem;
+  std::set<int> blocks;
+  for (const int b : unhealthy)
+    for (const int f : complex.block_faces[static_cast<std::size_t>(b)]) {
+      problem.faces[static_cast<std::size_t>(f)] = {};
+      for (const FaceUse& use : complex.faces[static_cast<std::size_t>(f)].uses) blocks.insert(use.side.block);
+    }
+  int variables = 0;
+  std::map<int, Triplets> moves;
+  for (auto& [f, face] : problem.faces) {
+    const FaceMap& map = complex.map(complex.faces[f].uses[0].side);
+    face = {variables, face_knots(complex, fit, f), map.domain_size()};
+    const auto tangents = tangents_at_greville(map, face.knots, face.step);
+    const int n = face.knots[0].size(), m = face.knots[1].size();
+    for (const FaceUse& use : complex.faces[f].uses) {
+      const std::vector<int> where = points_in_block(complex, fit, use);
+      int variable = face.first_variable;
+      for (int j = 1; j + 1 < m; ++j)
+        for (int i = 1; i + 1 < n; ++i, variable += 2) {
+          const auto at = static_cast<std::size_t>(i + n * j);
+          for (int c = 0; c < 3; ++c)
+            for (int d = 0; d < 2; ++d)
+              moves[use.side.block].emplace_back(3 * where[at] + c, variable + d, tangents[at](c, d));
+        }
+    }
+    variables += 2 * std::max(n - 2, 0) * std::max(m - 2, 0);
+  }
+  for (const int b : blocks) {
+    const auto knots = block_knots(complex, fit, b);
+    const auto& net = nets.nets[static_cast<std::size_t>(b)];
+    const Eigen::Vector3d lengths = mean_lengths(sizes_of(knots), net);
+    variables = add_interior(moves[b], sizes_of(knots), step_of(lengths), variables);
+    problem.blocks.push_back(b);
+    problem.movable.push_back({knots, net, {}, lengths, CountedPoints::all_but_corners, {}});
+  }
+  for (std::size_t i = 0; i < problem.blocks.size(); ++i)
+    problem.movable[i].moves =
+        matrix_of(moves[problem.blocks[i]], 3 * problem.movable[i].points.cols(), variables);
+  return problem;
+}
+
+// The largest part of the displacement that leaves the face bijective, among 1, 1/2, 1/4, 1/8; 0 if none does.
+double slide(FaceMap& map, const SlidingFace& face, const Eigen::VectorXd& variables) {
+  const double before = smallest_sine(map);
+  for (double factor = 1; factor > 0.1; factor /= 2) {
+    const FaceMap candidate = map.moved(displacement(face, variables, factor));
+    if (smallest_sine(candidate) < std::min(0.05, before)) continue;
+    map = candidate;
+    return factor;
+  }
+  return 0;
+}
+
+}  // namespace
+
+bool Health::better_than(const Health& other) const {
+  if (certificate.accepted() != other.certificate.accepted()) return certificate.accepted();
+  return quality.min_scaled_jacobian > other.quality.min_scaled_jacobian;
+}
+
+Health health(const std::array<KnotVector, 3>& knots, const Eigen::Matrix3Xd& net) {
+  const geometry::NurbsVolume volume(knots, net);
+  return {geometry::certify_jacobian(volume, {.max_depth = 6}), geometry::quality(volume)};
+}
+
+ImprovedNet improve_interior(const std::array<KnotVector, 3>& knots, const Eigen::Matrix3Xd& net,
+                             double wanted_quality, const OptimizationOptions& options) {
+  ImprovedNet best{net, health(knots, net), 0};
+  const std::array<int, 3> n = sizes_of(knots);
+  if (*std::min_element(n.begin(), n.end()) < 3) return best;
+  MovableBlock block{knots, net, {}, mean_lengths(n, net), CountedPoints::inside_faces_and_interior, {}};
+  Triplets moves;
+  const int variables = add_interior(moves, n, step_of(block.lengths), 0);
+  block.moves = matrix_of(moves, 3 * net.cols(), variables);
+  const auto healthy = [&](const Health& health) {
+    return health.certificate.accepted() && health.quality.min_scaled_jacobian >= wanted_quality;
+  };
+  constexpr int most_looks = 4;
+  for (int look = 0; look < most_looks && !healthy(best.health); ++look) {
+    const OptimizedShapes found = optimize_shapes({block}, options);
+    best.evaluations += found.evaluations;
+    const Eigen::Matrix3Xd candidate = moved(block, found.variables);
+    const Health now = health(knots, candidate);
+    if (now.better_than(best.health)) {
+      best.net = candidate;
+      best.health = now;
+    }
+    // Where no fold lies between the points looked at, another look finds nothing new.
+    if (now.certificate.accepted() || found.smallest_after <= 0) break;
+    look_at(block, now.certificate.parameter);
+    block.points = candidate;
+  }
+  return best;
+}
+
+bool slide_faces(HexComplex& complex, ComplexFit& fit, BlockNets& blocks, const std::vector<int>& unhealthy,
+                 double wanted_quality, const OptimizationOptions& options) {
+  const SlidingProblem problem = sliding_problem(complex, fit, blocks, unhealthy);
+  const OptimizedShapes found = optimize_shapes(problem.movable, options);
+  blocks.evaluations += found.evaluations;
+  HexComplex new_complex = complex;
+  ComplexFit new_fit = fit;
+  for (const auto& [f, face] : problem.faces) {
+    const BlockSide first = complex.faces[f].uses[0].side;
+    FaceMap& map = new_complex.maps[static_cast<std::size_t>(first.block)][static_cast<std::size_t>(first.side)];
+    if (slide(map, face, found.variables) > 0) refit_face(new_complex, new_fit, f);
+  }
+  BlockNets changed = blocks;
+  bool better = false, worse = false;
+  for (std::size_t i = 0; i < problem.blocks.size(); ++i) {
+    const auto b = static_cast<std::size_t>(problem.blocks[i]);
+    const auto knots = block_knots(complex, fit, problem.blocks[i]);
+    const std::array<int, 3> n = sizes_of(knots);
+    Eigen::Matrix3Xd net = block_net(new_complex, new_fit, problem.blocks[i]);
+    const Eigen::Matrix3Xd inside = moved(problem.movable[i], found.variables);
+    for (int k = 1; k + 1 < n[2]; ++k)
+      for (int j = 1; j + 1 < n[1]; ++j)
+        for (int at = 1; at + 1 < n[0]; ++at) net.col(index_of(n, at, j, k)) = inside.col(index_of(n, at, j, k));
+    const ImprovedNet improved = improve_interior(knots, net, wanted_quality, options);
+    changed.evaluations += improved.evaluations;
+    changed.nets[b] = improved.net;
+    changed.healths[b] = improved.health;
+    better = better || improved.health.better_than(blocks.healths[b]);
+    worse = worse || (blocks.healths[b].certificate.accepted() && !improved.health.certificate.accepted());
+  }
+  blocks.evaluations = changed.evaluations;
+  if (!better || worse) return false;
+  complex = std::move(new_complex);
+  fit = std::move(new_fit);
+  blocks = std::move(changed);
+  return true;
+}
+
+}  // namespace isopatch::segmentation

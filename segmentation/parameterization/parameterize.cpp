@@ -1,0 +1,250 @@
+#include "segmentation/parameterization/parameterize.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+
+#include "geometry/base/error.hpp"
+#include "geometry/quadrature.hpp"
+#include "segmentation/parameterization/improve_blocks.hpp"
+#include "segmentation/parameterization/paper_method.hpp"
+
+namespace isopatch::segmentation {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+void refuse_partial_contacts(const HexComplex& complex) {
+  if (complex.partial_contacts.empty()) return;
+  const PartialContact& found = complex.partial_contacts.front();
+  throw Error(ErrorCode::unsupported,
+              fmt::format("face {} is only a part of face {} ({} such contacts): patches meet in whole faces; divide "
+                          "the larger block so that its faces match",
+                          complex.label(found.part), complex.label(found.whole), complex.partial_contacts.size()));
+}
+
+bool healthy(const Health& health, double wanted_quality) {
+  return health.certificate.accepted() && health.quality.min_scaled_jacobian >= wanted_quality;
+}
+
+BlockNets first_nets(const HexComplex& complex, const ComplexFit& fit) {
+  BlockNets blocks;
+  for (int b = 0; b < static_cast<int>(complex.blocks.size()); ++b) {
+    blocks.nets.push_back(block_net(complex, fit, b));
+    blocks.healths.push_back(health(block_knots(complex, fit, b), blocks.nets.back()));
+  }
+  return blocks;
+}
+
+std::vector<int> unhealthy(const BlockNets& blocks, double wanted_quality) {
+  std::vector<int> result;
+  for (std::size_t b = 0; b < blocks.healths.size(); ++b)
+    if (!healthy(blocks.healths[b], wanted_quality)) result.push_back(static_cast<int>(b));
+  return result;
+}
+
+void improve(HexComplex& complex, ComplexFit& fit, BlockNets& blocks, const ParameterizationOptions& options,
+             const Progress& progress) {
+  std::vector<int> bad = unhealthy(blocks, options.wanted_quality);
+  for (std::size_t i = 0; i < bad.size(); ++i) {
+    progress("optimizing patches", double(i) / double(bad.size()));
+    const auto b = static_cast<std::size_t>(bad[i]);
+    ImprovedNet improved = improve_interior(block_knots(complex, fit, bad[i]), blocks.nets[b], options.wanted_quality,
+                                            options.optimization);
+    blocks.evaluations += improved.evaluations;
+    blocks.nets[b] = std::move(improved.net);
+    blocks.healths[b] = improved.health;
+  }
+  constexpr int most_slides = 4;
+  for (int slide = 0; slide < most_slides; ++slide) {
+    bad = unhealthy(blocks, options.wanted_quality);
+    if (bad.empty()) return;
+    progress("sliding faces", double(slide) / most_slides);
+    if (!slide_faces(complex, fit, blocks, bad, options.wanted_quality, options.optimization)) return;
+  }
+}
+
+std::array<int, 10> histogram(const geometry::NurbsVolume& patch) {
+  std::array<int, 10> counts{};
+  std::array<std::vector<double>, 3> nodes;
+  for (int d = 0; d < 3; ++d) {
+    const geometry::QuadratureRule rule = geometry::gauss_legendre(patch.degree(d) + 1);
+    const std::vector<double> breaks = patch.knots(d).breaks();
+    for (std::size_t e = 0; e + 1 < breaks.size(); ++e)
+      for (const double x : rule.nodes)
+        nodes[static_cast<std::size_t>(d)].push_back(breaks[e] + x * (breaks[e + 1] - breaks[e]));
+  }
+  for (const double w : nodes[2])
+    for (const double v : nodes[1])
+      for (const double u : nodes[0]) {
+        const Eigen::Matrix3d j = patch.jacobian({u, v, w});
+        const double lengths = j.colwise().norm().prod();
+        const double scaled = lengths > 0 ? j.determinant() / lengths : 0;
+        ++counts[static_cast<std::size_t>(std::clamp(static_cast<int>(std::floor(10 * scaled)), 0, 9))];
+      }
+  return counts;
+}
+
+PatchReport report_of(const std::string& name, const geometry::NurbsVolume& patch, const Health& health) {
+  PatchReport report;
+  report.name = name;
+  report.certificate = health.certificate;
+  report.quality = health.quality;
+  report.histogram = histogram(patch);
+  report.volume = geometry::volume(patch);
+  report.control_points = patch.size();
+  return report;
+}
+
+std::string names_of(const HexComplex& complex, const ComplexFace& face) {
+  std::string name = complex.label(face.uses[0].side);
+  if (face.uses.size() > 1) name += " = " + complex.label(face.uses[1].side);
+  return name;
+}
+
+/// Outer faces under the names of the solids' faces, with the block's in front where there are several.
+std::vector<geometry::Boundary> boundaries(const HexComplex& complex) {
+  std::vector<geometry::Boundary> result;
+  for (const ComplexFace& face : complex.faces) {
+    if (face.uses.size() > 1) continue;
+    const BlockSide side = face.uses[0].side;
+    const Hexahedron& block = complex.blocks[static_cast<std::size_t>(side.block)];
+    const std::string name = complex.blocks.size() > 1 ? complex.label(side) : block.face(side.side).name;
+    auto found =
+        std::find_if(result.begin(), result.end(), [&](const auto& boundary) { return boundary.name == name; });
+    if (found == result.end()) found = result.insert(result.end(), {name, {}});
+    found->faces.push_back({PatchId(side.block), side.side});
+  }
+  return result;
+}
+
+geometry::PatchSet patch_set(const HexComplex& complex, std::vector<geometry::NurbsVolume> patches) {
+  geometry::PatchSet set;
+  set.patches = std::move(patches);
+  set.boundaries = boundaries(complex);
+  for (const ComplexFace& face : complex.faces)
+    if (face.uses.size() > 1)
+      set.listed_interfaces.emplace_back(
+          geometry::PatchFace{PatchId(face.uses[0].side.block), face.uses[0].side.side},
+          geometry::PatchFace{PatchId(face.uses[1].side.block), face.uses[1].side.side});
+  return set;
+}
+
+std::string place(const Eigen::Vector3d& p) {
+  return fmt::format("({:.4g}, {:.4g}, {:.4g})", p[0], p[1], p[2]);
+}
+
+std::string edge_label(const HexComplex& complex, std::size_t edge) {
+  const ComplexEdge& found = complex.edges[edge];
+  return fmt::format("{}, edge from {} to {}", complex.blocks[static_cast<std::size_t>(found.uses[0].block)].name,
+                     place(complex.vertices[static_cast<std::size_t>(found.vertices[0])]),
+                     place(complex.vertices[static_cast<std::size_t>(found.vertices[1])]));
+}
+
+Parameterization shared_method(HexComplex complex, const ParameterizationOptions& options,
+                               const Progress& progress) {
+  progress("fitting edges and faces", 0);
+  ComplexFit fitted = fit(complex, options.fit);
+  progress("certifying", 0);
+  BlockNets blocks = first_nets(complex, fitted);
+  const BlockNets first = blocks;
+  if (options.optimize) improve(complex, fitted, blocks, options, progress);
+  Parameterization result;
+  ParameterizationReport& report = result.report;
+  std::vector<geometry::NurbsVolume> patches;
+  for (std::size_t b = 0; b < complex.blocks.size(); ++b) {
+    patches.emplace_back(block_knots(complex, fitted, static_cast<int>(b)), blocks.nets[b]);
+    report.patches.push_back(report_of(complex.blocks[b].name, patches.back(), blocks.healths[b]));
+    report.patches.back().certified_before = first.healths[b].certificate.accepted();
+    report.patches.back().moved = blocks.nets[b] != first.nets[b];
+  }
+  for (std::size_t f = 0; f < complex.faces.size(); ++f) {
+    const ComplexFace& face = complex.faces[f];
+    report.faces.push_back({names_of(complex, face), complex.map(face.uses[0].side).kind(),
+                            fitted.face_deviation[f], face.gap});
+  }
+  const auto widest = std::max_element(fitted.edge_gap.begin(), fitted.edge_gap.end());
+  report.largest_gap = *widest;
+  report.gap_at = edge_label(complex, static_cast<std::size_t>(widest - fitted.edge_gap.begin()));
+  report.rounds = fitted.rounds;
+  report.evaluations = blocks.evaluations;
+  result.patches = patch_set(complex, std::move(patches));
+  return result;
+}
+
+Parameterization paper_method(const HexComplex& complex) {
+  PaperPatches found = paper_patches(complex);
+  Parameterization result;
+  for (std::size_t b = 0; b < complex.blocks.size(); ++b) {
+    const geometry::NurbsVolume& patch = found.patches[b];
+    result.report.patches.push_back(
+        report_of(complex.blocks[b].name, patch, health(patch.knots(), patch.control_points())));
+    result.report.patches.back().certified_before = result.report.patches.back().certificate.accepted();
+  }
+  for (std::size_t f = 0; f < complex.faces.size(); ++f)
+    result.report.faces.push_back(
+        {names_of(complex, complex.faces[f]), FaceMapKind::coons, found.face_deviation[f], complex.faces[f].gap});
+  result.patches = patch_set(complex, std::move(found.patches));
+  return result;
+}
+
+
+}  // namespace
+
+void validate(const ParameterizationOptions& options) {
+  validate(options.fit);
+  if (!(options.wanted_quality >= 0 && options.wanted_quality < 1))
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("wanted_quality is {}; its range is [0, 1)", options.wanted_quality));
+}
+
+bool ParameterizationReport::certified() const {
+  return std::all_of(patches.begin(), patches.end(),
+                     [](const PatchReport& patch) { return patch.certificate.accepted(); });
+}
+
+const FaceReport& ParameterizationReport::worst_face() const {
+  return *std::max_element(faces.begin(), faces.end(),
+                           [](const FaceReport& a, const FaceReport& b) { return a.deviation < b.deviation; });
+}
+
+bool ParameterizationReport::usable() const {
+  return certified() && worst_face().deviation <= tolerance;
+}
+
+std::vector<std::string> ParameterizationReport::complaints() const {
+  std::vector<std::string> result;
+  for (const PatchReport& patch : patches)
+    if (!patch.certificate.accepted())
+      result.push_back(fmt::format(
+          "patch '{}' is {}: det J is {:.3g} at parameter {}, point {}; its edges or faces allow no better map there "
+          "(an angle of 0 or 180 degrees between two edges or faces), or the block is too bent: divide it",
+          patch.name, patch.certificate.sign == geometry::JacobianSign::negative ? "folded" : "not certified",
+          patch.certificate.smallest, place(patch.certificate.parameter), place(patch.certificate.place)));
+  for (const FaceReport& face : faces)
+    if (face.deviation > tolerance)
+      result.push_back(fmt::format("face {} deviates by {:.3g} from its surface, more than {:.3g}{}", face.name,
+                                   face.deviation, tolerance,
+                                   face.gap > tolerance
+                                       ? fmt::format("; its two blocks are {:.3g} apart there", face.gap)
+                                       : "; raise max_spans or the tolerance"));
+  return result;
+}
+
+Parameterization parameterize(const HexComplex& complex, const ParameterizationOptions& options,
+                              const Progress& progress) {
+  validate(options);
+  refuse_partial_contacts(complex);
+  const auto start = Clock::now();
+  Parameterization result = options.method == ParameterizationMethod::paper
+                                ? paper_method(complex)
+                                : shared_method(complex, options, progress);
+  result.report.size = complex.size;
+  result.report.tolerance = options.fit.tolerance * complex.size;
+  result.report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  return result;
+}
+
+}  // namespace isopatch::segmentation
