@@ -3,33 +3,19 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
-#include "iga/assembly.hpp"
-#include "iga/supported_system.hpp"
+#include "iga/assembled_system.hpp"
 
 namespace isopatch::verification {
 
 solvers::LinearSystem system_of(const iga::ElasticityProblem& problem, iga::Coupling coupling) {
   const iga::NodeClasses classes = iga::node_classes(problem.discretization);
   const std::vector<iga::Frame> frames = iga::support_frames(problem, classes);
-  const int nodes = problem.discretization.node_count();
-  iga::RowNumbering numbering{classes.class_of, classes.count()};
-  if (coupling == iga::Coupling::lagrange) {
-    numbering.rows = nodes;
-    std::iota(numbering.row_of_node.begin(), numbering.row_of_node.end(), 0);
-  }
-  std::vector<const iga::Frame*> frame_of_row(static_cast<std::size_t>(numbering.rows));
-  for (std::size_t node = 0; node < numbering.row_of_node.size(); ++node)
-    frame_of_row[static_cast<std::size_t>(numbering.row_of_node[node])] =
-        &frames[static_cast<std::size_t>(classes.class_of[node])];
-  solvers::LinearSystem system;
-  system.stiffness = iga::assemble_stiffness(problem.discretization, problem.materials, numbering);
-  system.load = Eigen::VectorXd::Zero(system.stiffness.rows());
-  iga::apply_supports(system, frame_of_row);
-  if (coupling == iga::Coupling::lagrange)
-    system.constraints = iga::multiplier_matrix(iga::multiplier_rows(classes, frames), nodes);
-  return system;
+  const std::vector<iga::MultiplierRow> rows = iga::multiplier_rows(classes, frames);
+  const Eigen::Matrix3Xd load = Eigen::Matrix3Xd::Zero(3, problem.discretization.node_count());
+  const solvers::Processes alone;
+  const iga::Distribution whole = iga::distribute(iga::isoparametric_spaces(problem.discretization), 1);
+  return iga::assembled_system({problem, classes, frames, rows, load, whole, alone, coupling}).system;
 }
 
 Eigen::MatrixXd dense(const solvers::SymmetricBlockMatrix& matrix) {
