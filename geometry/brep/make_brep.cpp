@@ -75,4 +75,29 @@ Brep make_brep(const Polyhedron& polyhedron, const SewOptions& options) {
   return result;
 }
 
+std::vector<TrimmedSurface> trimmed_surfaces(const Brep& brep) {
+  return brep_module().trimmed_surfaces(brep.kernel());
+}
+
+Polyhedron corners(const Brep& brep) {
+  const EdgeGraph graph = edge_graph(brep);
+  Polyhedron result;
+  result.vertices = brep.vertices();
+  for (std::size_t f = 0; f < graph.faces.size(); ++f) {
+    const auto& loops = graph.faces[f].loops;
+    if (loops.size() != 1)
+      throw Error(ErrorCode::unsupported,
+                  fmt::format("{} has {} loops; a polygon has one",
+                              describe(brep, FaceId(static_cast<int>(f))), loops.size()));
+    std::vector<int> face;
+    for (const VertexId vertex : corners(graph, loops.front())) face.push_back(vertex.value);
+    if (face.size() < 3)
+      throw Error(ErrorCode::unsupported,
+                  fmt::format("{} has {} corners; a polygon has three at least",
+                              describe(brep, FaceId(static_cast<int>(f))), face.size()));
+    result.faces.push_back(std::move(face));
+  }
+  return result;
+}
+
 }  // namespace isopatch::geometry

@@ -23,6 +23,11 @@ struct SewnBrep {
 /// @throws Error invalid_argument  a loop that does not close
 SewnBrep sew(const std::vector<TrimmedSurface>& faces, const SewOptions& options = {});
 
+/// The faces of a solid as NURBS surfaces, exactly; the inverse of `sew`. Surface i is face i, in m. Loops
+/// run as their surface's normal has it, not the solid's.
+/// @throws Error unsupported  surfaces without a rational form
+std::vector<TrimmedSurface> trimmed_surfaces(const Brep& brep);
+
 /// A solid with straight edges: plane faces, bilinear ones for quadrilaterals that are not plane.
 ///
 /// Vertex i and face i are those of the polyhedron, if each vertex is used.
@@ -31,5 +36,10 @@ SewnBrep sew(const std::vector<TrimmedSurface>& faces, const SewOptions& options
 /// @throws Error invalid_argument  a polygon with more than four corners that is not plane, a vertex number
 /// out of range
 Brep make_brep(const Polyhedron& polyhedron, const SewOptions& options = {});
+
+/// The vertices of a solid and the corners of its faces, in m. What lies between them is lost unless edges
+/// are straight.
+/// @throws Error unsupported  a face with inner loops or a seam
+Polyhedron corners(const Brep& brep);
 
 }  // namespace isopatch::geometry

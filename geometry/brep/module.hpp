@@ -32,6 +32,8 @@ class BrepModule {
   /// @param unit  "mm", "m" or "in", of the file's coordinates; a .brep file does not say it
   virtual void write(const std::filesystem::path& path, BrepFormat format, const BrepKernel& kernel,
                      const std::string& unit) const = 0;
+  /// The faces as NURBS surfaces with NURBS loops.
+  virtual std::vector<TrimmedSurface> trimmed_surfaces(const BrepKernel& kernel) const = 0;
   virtual KernelSolid sew(const std::vector<TrimmedSurface>& faces, const SewOptions& options) const = 0;
   virtual KernelSolid polyhedron(const Polyhedron& polyhedron, const SewOptions& options) const = 0;
 };

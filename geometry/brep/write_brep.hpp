@@ -16,7 +16,8 @@ struct WriteBrepOptions {
 /// Writes a solid as STEP (.step, .stp), IGES (.iges, .igs) or for OpenCASCADE (.brep), whole or not at all.
 /// STEP keeps the names and colours of faces.
 /// @throws Error io           the file cannot be written
-/// @throws Error unsupported  another ending
+/// @throws Error unsupported  another ending; a polyhedron with edges that are not straight or faces with
+/// inner loops
 /// @throws Error invalid_argument  another unit
 void write_brep(const std::filesystem::path& path, const Brep& brep, const WriteBrepOptions& options = {});
 

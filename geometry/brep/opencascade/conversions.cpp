@@ -64,4 +64,36 @@ NurbsCurve to_nurbs(const Geom_BSplineCurve& curve, double scale) {
   return NurbsCurve({KnotVector(curve.Degree(), std::move(knots))}, std::move(points), std::move(weights));
 }
 
+NurbsSurface to_nurbs(const Geom_BSplineSurface& surface, double scale) {
+  std::vector<double> u, v;
+  for (int i = 1; i <= surface.NbUKnots(); ++i)
+    u.insert(u.end(), static_cast<std::size_t>(surface.UMultiplicity(i)), surface.UKnot(i));
+  for (int i = 1; i <= surface.NbVKnots(); ++i)
+    v.insert(v.end(), static_cast<std::size_t>(surface.VMultiplicity(i)), surface.VKnot(i));
+  const int nu = surface.NbUPoles(), nv = surface.NbVPoles();
+  Eigen::Matrix3Xd points(3, nu * nv);
+  Eigen::VectorXd weights(nu * nv);
+  for (int j = 0; j < nv; ++j)
+    for (int i = 0; i < nu; ++i) {
+      points.col(i + nu * j) = scale * to_eigen(surface.Pole(i + 1, j + 1));
+      weights(i + nu * j) = surface.Weight(i + 1, j + 1);
+    }
+  return NurbsSurface(
+      {KnotVector(surface.UDegree(), std::move(u)), KnotVector(surface.VDegree(), std::move(v))},
+      std::move(points), std::move(weights));
+}
+
+NurbsCurve to_nurbs(const Geom2d_BSplineCurve& curve) {
+  std::vector<double> knots;
+  for (int i = 1; i <= curve.NbKnots(); ++i)
+    knots.insert(knots.end(), static_cast<std::size_t>(curve.Multiplicity(i)), curve.Knot(i));
+  Eigen::Matrix3Xd points = Eigen::Matrix3Xd::Zero(3, curve.NbPoles());
+  Eigen::VectorXd weights(curve.NbPoles());
+  for (int i = 0; i < curve.NbPoles(); ++i) {
+    points.col(i).head<2>() = to_eigen(curve.Pole(i + 1));
+    weights(i) = curve.Weight(i + 1);
+  }
+  return NurbsCurve({KnotVector(curve.Degree(), std::move(knots))}, std::move(points), std::move(weights));
+}
+
 }  // namespace isopatch::geometry

@@ -66,6 +66,11 @@ class OpenCascade final : public BrepModule {
     });
   }
 
+  std::vector<TrimmedSurface> trimmed_surfaces(const BrepKernel& kernel) const override {
+    return guarded("making NURBS surfaces of faces",
+                   [&] { return surfaces_of(dynamic_cast<const ShapeKernel&>(kernel)); });
+  }
+
   KernelSolid sew(const std::vector<TrimmedSurface>& faces, const SewOptions& options) const override {
     return guarded("sewing trimmed surfaces", [&] { return sewn_solid(faces, options); });
   }

@@ -34,5 +34,9 @@ Handle(Geom_BSplineSurface) to_shape(const NurbsSurface& surface, double scale);
 Handle(Geom2d_BSplineCurve) to_domain_curve(const NurbsCurve& curve);
 /// @param curve  not periodic
 NurbsCurve to_nurbs(const Geom_BSplineCurve& curve, double scale);
+/// @param surface  not periodic
+NurbsSurface to_nurbs(const Geom_BSplineSurface& surface, double scale);
+/// In the plane z = 0. @param curve  not periodic
+NurbsCurve to_nurbs(const Geom2d_BSplineCurve& curve);
 
 }  // namespace isopatch::geometry

@@ -18,6 +18,7 @@ ShapeInput oriented_solid(std::vector<TopoDS_Face> faces, double metres);
 double kernel_scale(double size);
 
 KernelSolid sewn_solid(const std::vector<TrimmedSurface>& faces, const SewOptions& options);
+std::vector<TrimmedSurface> surfaces_of(const ShapeKernel& kernel);
 KernelSolid polyhedral_solid(const Polyhedron& polyhedron, const SewOptions& options);
 
 }  // namespace isopatch::geometry
