@@ -47,13 +47,13 @@ std::string command_line(const ClaimStudy& study, const Launch& launch, const fs
   return line + " 2>&1 </dev/null";
 }
 
-void run(const std::string& command) {
+// @param what  for the message: the command has the whole environment
+void run(const std::string& command, const std::string& what) {
   std::FILE* pipe = ::popen(command.c_str(), "r");
-  if (pipe == nullptr) throw std::runtime_error("cannot start " + command);
+  if (pipe == nullptr) throw std::runtime_error("cannot start " + what);
   std::string said;
   for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) said += static_cast<char>(c);
-  if (::pclose(pipe) != 0)
-    throw std::runtime_error(command.substr(command.find("OMP_NUM_THREADS")) + " fails and says: " + said);
+  if (::pclose(pipe) != 0) throw std::runtime_error(what + " fails and says: " + said);
 }
 
 class TemporaryFolder {
@@ -86,7 +86,7 @@ std::string words(const Launch& launch) {
 
 ProgramRun run_program(const ClaimStudy& study, const Launch& launch) {
   const TemporaryFolder folder;
-  run(command_line(study, launch, folder.path()));
+  run(command_line(study, launch, folder.path()), fmt::format("{} in {}", study.file, words(launch)));
   const auto summary = nlohmann::json::parse(read_file(folder.path() / "summary.json"));
   return {iga::read_result(folder.path() / "results.h5").field,
           summary["results"]["internal_energy"].get<double>(),
