@@ -17,13 +17,15 @@ namespace {
 
 using test::data_file;
 
-/// Solids of every kind of surface: plane, cylinder, cone, torus, spline; block.step stands in where data are absent.
+/// Solids of every kind of surface: plane, cylinder, cone, torus, spline; block.step stands in where data are
+/// absent.
 std::vector<Brep> solids() {
   std::vector<Brep> result = {make_brep(test::block(0.3, 0.2, 0.1))};
-  for (const char* name : {"models/screw.step", "models/block_torus_fillet3.step", "models/block_through_hole.step",
-                           "models/pipe_helix.step",
-                           "chair_stand/solids/segmented_objStandFiveParts1_seed002_5.xml"})
-    if (const auto path = data_file(name); std::filesystem::exists(path)) result.push_back(read_brep(path).brep);
+  for (const char* name :
+       {"models/screw.step", "models/block_torus_fillet3.step", "models/block_through_hole.step",
+        "models/pipe_helix.step", "chair_stand/solids/segmented_objStandFiveParts1_seed002_5.xml"})
+    if (const auto path = data_file(name); std::filesystem::exists(path))
+      result.push_back(read_brep(path).brep);
   return result;
 }
 
@@ -36,8 +38,8 @@ TEST(BrepEvaluation, CurvesInDomainsFollowTheEdges) {
             const FaceId face(static_cast<int>(f));
             const Eigen::Vector2d uv = brep.domain_point(face, use, t);
             EXPECT_LT((brep.point(face, uv) - brep.point(use.edge, t)).norm(), 2e-4 * brep.size());
-            // The chain rule: as the edge runs, its image in the domain runs. Curves of files are fitted, and the
-            // derivatives of fits are poor at their ends.
+            // The chain rule: as the edge runs, its image in the domain runs. Curves of files are fitted, and
+            // the derivatives of fits are poor at their ends.
             if (t == 0 || t == 1) continue;
             const Eigen::Vector3d along = brep.derivatives(face, uv) * brep.domain_tangent(face, use, t);
             const Eigen::Vector3d tangent = brep.tangent(use.edge, t);
@@ -63,14 +65,17 @@ TEST(BrepEvaluation, DerivativesAreThoseOfDifferences) {
       const FaceId face(static_cast<int>(f));
       const DomainBox box = brep.domain(face);
       const Eigen::Vector2d range = box.high - box.low;
-      const Eigen::Vector2d uv = box.low + range.cwiseProduct(Eigen::Vector2d(uniform(random), uniform(random)));
+      const Eigen::Vector2d uv =
+          box.low + range.cwiseProduct(Eigen::Vector2d(uniform(random), uniform(random)));
       const auto d = brep.derivatives(face, uv);
       const Eigen::Matrix3d dd = brep.second_derivatives(face, uv);
       for (int k = 0; k < 2; ++k) {
         const Eigen::Vector2d step = 1e-5 * range(k) * Eigen::Vector2d::Unit(k);
-        const Eigen::Vector3d slope = (brep.point(face, uv + step) - brep.point(face, uv - step)) / (2 * step(k));
+        const Eigen::Vector3d slope =
+            (brep.point(face, uv + step) - brep.point(face, uv - step)) / (2 * step(k));
         EXPECT_LT((slope - d.col(k)).norm(), 1e-6 * brep.size() / range(k));
-        const auto difference = (brep.derivatives(face, uv + step) - brep.derivatives(face, uv - step)) / (2 * step(k));
+        const auto difference =
+            (brep.derivatives(face, uv + step) - brep.derivatives(face, uv - step)) / (2 * step(k));
         const double scale = 1e-5 * brep.size() / range(k);
         EXPECT_LT((difference.col(0) - dd.col(k)).norm(), scale / range(0));
         EXPECT_LT((difference.col(1) - dd.col(k + 1)).norm(), scale / range(1));

@@ -47,7 +47,8 @@ std::vector<TrimmedSurface> bilinear_faces(const Polyhedron& solid) {
 TEST(MakeBrep, PolyhedraHaveTheirVolumeAreaAndCounts) {
   std::vector<Polyhedron> solids = {test::block(1, 2, 3), test::l_shape(), test::triangulated_torus(7, 5)};
   for (int n = 3; n < 9; ++n) solids.insert(solids.end(), {test::prism(n, 0.01 * n), test::pyramid(n, 100)});
-  for (unsigned seed = 0; seed < 20; ++seed) solids.push_back(test::random_hull(5 + static_cast<int>(seed), seed));
+  for (unsigned seed = 0; seed < 20; ++seed)
+    solids.push_back(test::random_hull(5 + static_cast<int>(seed), seed));
   for (const Polyhedron& solid : solids) {
     const Brep brep = make_brep(solid);
     EXPECT_EQ(brep.faces().size(), solid.faces.size());
@@ -56,8 +57,9 @@ TEST(MakeBrep, PolyhedraHaveTheirVolumeAreaAndCounts) {
     EXPECT_NEAR(brep.volume(), test::polyhedron_volume(solid), 1e-12 * brep.volume());
     EXPECT_NEAR(brep.area(), test::polyhedron_area(solid), 1e-12 * brep.area());
     const BrepReport report = check(brep);
-    const auto euler = static_cast<int>(solid.vertices.cols() + static_cast<Eigen::Index>(solid.faces.size())) -
-                       static_cast<int>(brep.edges().size());
+    const auto euler =
+        static_cast<int>(solid.vertices.cols() + static_cast<Eigen::Index>(solid.faces.size())) -
+        static_cast<int>(brep.edges().size());
     EXPECT_EQ(report.topology.euler_characteristic, euler);
     EXPECT_EQ(report.topology.genus, 1 - euler / 2);
   }
@@ -123,7 +125,8 @@ TEST(MakeBrep, BrokenPolyhedraAreRefusedByName) {
   Polyhedron open = test::block(1, 2, 3);
   open.faces.pop_back();
   EXPECT_THAT(message_of([&] { make_brep(open); }),
-              testing::AllOf(HasSubstr("not_manifold"), HasSubstr("vertex 1 at (1, 0, 0)"), HasSubstr("one face only")));
+              testing::AllOf(HasSubstr("not_manifold"), HasSubstr("vertex 1 at (1, 0, 0)"),
+                             HasSubstr("one face only")));
 
   Polyhedron wall = test::block(1, 2, 3);
   wall.faces.push_back({0, 1, 7, 6});
@@ -139,8 +142,9 @@ TEST(MakeBrep, BrokenPolyhedraAreRefusedByName) {
   EXPECT_THAT(message_of([&] { make_brep(crooked); }), HasSubstr("is not plane"));
 
   Polyhedron touching;  // two tetrahedra with a common vertex
-  touching.vertices = (Eigen::Matrix3Xd(3, 7) << 0, 1, 0, 0, -1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 1, 1, 1, 0, -1, -1, -1)
-                          .finished();
+  touching.vertices =
+      (Eigen::Matrix3Xd(3, 7) << 0, 1, 0, 0, -1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 1, 1, 1, 0, -1, -1, -1)
+          .finished();
   touching.faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {3, 5, 4}, {3, 4, 6}, {4, 5, 6}, {5, 3, 6}};
   EXPECT_THAT(message_of([&] { make_brep(touching); }), HasSubstr("touches itself in vertex"));
 
@@ -198,10 +202,12 @@ TEST(Sew, LoopsThatDoNotCloseAndCurvesWithoutLengthAreRefused) {
   std::vector<TrimmedSurface> faces = bilinear_faces(test::block(3, 2, 1));
   std::vector<TrimmedSurface> broken = faces;
   broken[2].loops[0].pop_back();
-  EXPECT_THAT(message_of([&] { sew(broken); }), testing::AllOf(HasSubstr("face 2"), HasSubstr("loops must close")));
+  EXPECT_THAT(message_of([&] { sew(broken); }),
+              testing::AllOf(HasSubstr("face 2"), HasSubstr("loops must close")));
   broken = faces;
   broken[5].loops[0].emplace_back(NurbsCurve::KnotVectors{KnotVector()}, Eigen::Matrix3Xd::Zero(3, 2));
-  EXPECT_THAT(message_of([&] { sew(broken); }), testing::AllOf(HasSubstr("face 5"), HasSubstr("has no length")));
+  EXPECT_THAT(message_of([&] { sew(broken); }),
+              testing::AllOf(HasSubstr("face 5"), HasSubstr("has no length")));
   broken = faces;
   broken.push_back(faces[0]);
   EXPECT_THAT(message_of([&] { sew(broken); }), HasSubstr("more than two faces"));

@@ -96,7 +96,8 @@ void expect_faces_to_the_left(const Brep& brep) {
         EXPECT_TRUE(brep.contains(id, at + step * left)) << "face " << f << ", edge " << loop[i].edge.value;
         const BrepEdge& edge = brep.edge(loop[i].edge);
         const bool seam = edge.faces[0] == edge.faces[1];  // beyond it the face goes on
-        EXPECT_TRUE(seam || !brep.contains(id, at - step * left)) << "face " << f << ", edge " << loop[i].edge.value;
+        EXPECT_TRUE(seam || !brep.contains(id, at - step * left))
+            << "face " << f << ", edge " << loop[i].edge.value;
         ++looked_at;
       }
   }
@@ -129,39 +130,39 @@ void expect_same(const Brep& again, const Brep& brep, double tolerance) {
 TEST_P(Models, StepWriteReadKeepsTheSolid) {
   const Brep brep = read_brep(path_).brep;
   const Brep again = written_and_read(brep, GetParam().file);
-  // Edges of the helix lie 2e-4 of its size off their faces: where its faces end is open to that degree, and the reader
-  // decides anew. What it has decided once stays.
+  // Edges of the helix lie 2e-4 of its size off their faces: where its faces end is open to that degree, and
+  // the reader decides anew. What it has decided once stays.
   const bool loose = GetParam().file == std::string("pipe_helix.step");
   expect_same(again, brep, loose ? 1e-7 : 1e-9);
   if (loose) expect_same(written_and_read(again, GetParam().file), again, 1e-9);
 }
 
 using enum BrepStage;
-INSTANTIATE_TEST_SUITE_P(
-    Data, Models,
-    testing::Values(Model{"block.step", 6, 12, 8, 0, 0, parameterization},
-                    Model{"wedge_ok.step", 6, 12, 8, 0, 0, parameterization},
-                    Model{"block_fillet1.step", 7, 15, 10, 0, 0, decomposition},
-                    Model{"three_concave_edge.step", 10, 24, 16, 0, 0, decomposition},
-                    Model{"7-connected.step", 14, 32, 20, 0, 0, decomposition},
-                    Model{"cuboid_screw_thread.step", 38, 92, 56, 0, 0, decomposition},
-                    Model{"cylinder.step", 3, 3, 2, 0, 1, preprocessing},
-                    Model{"block_through_hole.step", 7, 15, 10, 1, 1, preprocessing},
-                    Model{"conjoined_twins.step", 13, 30, 19, 0, 0, preprocessing},
-                    Model{"cuboid_torus_with_step.step", 18, 43, 26, 1, 0, preprocessing},
-                    Model{"component8.step", 21, 48, 28, 1, 0, preprocessing},
-                    Model{"mambo_s34.step", 46, 123, 77, 3, 4, preprocessing},
-                    Model{"123091_2ebff124_3.step", 22, 63, 42, 2, 0, preprocessing},
-                    Model{"screw.step", 10, 22, 14, 0, 3, preprocessing},
-                    Model{"block_torus_fillet3.step", 10, 22, 14, 0, 0, decomposition},
-                    Model{"pipe_helix.step", 10, 24, 16, 1, 0, preprocessing},
-                    Model{"linkrods.step", 37, 108, 74, 2, 9, preprocessing}),
-    [](const testing::TestParamInfo<Model>& model) {
-      std::string name = std::filesystem::path(model.param.file).stem().string();
-      for (char& c : name)
-        if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-      return name;
-    });
+INSTANTIATE_TEST_SUITE_P(Data, Models,
+                         testing::Values(Model{"block.step", 6, 12, 8, 0, 0, parameterization},
+                                         Model{"wedge_ok.step", 6, 12, 8, 0, 0, parameterization},
+                                         Model{"block_fillet1.step", 7, 15, 10, 0, 0, decomposition},
+                                         Model{"three_concave_edge.step", 10, 24, 16, 0, 0, decomposition},
+                                         Model{"7-connected.step", 14, 32, 20, 0, 0, decomposition},
+                                         Model{"cuboid_screw_thread.step", 38, 92, 56, 0, 0, decomposition},
+                                         Model{"cylinder.step", 3, 3, 2, 0, 1, preprocessing},
+                                         Model{"block_through_hole.step", 7, 15, 10, 1, 1, preprocessing},
+                                         Model{"conjoined_twins.step", 13, 30, 19, 0, 0, preprocessing},
+                                         Model{"cuboid_torus_with_step.step", 18, 43, 26, 1, 0,
+                                               preprocessing},
+                                         Model{"component8.step", 21, 48, 28, 1, 0, preprocessing},
+                                         Model{"mambo_s34.step", 46, 123, 77, 3, 4, preprocessing},
+                                         Model{"123091_2ebff124_3.step", 22, 63, 42, 2, 0, preprocessing},
+                                         Model{"screw.step", 10, 22, 14, 0, 3, preprocessing},
+                                         Model{"block_torus_fillet3.step", 10, 22, 14, 0, 0, decomposition},
+                                         Model{"pipe_helix.step", 10, 24, 16, 1, 0, preprocessing},
+                                         Model{"linkrods.step", 37, 108, 74, 2, 9, preprocessing}),
+                         [](const testing::TestParamInfo<Model>& model) {
+                           std::string name = std::filesystem::path(model.param.file).stem().string();
+                           for (char& c : name)
+                             if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+                           return name;
+                         });
 
 TEST(Model, AnglesAtEdgesOfTheTableWhereNoneIsNearlyFlat) {
   struct Row {
@@ -170,9 +171,10 @@ TEST(Model, AnglesAtEdgesOfTheTableWhereNoneIsNearlyFlat) {
   };
   for (const Row& row :
        {Row{"block.step", 12, 0, 0}, Row{"wedge_ok.step", 12, 0, 0}, Row{"block_fillet1.step", 13, 0, 2},
-        Row{"three_concave_edge.step", 19, 3, 2}, Row{"7-connected.step", 29, 3, 0}, Row{"cylinder.step", 2, 0, 0},
-        Row{"block_through_hole.step", 14, 0, 0}, Row{"conjoined_twins.step", 24, 2, 4},
-        Row{"mambo_s34.step", 60, 7, 52}, Row{"123091_2ebff124_3.step", 50, 13, 0}, Row{"screw.step", 15, 3, 1},
+        Row{"three_concave_edge.step", 19, 3, 2}, Row{"7-connected.step", 29, 3, 0},
+        Row{"cylinder.step", 2, 0, 0}, Row{"block_through_hole.step", 14, 0, 0},
+        Row{"conjoined_twins.step", 24, 2, 4}, Row{"mambo_s34.step", 60, 7, 52},
+        Row{"123091_2ebff124_3.step", 50, 13, 0}, Row{"screw.step", 15, 3, 1},
         Row{"block_torus_fillet3.step", 12, 0, 10}, Row{"pipe_helix.step", 24, 0, 0}}) {
     SCOPED_TRACE(row.file);
     const auto path = data_file(std::string("models/") + row.file);
@@ -191,13 +193,15 @@ TEST(Model, VolumesAndAreasKnownFromDimensions) {
   const Brep box = read_brep(block).brep;
   const Eigen::Vector3d sides = box.box()[1] - box.box()[0];
   EXPECT_NEAR(box.volume(), sides.prod(), 1e-12 * box.volume());
-  EXPECT_NEAR(box.area(), 2 * (sides(0) * sides(1) + sides(1) * sides(2) + sides(2) * sides(0)), 1e-12 * box.area());
+  EXPECT_NEAR(box.area(), 2 * (sides(0) * sides(1) + sides(1) * sides(2) + sides(2) * sides(0)),
+              1e-12 * box.area());
   const Brep round = read_brep(cylinder).brep;
   for (std::size_t f = 0; f < round.faces().size(); ++f) {
     const auto carrier = round.carrier(FaceId(static_cast<int>(f)));
     ASSERT_TRUE(carrier);
     if (carrier->kind != SurfaceKind::cylinder) continue;
-    const double r = carrier->radius, height = round.area(FaceId(static_cast<int>(f))) / (2 * std::numbers::pi * r);
+    const double r = carrier->radius,
+                 height = round.area(FaceId(static_cast<int>(f))) / (2 * std::numbers::pi * r);
     EXPECT_NEAR(round.volume(), std::numbers::pi * r * r * height, 1e-9 * round.volume());
   }
 }

@@ -48,13 +48,13 @@ std::string message_of(Work work) {
 
 TEST_F(ReadBrep, EveryFormatKeepsAnLShapedSolidInEveryUnit) {
   const Brep brep = make_brep(test::l_shape());
-  for (const char* ending : {"step", "stp", "iges", "igs", "brep"})
+  for (const std::string ending : {"step", "stp", "iges", "igs", "brep", "xml", "off"})
     for (const auto& [unit, metres] : {std::pair("mm", 1e-3), std::pair("m", 1.0), std::pair("in", 0.0254)}) {
-      SCOPED_TRACE(std::string(ending) + " in " + unit);
-      const fs::path path = file(std::string("solid.") + ending);
+      SCOPED_TRACE(ending + " in " + unit);
+      const fs::path path = file("solid." + ending);
       write_brep(path, brep, {.unit = unit});
       ReadBrepOptions options;
-      if (std::string(ending) == "brep") options.length_unit = metres;
+      if (ending == "brep" || ending == "xml" || ending == "off") options.length_unit = metres;
       const BrepFile again = read_brep(path, options);
       EXPECT_EQ(again.brep.faces().size(), 8u);
       EXPECT_EQ(again.brep.edges().size(), 18u);
@@ -132,6 +132,27 @@ TEST_F(ReadBrep, ColoursOfFacesComeBackToTheLastDigitOfAByte) {
             std::abs((*face.colour)[2] - wanted[2]) < 0.002)
           ++found;
   EXPECT_EQ(found, 4);
+}
+
+TEST_F(ReadBrep, RoundSolidsBecomeTrimmedSurfacesAndComeBack) {
+  for (const char* name : {"block_fillet1.step", "three_concave_edge.step", "block_torus_fillet3.step"}) {
+    SCOPED_TRACE(name);
+    const auto path = data_file(std::string("models/") + name);
+    ISOPATCH_NEEDS(path);
+    const Brep brep = read_brep(path).brep;
+    const SewnBrep sewn = sew(trimmed_surfaces(brep));
+    EXPECT_LT(sewn.largest_correction, 1e-6 * brep.size());
+    write_brep(file("round.xml"), brep, {.unit = "m"});
+    for (const Brep& again : {sewn.brep, read_brep(file("round.xml")).brep}) {
+      EXPECT_EQ(again.edges().size(), brep.edges().size());
+      EXPECT_EQ(again.vertices().cols(), brep.vertices().cols());
+      EXPECT_NEAR(again.volume(), brep.volume(), 1e-7 * brep.volume());
+      for (std::size_t f = 0; f < brep.faces().size(); ++f)
+        EXPECT_NEAR(again.area(FaceId(static_cast<int>(f))), brep.area(FaceId(static_cast<int>(f))),
+                    1e-6 * brep.area(FaceId(static_cast<int>(f))));
+    }
+    EXPECT_THAT(message_of([&] { write_brep(file("round.off"), brep); }), HasSubstr("is no straight line"));
+  }
 }
 
 TEST_F(ReadBrep, PolyhedraComeFromOffFiles) {

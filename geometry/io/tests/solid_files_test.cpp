@@ -5,6 +5,7 @@
 #include "geometry/io/read_gismo_solid.hpp"
 #include "geometry/io/read_off.hpp"
 #include "geometry/io/tests/sample_patches.hpp"
+#include "geometry/io/write_gismo_solid.hpp"
 
 namespace isopatch::geometry {
 namespace {
@@ -46,8 +47,10 @@ TEST(Off, WriteReadKeepsEveryBit) {
 TEST(Off, BreachesNameTheLine) {
   const auto refusal = [](const std::string& text) { return error_of([&] { read_off(text, "t.off"); }); };
   EXPECT_THAT(refusal(replaced(tetrahedron, "OFF", "COFF")), HasSubstr("t.off:1: 'COFF' found where 'OFF'"));
-  EXPECT_THAT(refusal(replaced(tetrahedron, "3 1 2 3", "3 1 2 4")), HasSubstr("t.off:10: a corner of face 2 is '4'"));
-  EXPECT_THAT(refusal(replaced(tetrahedron, "3 1 2 3", "2 1 2")), HasSubstr("t.off:10: the corners of face 2"));
+  EXPECT_THAT(refusal(replaced(tetrahedron, "3 1 2 3", "3 1 2 4")),
+              HasSubstr("t.off:10: a corner of face 2 is '4'"));
+  EXPECT_THAT(refusal(replaced(tetrahedron, "3 1 2 3", "2 1 2")),
+              HasSubstr("t.off:10: the corners of face 2"));
   EXPECT_THAT(refusal(replaced(tetrahedron, "0 1 0", "0 x 0")), HasSubstr("t.off:6: 'x' is not a number"));
   EXPECT_THAT(refusal(replaced(tetrahedron, "4 4 6", "4 99999999 6")), HasSubstr("are announced"));
   EXPECT_THAT(refusal(tetrahedron + "5"), HasSubstr("follows the last face"));
@@ -117,10 +120,39 @@ TEST(GismoSolid, SurfacesAloneMakeOneSolid) {
   EXPECT_EQ(surface.loops[0][0].point(Parameter<1>(0.75)), Eigen::Vector3d(0.625, 0, 0));
 }
 
+TEST(GismoSolid, WriteReadKeepsEveryBit) {
+  SolidBoundary given = read_gismo_solids(file(trimmed(7) + solid), "s.xml")[0];
+  TrimmedSurface& first = *given.surfaces[0];
+  Eigen::VectorXd weights = Eigen::VectorXd::Ones(4);
+  weights(2) = 1.0 / 3;
+  first.surface = NurbsSurface(first.surface.knots(), first.surface.control_points(), weights);
+  first.loops[0][1] =
+      NurbsCurve(first.loops[0][1].knots(), first.loops[0][1].control_points(), weights.tail<2>());
+  const auto again = read_gismo_solids(to_gismo_solid(given), "again.xml");
+  ASSERT_EQ(again.size(), 1u);
+  EXPECT_EQ(again[0].corners.vertices, given.corners.vertices);
+  EXPECT_EQ(again[0].corners.faces, given.corners.faces);
+  ASSERT_EQ(again[0].surfaces.size(), given.surfaces.size());
+  EXPECT_FALSE(again[0].surfaces[3]);
+  for (std::size_t f = 0; f < 3; ++f) {
+    const TrimmedSurface &a = *given.surfaces[f], &b = *again[0].surfaces[f];
+    EXPECT_EQ(a.surface.control_points(), b.surface.control_points());
+    EXPECT_EQ(a.surface.weights(), b.surface.weights());
+    ASSERT_EQ(a.loops.size(), b.loops.size());
+    ASSERT_EQ(a.loops[0].size(), b.loops[0].size());
+    for (std::size_t i = 0; i < a.loops[0].size(); ++i) {
+      EXPECT_EQ(a.loops[0][i].knots(), b.loops[0][i].knots());
+      EXPECT_EQ(a.loops[0][i].control_points(), b.loops[0][i].control_points());
+      EXPECT_EQ(a.loops[0][i].weights(), b.loops[0][i].weights());
+    }
+  }
+}
+
 TEST(GismoSolid, PartedCurvesThatDoNotMeetAreRefused) {
   const std::string text = replaced(file(trimmed(0)), ".25 0  .25 0", ".25 0  .26 0");
-  EXPECT_THAT(error_of([&] { read_gismo_solids(text, "s.xml"); }),
-              AllOf(HasSubstr("bad_format"), HasSubstr("loop 0, curve 0"), HasSubstr("repeated more than degree")));
+  EXPECT_THAT(
+      error_of([&] { read_gismo_solids(text, "s.xml"); }),
+      AllOf(HasSubstr("bad_format"), HasSubstr("loop 0, curve 0"), HasSubstr("repeated more than degree")));
 }
 
 TEST(GismoSolid, IsToldFromVolumePatches) {
@@ -133,15 +165,18 @@ TEST(GismoSolid, BreachesNameTheLine) {
   const auto refusal = [](const std::string& from, const std::string& to) {
     return error_of([&] { read_gismo_solids(replaced(file(trimmed(7) + solid), from, to), "s.xml"); });
   };
-  EXPECT_THAT(refusal("3 0 1 3 7", "3 0 1 9 7"), AllOf(HasSubstr("s.xml:"), HasSubstr("a corner of face 1 is '9'")));
+  EXPECT_THAT(refusal("3 0 1 3 7", "3 0 1 9 7"),
+              AllOf(HasSubstr("s.xml:"), HasSubstr("a corner of face 1 is '9'")));
   EXPECT_THAT(refusal("3 0 1 3 7", "3 0 1 3 8"), HasSubstr("face 1 lies on surface 8, which the file lacks"));
   EXPECT_THAT(refusal("2 4 3", "2 4 5"), HasSubstr("a face of volume 1 is '5'"));
   EXPECT_THAT(refusal("-1/2", "-1/0"), HasSubstr("must be finite"));
   EXPECT_THAT(refusal("0 0  1 0 0", "0 0  1 0"), HasSubstr("a vertex has three"));
-  EXPECT_THAT(refusal("<coefs geoDim=\"3\">0", "<coefs geoDim=\"2\">0"), HasSubstr("in 2 dimensions; 3 are needed"));
+  EXPECT_THAT(refusal("<coefs geoDim=\"3\">0", "<coefs geoDim=\"2\">0"),
+              HasSubstr("in 2 dimensions; 3 are needed"));
   EXPECT_THAT(refusal("TensorBSpline2", "TensorHBSpline2"), HasSubstr("TensorNurbs2 are supported"));
   EXPECT_THAT(refusal("2 2 1</coefs>", "2 2</coefs>"), HasSubstr("trimmed surface 7"));
-  EXPECT_THAT(error_of([] { read_gismo_solids(file(""), "s.xml"); }), HasSubstr("no Solid and no TrimSurface"));
+  EXPECT_THAT(error_of([] { read_gismo_solids(file(""), "s.xml"); }),
+              HasSubstr("no Solid and no TrimSurface"));
 }
 
 }  // namespace
