@@ -1,12 +1,9 @@
 #include "segmentation/parameterization/face_map.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 
-#include "geometry/base/error.hpp"
 #include "geometry/splines/grid.hpp"
 #include "segmentation/parameterization/mean_value_map.hpp"
 #include "segmentation/parameterization/outline.hpp"
@@ -149,18 +146,15 @@ FaceMap face_map(const QuadFace& face) {
   if (best > good_sine) return blend;
   FaceMap result = blend;
   const MeanValueMap mean_value(by_arc_length(blend), face.surface);
-  for (const int spans : {4, 8, 16}) {
+  for (const int spans : {4, 8, 16, 32}) {
     FaceMap candidate = blend.moved(displacement(blend, mean_value, spans));
     candidate.kind_ = FaceMapKind::mean_value;
     const double sine = smallest_sine(candidate);
-    if (sine <= std::max(best, 0.0)) continue;
+    if (sine <= best) continue;
     best = sine;
     result = candidate;
-    break;
+    if (best > 0) break;
   }
-  if (!(best > 0))
-    throw Error(ErrorCode::fold_over,
-                fmt::format("face '{}' could not be mapped to the unit square without folds; divide it", face.name));
   return result;
 }
 

@@ -60,10 +60,10 @@ class FaceMap {
 /// outline's polygon.
 double smallest_sine(const FaceMap& map);
 
-/// A bijective map of the unit square to a face: the blend of its sides, or, where that folds, leaves the domain or
-/// gets narrow angles, the mean-value map if it is better.
+/// A map of the unit square to a face: the blend of its sides, or, where that folds, leaves the domain or gets narrow
+/// angles, the mean-value map if it is better. Bijective if `smallest_sine` is positive, which no smooth map is for a
+/// face with a corner of more than 180 degrees.
 ///
-/// @throws Error fold_over  if both fold, naming the face
 /// @source Coons 1967; Floater 2003
 FaceMap face_map(const QuadFace& face);
 

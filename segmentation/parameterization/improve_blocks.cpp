@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "segmentation/parameterization/coons.hpp"
+#include "geometry/splines/transfer.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -58,6 +58,46 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> matrix_of(const Triplets& moves, Ei
   Eigen::SparseMatrix<double, Eigen::RowMajor> result(rows, columns);
   result.setFromTriplets(moves.begin(), moves.end());
   return result;
+}
+
+/// Knots of a space within a patch's, with few spans.
+KnotVector coarse_knots(const KnotVector& knots, int spans) {
+  const std::vector<double> breaks = knots.breaks();
+  std::vector<double> kept;
+  for (int i = 1; i < spans; ++i) {
+    const double t = knots.first() + knots.length() * i / spans;
+    if (std::find(breaks.begin(), breaks.end(), t) != breaks.end()) kept.push_back(t);
+  }
+  return geometry::with_knots(KnotVector::bezier(knots.degree(), knots.first(), knots.last()), kept);
+}
+
+// Moves of the inner control points by splines of a coarser space that vanish on the boundary.
+Eigen::SparseMatrix<double, Eigen::RowMajor> coarse_moves(const std::array<KnotVector, 3>& knots, int spans,
+                                                          double step) {
+  std::array<geometry::TransferMatrix, 3> to_fine;
+  std::array<int, 3> coarse{};
+  for (std::size_t d = 0; d < 3; ++d) {
+    const KnotVector few = coarse_knots(knots[d], spans);
+    to_fine[d] = geometry::transfer(few, knots[d]);
+    coarse[d] = few.size();
+  }
+  const std::array<int, 3> n = sizes_of(knots);
+  using Row = geometry::TransferMatrix::InnerIterator;
+  const auto inner = [&](const Row& entry, std::size_t d) { return entry.col() > 0 && entry.col() + 1 < coarse[d]; };
+  Triplets moves;
+  for (int k = 1; k + 1 < n[2]; ++k)
+    for (int j = 1; j + 1 < n[1]; ++j)
+      for (int i = 1; i + 1 < n[0]; ++i)
+        for (Row z(to_fine[2], k); z; ++z)
+          for (Row y(to_fine[1], j); y; ++y)
+            for (Row x(to_fine[0], i); x; ++x) {
+              if (!inner(x, 0) || !inner(y, 1) || !inner(z, 2)) continue;
+              const auto at = static_cast<int>(x.col() - 1 + (coarse[0] - 2) * (y.col() - 1 + (coarse[1] - 2) * (z.col() - 1)));
+              for (int c = 0; c < 3; ++c)
+                moves.emplace_back(3 * index_of(n, i, j, k) + c, 3 * at + c, step * x.value() * y.value() * z.value());
+            }
+  return matrix_of(moves, 3 * Eigen::Index(n[0]) * n[1] * n[2],
+                   3 * (coarse[0] - 2) * (coarse[1] - 2) * (coarse[2] - 2));
 }
 
 Eigen::Matrix3Xd moved(const MovableBlock& block, const Eigen::VectorXd& variables) {
@@ -167,6 +207,24 @@ double slide(FaceMap& map, const SlidingFace& face, const Eigen::VectorXd& varia
   return 0;
 }
 
+std::optional<HopelessPlace> hopeless_place(const geometry::NurbsVolume& volume) {
+  constexpr int steps = 16;
+  std::optional<HopelessPlace> worst;
+  for (int e = 0; e < 12; ++e) {
+    geometry::Parameter<3> at;
+    const auto others = other_directions(e / 4);
+    for (std::size_t i = 0; i < 2; ++i) at[others[i]] = e >> i & 1;
+    for (int i = 0; i <= steps; ++i) {
+      at[e / 4] = double(i) / steps;
+      const Eigen::Matrix3d columns = volume.jacobian(at);
+      const double lengths = columns.colwise().norm().prod();
+      const double scaled = lengths > 0 ? columns.determinant() / lengths : 0;
+      if (scaled <= 0 && (!worst || scaled < worst->scaled_jacobian)) worst = {at, volume.point(at), scaled};
+    }
+  }
+  return worst;
+}
+
 }  // namespace
 
 bool Health::better_than(const Health& other) const {
@@ -176,35 +234,46 @@ bool Health::better_than(const Health& other) const {
 
 Health health(const std::array<KnotVector, 3>& knots, const Eigen::Matrix3Xd& net) {
   const geometry::NurbsVolume volume(knots, net);
-  return {geometry::certify_jacobian(volume, {.max_depth = 6}), geometry::quality(volume)};
+  return {geometry::certify_jacobian(volume, {.max_depth = 6}), geometry::quality(volume), hopeless_place(volume)};
 }
 
 ImprovedNet improve_interior(const std::array<KnotVector, 3>& knots, const Eigen::Matrix3Xd& net,
                              double wanted_quality, const OptimizationOptions& options) {
   ImprovedNet best{net, health(knots, net), 0};
   const std::array<int, 3> n = sizes_of(knots);
-  if (*std::min_element(n.begin(), n.end()) < 3) return best;
+  if (*std::min_element(n.begin(), n.end()) < 3 || best.health.hopeless) return best;
   MovableBlock block{knots, net, {}, mean_lengths(n, net), CountedPoints::inside_faces_and_interior, {}};
-  Triplets moves;
-  const int variables = add_interior(moves, n, step_of(block.lengths), 0);
-  block.moves = matrix_of(moves, 3 * net.cols(), variables);
+  const double step = step_of(block.lengths);
   const auto healthy = [&](const Health& health) {
     return health.certificate.accepted() && health.quality.min_scaled_jacobian >= wanted_quality;
   };
-  constexpr int most_looks = 4;
-  for (int look = 0; look < most_looks && !healthy(best.health); ++look) {
-    const OptimizedShapes found = optimize_shapes({block}, options);
-    best.evaluations += found.evaluations;
-    const Eigen::Matrix3Xd candidate = moved(block, found.variables);
-    const Health now = health(knots, candidate);
-    if (now.better_than(best.health)) {
-      best.net = candidate;
-      best.health = now;
+  // Few variables first: they get around large folds quickly, and most patches need no more.
+  constexpr int most_spans = 64;
+  for (const int spans : {2, 4, most_spans}) {
+    if (healthy(best.health) || (spans == most_spans && best.health.certificate.accepted())) break;
+    block.points = best.net;
+    if (spans == most_spans) {
+      Triplets moves;
+      const int variables = add_interior(moves, n, step, 0);
+      block.moves = matrix_of(moves, 3 * net.cols(), variables);
+    } else {
+      block.moves = coarse_moves(knots, spans, step);
     }
-    // Where no fold lies between the points looked at, another look finds nothing new.
-    if (now.certificate.accepted() || found.smallest_after <= 0) break;
-    look_at(block, now.certificate.parameter);
-    block.points = candidate;
+    constexpr int most_looks = 3;
+    for (int look = 0; look < most_looks && !healthy(best.health); ++look) {
+      const OptimizedShapes found = optimize_shapes({block}, options);
+      best.evaluations += found.evaluations;
+      const Eigen::Matrix3Xd candidate = moved(block, found.variables);
+      const Health now = health(knots, candidate);
+      if (now.better_than(best.health) || !best.health.certificate.accepted()) {
+        best.net = candidate;
+        best.health = now;
+      }
+      // Where no fold lies between the points looked at, another look finds nothing new.
+      if (now.certificate.accepted() || found.smallest_after <= 0) break;
+      look_at(block, now.certificate.parameter);
+      block.points = candidate;
+    }
   }
   return best;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "geometry/jacobian_certificate.hpp"
 #include "geometry/measures.hpp"
@@ -9,10 +10,18 @@
 
 namespace isopatch::segmentation {
 
+/// Where the edges and faces of a block leave no regular map: a dihedral angle of 180 degrees or more, or of 0.
+struct HopelessPlace {
+  geometry::Parameter<3> parameter;  ///< on an edge of the cube
+  Eigen::Vector3d place;
+  double scaled_jacobian = 0;  ///< there; on edges it depends on edges and faces alone, and its sign on their angle
+};
+
 /// How healthy a patch is.
 struct Health {
   geometry::JacobianCertificate certificate;
   geometry::Quality quality;
+  std::optional<HopelessPlace> hopeless;
 
   /// Certified before not certified, then by the smallest scaled Jacobian.
   bool better_than(const Health& other) const;

@@ -12,8 +12,8 @@
 namespace isopatch::segmentation {
 namespace {
 
-constexpr int points_a_side = 24;
-constexpr int inner_points = 500;
+constexpr int points_a_side = 40;
+constexpr int inner_points = 1200;
 
 /// The outline of the square, counterclockwise from its corner (0, 0).
 std::vector<Eigen::Vector2d> square_outline() {

@@ -41,7 +41,7 @@ BlockNets first_nets(const HexComplex& complex, const ComplexFit& fit) {
 std::vector<int> unhealthy(const BlockNets& blocks, double wanted_quality) {
   std::vector<int> result;
   for (std::size_t b = 0; b < blocks.healths.size(); ++b)
-    if (!healthy(blocks.healths[b], wanted_quality)) result.push_back(static_cast<int>(b));
+    if (!healthy(blocks.healths[b], wanted_quality) && !blocks.healths[b].hopeless) result.push_back(static_cast<int>(b));
   return result;
 }
 
@@ -57,9 +57,10 @@ void improve(HexComplex& complex, ComplexFit& fit, BlockNets& blocks, const Para
     blocks.nets[b] = std::move(improved.net);
     blocks.healths[b] = improved.health;
   }
-  constexpr int most_slides = 4;
+  constexpr int most_slides = 3;
   for (int slide = 0; slide < most_slides; ++slide) {
-    bad = unhealthy(blocks, options.wanted_quality);
+    // Faces only slide where the insides alone are far from good.
+    bad = unhealthy(blocks, options.wanted_quality / 2);
     if (bad.empty()) return;
     progress("sliding faces", double(slide) / most_slides);
     if (!slide_faces(complex, fit, blocks, bad, options.wanted_quality, options.optimization)) return;
@@ -92,6 +93,7 @@ PatchReport report_of(const std::string& name, const geometry::NurbsVolume& patc
   report.name = name;
   report.certificate = health.certificate;
   report.quality = health.quality;
+  report.hopeless = health.hopeless;
   report.histogram = histogram(patch);
   report.volume = geometry::volume(patch);
   report.control_points = patch.size();
@@ -134,6 +136,17 @@ geometry::PatchSet patch_set(const HexComplex& complex, std::vector<geometry::Nu
 
 std::string place(const Eigen::Vector3d& p) {
   return fmt::format("({:.4g}, {:.4g}, {:.4g})", p[0], p[1], p[2]);
+}
+
+std::string complaint(const PatchReport& patch) {
+  const std::string what = fmt::format(
+      "patch '{}' is {}: det J is {:.3g} at parameter {}, point {}", patch.name,
+      patch.certificate.sign == geometry::JacobianSign::negative ? "folded" : "not certified",
+      patch.certificate.smallest, place(patch.certificate.parameter), place(patch.certificate.place));
+  if (!patch.hopeless) return what + "; optimization found no better map: divide the block";
+  return fmt::format("{}; its faces meet at 180 degrees or more on the edge at {}, where no regular patch has an edge: "
+                     "divide the block there",
+                     what, place(patch.hopeless->place));
 }
 
 std::string edge_label(const HexComplex& complex, std::size_t edge) {
@@ -217,12 +230,7 @@ bool ParameterizationReport::usable() const {
 std::vector<std::string> ParameterizationReport::complaints() const {
   std::vector<std::string> result;
   for (const PatchReport& patch : patches)
-    if (!patch.certificate.accepted())
-      result.push_back(fmt::format(
-          "patch '{}' is {}: det J is {:.3g} at parameter {}, point {}; its edges or faces allow no better map there "
-          "(an angle of 0 or 180 degrees between two edges or faces), or the block is too bent: divide it",
-          patch.name, patch.certificate.sign == geometry::JacobianSign::negative ? "folded" : "not certified",
-          patch.certificate.smallest, place(patch.certificate.parameter), place(patch.certificate.place)));
+    if (!patch.certificate.accepted()) result.push_back(complaint(patch));
   for (const FaceReport& face : faces)
     if (face.deviation > tolerance)
       result.push_back(fmt::format("face {} deviates by {:.3g} from its surface, more than {:.3g}{}", face.name,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "geometry/multi_patch.hpp"
 #include "segmentation/parameterization/complex_fit.hpp"
 #include "segmentation/parameterization/hex_complex.hpp"
+#include "segmentation/parameterization/improve_blocks.hpp"
 #include "segmentation/parameterization/shape_optimization.hpp"
 
 namespace isopatch::segmentation {
@@ -35,6 +37,7 @@ struct PatchReport {
   std::string name;
   geometry::JacobianCertificate certificate;
   geometry::Quality quality;
+  std::optional<HopelessPlace> hopeless;  ///< why no map can be certified, where that is known
   std::array<int, 10> histogram{};  ///< of the scaled Jacobian at Gauss points, tenths of [0, 1]; below 0 in the first
   double volume = 0;                ///< model units^3
   int control_points = 0;

@@ -15,14 +15,20 @@ namespace {
 using geometry::KnotVector;
 using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-// Lobatto's rule with four points a span, so that the ends are among them, where folds begin.
+// Lobatto's rule, so that the ends of spans are among the nodes, where folds begin: four points a span, three where
+// spans are many.
 void add_nodes(const KnotVector& knots, std::vector<std::pair<double, double>>& nodes) {
   const double inner = (1 - 1 / std::sqrt(5.0)) / 2;
   const std::vector<double> breaks = knots.breaks();
+  constexpr std::size_t many = 4;
+  const std::vector<std::pair<double, double>> rule =
+      breaks.size() > many
+          ? std::vector<std::pair<double, double>>{{0.0, 1.0 / 6}, {0.5, 4.0 / 6}, {1.0, 1.0 / 6}}
+          : std::vector<std::pair<double, double>>{
+                {0.0, 1.0 / 12}, {inner, 5.0 / 12}, {1 - inner, 5.0 / 12}, {1.0, 1.0 / 12}};
   for (std::size_t e = 0; e + 1 < breaks.size(); ++e) {
     const double a = breaks[e], h = breaks[e + 1] - breaks[e];
-    for (const auto& [x, w] : {std::pair{0.0, 1.0}, {inner, 5.0}, {1 - inner, 5.0}, {1.0, 1.0}})
-      nodes.emplace_back(x == 1 ? breaks[e + 1] : a + x * h, w * h / 12);
+    for (const auto& [x, w] : rule) nodes.emplace_back(x == 1 ? breaks[e + 1] : a + x * h, w * h);
   }
 }
 

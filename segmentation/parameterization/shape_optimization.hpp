@@ -20,7 +20,7 @@ struct MovableBlock {
 struct OptimizationOptions {
   int untangling_rounds = 25;      ///< of a regularization each; range 0 .. 1000
   int untangling_evaluations = 60; ///< of the energy, a round; range 1 .. 100000
-  int quality_evaluations = 150;   ///< range 0 .. 100000
+  int quality_evaluations = 60;    ///< range 0 .. 100000
 };
 
 struct OptimizedShapes {
