@@ -155,7 +155,8 @@ BuiltProblem build_problem(const Study& study, const Progress& progress) {
                      {},
                      certificate_warnings(model, seen)};
   if (loaded.parameterization)
-    for (const std::string& complaint : loaded.parameterization->complaints()) built.warnings.push_back({complaint});
+    for (const std::string& complaint : loaded.parameterization->complaints())
+      built.warnings.push_back({complaint});
   for (const SupportInput& support : study.supports) {
     auto faces = caught_faces(support.selection, support.name, name(support.kind), built, built.supports);
     std::vector<iga::SupportedEdge> edges;

@@ -16,9 +16,10 @@ struct LoadedModel {
   std::optional<segmentation::ParameterizationReport> parameterization;
 };
 
-/// Reads or generates the patches, or makes them of solids, attaches more, scales them to metres and finds how they meet.
-/// @throws Error as the readers, `parameterize` and `connect` do, and invalid_argument for a generated model's
-/// dimensions and for attachments
+/// Reads or generates the patches, or makes them of solids, attaches more, scales them to metres and finds
+/// how they meet.
+/// @throws Error as the readers, `parameterize` and `connect` do, and invalid_argument for a generated
+/// model's dimensions and for attachments
 LoadedModel load_model(const ModelInput& input, const Progress& progress = {});
 
 /// A probe, found in the model.

@@ -72,14 +72,14 @@ ExitCode render_command(const RenderCommand& command, const Console& console);
 
 struct ParameterizeCommand {
   std::vector<std::filesystem::path> blocks;
-  std::string pairs;  ///< a file, or "" to find them from the geometry
+  std::string pairs;        ///< a file, or "" to find them from the geometry
   std::string length_unit;  ///< as of InputFile
   std::string method = "shared";
-  BlocksInput input;  ///< the options; files are filled in
+  BlocksInput input;             ///< the options; files are filled in
   std::filesystem::path output;  ///< .xml
 };
-/// Makes patches of topological hexahedra and writes them as G+Smo XML; `failed` if one is not certified or deviates too
-/// far, after writing.
+/// Makes patches of topological hexahedra and writes them as G+Smo XML; `failed` if one is not certified or
+/// deviates too far, after writing.
 ExitCode parameterize_command(const ParameterizeCommand& command, const Console& console);
 
 struct ConvertCommand {

@@ -78,13 +78,13 @@ std::string colour_text(const BrepFace& face) {
 
 std::string faces_text(const Brep& brep, bool all) {
   const std::size_t total = brep.faces().size(), shown = all ? total : std::min(short_list, total);
-  std::string text = fmt::format("\nfaces\n  {:>4}  {:<9} {:>6} {:>6} {:>12}  {}\n", "no", "surface", "edges", "loops",
-                                 "area", "colour and name");
+  std::string text = fmt::format("\nfaces\n  {:>4}  {:<9} {:>6} {:>6} {:>12}  {}\n", "no", "surface", "edges",
+                                 "loops", "area", "colour and name");
   for (std::size_t i = 0; i < shown; ++i) {
     const BrepFace& face = brep.faces()[i];
-    std::string line = fmt::format("  {:>4}  {:<9} {:>6} {:>6} {:>12}  {} {}", i, name(face.kind), edge_count(face),
-                                   face.loops.size(), with_unit(brep.area(FaceId(static_cast<int>(i))), "m^2"),
-                                   colour_text(face), face.name);
+    std::string line = fmt::format(
+        "  {:>4}  {:<9} {:>6} {:>6} {:>12}  {} {}", i, name(face.kind), edge_count(face), face.loops.size(),
+        with_unit(brep.area(FaceId(static_cast<int>(i))), "m^2"), colour_text(face), face.name);
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";
   }
@@ -106,8 +106,8 @@ std::vector<int> numbers(const std::vector<FaceId>& faces) {
 
 std::string edges_text(const Brep& brep, const BrepReport& report, bool all) {
   const std::size_t total = brep.edges().size(), shown = all ? total : std::min(short_list, total);
-  std::string text = fmt::format("\nedges\n  {:>4}  {:<8} {:>9}  {:<9} {:>10}  {:<10} {}\n", "no", "curve", "vertices",
-                                 "faces", "length", "kind", "inner angle, degrees");
+  std::string text = fmt::format("\nedges\n  {:>4}  {:<8} {:>9}  {:<9} {:>10}  {:<10} {}\n", "no", "curve",
+                                 "vertices", "faces", "length", "kind", "inner angle, degrees");
   for (std::size_t i = 0; i < shown; ++i) {
     const BrepEdge& edge = brep.edges()[i];
     text += fmt::format("  {:>4}  {:<8} {:>9}  {:<9} {:>10}  {:<10} {}\n", i, name(edge.kind),
@@ -190,7 +190,8 @@ Json solid_json(const SolidReport& solid) {
   const BrepReport& report = solid.report;
   Json faces = Json::array(), edges = Json::array(), vertices = Json::array();
   for (std::size_t i = 0; i < brep.faces().size(); ++i) faces.push_back(face_json(brep, i));
-  for (std::size_t i = 0; i < brep.edges().size(); ++i) edges.push_back(edge_json(brep.edges()[i], report.angles[i]));
+  for (std::size_t i = 0; i < brep.edges().size(); ++i)
+    edges.push_back(edge_json(brep.edges()[i], report.angles[i]));
   for (const auto& vertex : brep.vertices().colwise()) vertices.push_back(to_json(Eigen::Vector3d(vertex)));
   return {{"name", solid.file.name},
           {"stage", name(report.stage)},
@@ -211,11 +212,12 @@ Json solid_json(const SolidReport& solid) {
 std::string solid_text(const SolidReport& solid, bool all) {
   const Brep& brep = solid.file.brep;
   const BrepReport& report = solid.report;
-  std::string text = fmt::format("{} faces, {} edges, {} vertices: {}\n", brep.faces().size(), brep.edges().size(),
-                                 brep.vertices().cols(), boundary_text(report));
+  std::string text = fmt::format("{} faces, {} edges, {} vertices: {}\n", brep.faces().size(),
+                                 brep.edges().size(), brep.vertices().cols(), boundary_text(report));
   text += fmt::format("edge graph {}\n", graph_text(report));
   text += fmt::format("edges {}\n", edges_summary(report));
-  text += fmt::format("volume {}, surface {}\n", with_unit(report.volume, "m^3"), with_unit(report.area, "m^2"));
+  text +=
+      fmt::format("volume {}, surface {}\n", with_unit(report.volume, "m^3"), with_unit(report.area, "m^2"));
   text += fmt::format("box {} to {}\n", place_with_unit(brep.box()[0], brep.size()),
                       place_with_unit(brep.box()[1], brep.size()));
   text += fmt::format("largest gap between an edge and its face {}, shortest edge {} ({})\n",

@@ -24,8 +24,8 @@ ExitCode parameterize_command(const ParameterizeCommand& command, const Console&
   for (const std::string& complaint : made.report.complaints()) console.warn(complaint);
   if (!console.quiet)
     console.out << parameterization_text(made.report)
-                << fmt::format("  {} patches, {} interfaces, lengths in m, written to {}\n", model.patch_count(),
-                               model.interfaces().size(), command.output.string());
+                << fmt::format("  {} patches, {} interfaces, lengths in m, written to {}\n",
+                               model.patch_count(), model.interfaces().size(), command.output.string());
   return made.report.usable() ? ExitCode::ok : ExitCode::failed;
 }
 

@@ -16,7 +16,8 @@ using segmentation::PatchReport;
 std::string row(const PatchReport& patch, std::size_t index, std::size_t width) {
   const bool certified = patch.certificate.accepted();
   return fmt::format("  {:>3}  {:{}}  {:>6}  {:>9.3f}  {:>5.3f}  {}{}\n", index, patch.name, width,
-                     patch.control_points, patch.quality.min_scaled_jacobian, patch.quality.mean_scaled_jacobian,
+                     patch.control_points, patch.quality.min_scaled_jacobian,
+                     patch.quality.mean_scaled_jacobian,
                      certified ? fmt::format("det J > {:.3g}", patch.certificate.lower) : "not certified",
                      patch.moved ? (patch.certified_before ? ", improved" : ", untangled") : "");
 }
@@ -45,8 +46,8 @@ segmentation::Parameterization parameterized(const BlocksInput& input, const Pro
 std::string parameterization_text(const ParameterizationReport& report) {
   std::size_t width = 4;
   for (const PatchReport& patch : report.patches) width = std::max(width, patch.name.size());
-  std::string text = fmt::format("       {:{}}  {:>6}  {:>9}  {:>5}  {}\n", "block", width, "points", "scaled J", "mean",
-                     "certificate");
+  std::string text = fmt::format("       {:{}}  {:>6}  {:>9}  {:>5}  {}\n", "block", width, "points",
+                                 "scaled J", "mean", "certificate");
   double volume = 0;
   for (std::size_t i = 0; i < report.patches.size(); ++i) {
     text += row(report.patches[i], i, width);
@@ -57,11 +58,12 @@ std::string parameterization_text(const ParameterizationReport& report) {
   text += fmt::format("  largest deviation  {}, allowed {}, at {}\n", with_unit(worst.deviation, "m"),
                       with_unit(report.tolerance, "m"), worst.name);
   if (report.largest_gap > 1e-3 * report.tolerance)
-    text += fmt::format("  outlines differ    by up to {} in the input, {}\n", with_unit(report.largest_gap, "m"),
-                        report.gap_at);
+    text += fmt::format("  outlines differ    by up to {} in the input, {}\n",
+                        with_unit(report.largest_gap, "m"), report.gap_at);
   text += fmt::format("  volume             {:.9g} m^3, size {}\n", volume, with_unit(report.size, "m"));
-  text += fmt::format("  time               {:.2f} s, {} rounds of knots, {} evaluations of the shape energy\n",
-                      report.seconds, report.rounds, report.evaluations);
+  text +=
+      fmt::format("  time               {:.2f} s, {} rounds of knots, {} evaluations of the shape energy\n",
+                  report.seconds, report.rounds, report.evaluations);
   return text;
 }
 

@@ -110,7 +110,8 @@ ModelInput read_model(const Section& input, const Section& parameterization, con
   }
   const auto keys = read_table<ModelKeys>(common, input.place, "[model]", model_keys());
   if (keys.file.has_value() + keys.generate.has_value() + !keys.blocks.empty() != 1)
-    throw error_at(input.place, "[model] needs either file = \"...\", blocks = [\"...\"] or generate = \"...\"");
+    throw error_at(input.place,
+                   "[model] needs either file = \"...\", blocks = [\"...\"] or generate = \"...\"");
   ModelInput model;
   model.place = input.place;
   model.length_unit = keys.length_unit;

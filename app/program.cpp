@@ -248,19 +248,25 @@ void add_render_command(CLI::App& app, CommandLine& line) {
 
 void add_parameterize_command(CLI::App& app, CommandLine& line) {
   ParameterizeCommand& command = line.parameterize;
-  CLI::App* parameterize = add_command(
-      app, line, "parameterize", "Makes patches of solids that are topological hexahedra", parameterize_examples,
-      [&command](const Console& console) { return parameterize_command(command, console); });
-  parameterize->add_option("blocks", command.blocks, "Solids: .step, .stp, .iges, .igs, .brep, .xml (G+Smo), .off")
+  CLI::App* parameterize =
+      add_command(app, line, "parameterize", "Makes patches of solids that are topological hexahedra",
+                  parameterize_examples,
+                  [&command](const Console& console) { return parameterize_command(command, console); });
+  parameterize
+      ->add_option("blocks", command.blocks, "Solids: .step, .stp, .iges, .igs, .brep, .xml (G+Smo), .off")
       ->required();
-  parameterize->add_option("-o,--output", command.output, "The patches (.xml)")->required()->type_name("FILE");
+  parameterize->add_option("-o,--output", command.output, "The patches (.xml)")
+      ->required()
+      ->type_name("FILE");
   parameterize->add_option("--pairs", command.pairs, "How blocks meet; default: found from the geometry")
       ->type_name("FILE");
   parameterize->add_option("--length-unit", command.length_unit,
                            "What one unit measures, in formats that do not say it; default: m");
-  parameterize->add_option("--tolerance", command.input.options.fit.tolerance, "Largest deviation, share of the size")
+  parameterize
+      ->add_option("--tolerance", command.input.options.fit.tolerance, "Largest deviation, share of the size")
       ->capture_default_str();
-  parameterize->add_option("--degree", command.input.options.fit.degree, "Of the patches")->capture_default_str();
+  parameterize->add_option("--degree", command.input.options.fit.degree, "Of the patches")
+      ->capture_default_str();
   parameterize
       ->add_option("--same-point", command.input.files.complex.same_point,
                    "Points of two blocks this close, as a share of the size, are one")

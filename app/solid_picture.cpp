@@ -44,7 +44,8 @@ std::vector<Colour> face_colours(const Brep& brep) {
   std::vector<Colour> colours = patch_colours(static_cast<int>(brep.faces().size()));
   const auto byte = [](double x) { return static_cast<std::uint8_t>(std::clamp(x, 0.0, 1.0) * 255 + 0.5); };
   for (std::size_t i = 0; i < colours.size(); ++i)
-    if (const auto& own = brep.faces()[i].colour) colours[i] = {byte((*own)[0]), byte((*own)[1]), byte((*own)[2])};
+    if (const auto& own = brep.faces()[i].colour)
+      colours[i] = {byte((*own)[0]), byte((*own)[1]), byte((*own)[2])};
   return colours;
 }
 
@@ -62,7 +63,8 @@ Surface surface_of(const Brep& brep, const Tessellation& mesh, bool colours) {
     for (Eigen::Index i = 0; i < face.points.cols(); ++i) {
       surface.points.col(first + i) = face.points.col(i);
       surface.normals.col(first + i) = brep.outward_normal(FaceId(static_cast<int>(f)), face.uv.col(i));
-      surface.values(first + i) = colours ? (static_cast<double>(f) + 0.5) / static_cast<double>(mesh.faces.size()) : 0.5;
+      surface.values(first + i) =
+          colours ? (static_cast<double>(f) + 0.5) / static_cast<double>(mesh.faces.size()) : 0.5;
     }
     const int base = static_cast<int>(first);
     for (const auto& triangle : face.triangles.colwise())
@@ -105,10 +107,12 @@ bool hides(const Surface& surface, const std::array<int, 3>& triangle, const Eig
   return x >= 0 && y >= 0 && x + y <= 1 && v.dot(q) / determinant > nearest;
 }
 
-bool is_visible(const Surface& surface, const Eigen::Vector3d& point, const Eigen::Vector3d& toward_eye, double size) {
-  return std::none_of(surface.triangles.begin(), surface.triangles.end(), [&](const std::array<int, 3>& triangle) {
-    return hides(surface, triangle, point, toward_eye, 1e-3 * size);
-  });
+bool is_visible(const Surface& surface, const Eigen::Vector3d& point, const Eigen::Vector3d& toward_eye,
+                double size) {
+  return std::none_of(surface.triangles.begin(), surface.triangles.end(),
+                      [&](const std::array<int, 3>& triangle) {
+                        return hides(surface, triangle, point, toward_eye, 1e-3 * size);
+                      });
 }
 
 PicturePolygon disc(const Eigen::Vector2d& middle, double radius, const Colour& colour) {
@@ -150,7 +154,8 @@ void add_legend(Picture& picture, const SolidReport& solid, const Layout& places
 
 void require_field(const PictureOptions& options) {
   if (options.field != PictureField::patch && options.field != PictureField::none)
-    throw Error(ErrorCode::invalid_argument, "--field: a solid has only its faces to show; patch and none are known");
+    throw Error(ErrorCode::invalid_argument,
+                "--field: a solid has only its faces to show; patch and none are known");
 }
 
 }  // namespace
@@ -179,15 +184,16 @@ PartPicture solid_picture(const SolidReport& solid, const PictureOptions& option
     for (const EdgeKind& kind : edge_kinds) {
       Lines lines = lines_of(solid, mesh, kind.convexity);
       if (options.cut) lines = clipped(lines, *options.cut);
-      picture.coloured_lines.push_back({std::move(lines), kind.colour, 1.6 * kind.width * picture.line_width});
+      picture.coloured_lines.push_back(
+          {std::move(lines), kind.colour, 1.6 * kind.width * picture.line_width});
     }
     add_vertices(picture, brep, options.cut, places.font);
     add_legend(picture, solid, places);
   }
   add_axes(picture, places);
   if (!caption.empty()) add_caption(picture, places, caption);
-  result.description = fmt::format("{} faces, {} edges, {} vertices", brep.faces().size(), brep.edges().size(),
-                                   brep.vertices().cols());
+  result.description = fmt::format("{} faces, {} edges, {} vertices", brep.faces().size(),
+                                   brep.edges().size(), brep.vertices().cols());
   return result;
 }
 
@@ -195,7 +201,8 @@ std::string solid_graph_svg(const SolidReport& solid, const std::string& title) 
   const auto graph = geometry::edge_graph(solid.file.brep);
   if (!solid.report.connectivity.three_connected)
     throw Error(ErrorCode::not_three_connected,
-                fmt::format("the edge graph has no drawing with straight edges: {}", fmt::join(solid.report.findings, "; ")));
+                fmt::format("the edge graph has no drawing with straight edges: {}",
+                            fmt::join(solid.report.findings, "; ")));
   const Eigen::Matrix2Xd at = geometry::planar_drawing(graph, solid.report.connectivity);
   GraphDrawing drawing;
   drawing.title = title;
@@ -207,8 +214,8 @@ std::string solid_graph_svg(const SolidReport& solid, const std::string& title) 
     drawing.series.push_back(count > 0 ? fmt::format("{} {}", count, name(kind.convexity)) : "");
   }
   for (std::size_t e = 0; e < graph.edges.size(); ++e)
-    drawing.edges.push_back({graph.edges[e].start.value, graph.edges[e].end.value,
-                             kind_index(solid.report.angles[e].convexity)});
+    drawing.edges.push_back(
+        {graph.edges[e].start.value, graph.edges[e].end.value, kind_index(solid.report.angles[e].convexity)});
   for (std::size_t f = 0; f < graph.faces.size(); ++f) {
     Eigen::Vector2d middle = Eigen::Vector2d::Zero();
     const auto around = corners(graph, graph.faces[f].loops.front());

@@ -7,13 +7,14 @@
 
 namespace isopatch::app {
 
-/// Composes the picture of a solid: faces in their own colours or in light ones by turns, edges by convexity, visible
-/// vertices with their numbers.
+/// Composes the picture of a solid: faces in their own colours or in light ones by turns, edges by convexity,
+/// visible vertices with their numbers.
 /// @param title  for the caption, if none is given
 /// @throws Error invalid_argument  a field that solids do not have; a cut that leaves nothing
 PartPicture solid_picture(const SolidReport& solid, const PictureOptions& options, const std::string& title);
 
-/// The planar drawing of a solid's edge graph as SVG: edges by convexity, vertices and faces numbered as in `info`.
+/// The planar drawing of a solid's edge graph as SVG: edges by convexity, vertices and faces numbered as in
+/// `info`.
 /// @throws Error not_three_connected  with what stands in the way
 std::string solid_graph_svg(const SolidReport& solid, const std::string& title);
 

@@ -82,20 +82,22 @@ const Keys<ModelKeys>& model_keys() {
           "file", &ModelKeys::file,
           "A file of patches: G+Smo XML (.xml), GoTools (.g2) or MFEM NURBS mesh (.mesh). Relative "
           "paths count from the study's folder; ${NAME} and ${NAME:-default} are environment "
-          "variables. Or a file of topological hexahedra, as in `blocks`. Either this, `blocks` or `generate`."),
-      custom_key<ModelKeys>(
-          "blocks", "array of strings",
-          "Files of solids that are topological hexahedra: STEP (.step, .stp), IGES (.iges, .igs), OpenCASCADE "
-          "(.brep), G+Smo solids (.xml), polyhedra (.off). [parameterization] says how each becomes a patch; their "
-          "outer faces are boundaries called \"block:face\".",
-          [](ModelKeys& target, const ConfigValue& value) {
-            for (const ConfigValue& item : read_array(value, "blocks"))
-              target.blocks.push_back(read_text(item, "blocks"));
-          }),
-      optional_text_key<ModelKeys>(
-          "pairs", &ModelKeys::pairs,
-          "With blocks, a file that says how they meet, a line each: block, number of its face, block, number of its "
-          "face. Without it the pairs are found from the geometry."),
+          "variables. Or a file of topological hexahedra, as in `blocks`. Either this, `blocks` or "
+          "`generate`."),
+      custom_key<ModelKeys>("blocks", "array of strings",
+                            "Files of solids that are topological hexahedra: STEP (.step, .stp), IGES "
+                            "(.iges, .igs), OpenCASCADE "
+                            "(.brep), G+Smo solids (.xml), polyhedra (.off). [parameterization] says how "
+                            "each becomes a patch; their "
+                            "outer faces are boundaries called \"block:face\".",
+                            [](ModelKeys& target, const ConfigValue& value) {
+                              for (const ConfigValue& item : read_array(value, "blocks"))
+                                target.blocks.push_back(read_text(item, "blocks"));
+                            }),
+      optional_text_key<ModelKeys>("pairs", &ModelKeys::pairs,
+                                   "With blocks, a file that says how they meet, a line each: block, number "
+                                   "of its face, block, number of its "
+                                   "face. Without it the pairs are found from the geometry."),
       optional_text_key<ModelKeys>(
           "generate", &ModelKeys::generate,
           "Name of a generated model, whose dimensions are further keys of [model]; see below."),

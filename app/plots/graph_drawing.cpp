@@ -18,9 +18,11 @@ void check(const GraphDrawing& drawing) {
   for (const GraphDrawing::Edge& edge : drawing.edges)
     if (edge.from < 0 || edge.to < 0 || edge.from >= count || edge.to >= count ||
         edge.series >= drawing.series.size())
-      throw Error(ErrorCode::invalid_argument,
-                  fmt::format("an edge of the drawing '{}' goes from vertex {} to {} in series {}; there are {} and {}",
-                              drawing.title, edge.from, edge.to, edge.series, count, drawing.series.size()));
+      throw Error(
+          ErrorCode::invalid_argument,
+          fmt::format(
+              "an edge of the drawing '{}' goes from vertex {} to {} in series {}; there are {} and {}",
+              drawing.title, edge.from, edge.to, edge.series, count, drawing.series.size()));
 }
 
 Legend legend_of(const GraphDrawing& drawing) {
@@ -47,14 +49,16 @@ std::string to_svg(const GraphDrawing& drawing) {
   }
   for (const GraphDrawing::Edge& edge : drawing.edges)
     svg.line(place(drawing.vertices[static_cast<std::size_t>(edge.from)]),
-             place(drawing.vertices[static_cast<std::size_t>(edge.to)]), "curve s" + colour_class(edge.series));
+             place(drawing.vertices[static_cast<std::size_t>(edge.to)]),
+             "curve s" + colour_class(edge.series));
   for (std::size_t i = 0; i < drawing.vertices.size(); ++i) {
     const auto& [x, y] = drawing.vertices[i];
     const SvgPoint at = place(drawing.vertices[i]);
     svg.marker(at, 0, fmt::format("vertex {}", i));
     // The number a little outwards.
     const double length = std::max(std::hypot(x, y), 1e-9);
-    svg.text({at.x + 13 * x / length, at.y - 13 * y / length + 4}, fmt::format("{}", i), "text", Anchor::middle);
+    svg.text({at.x + 13 * x / length, at.y - 13 * y / length + 4}, fmt::format("{}", i), "text",
+             Anchor::middle);
   }
   return svg.finished();
 }

@@ -18,7 +18,7 @@ struct GraphDrawing {
     std::string text;
   };
   std::string title;
-  std::string description;  ///< for those who cannot see it
+  std::string description;                      ///< for those who cannot see it
   std::vector<std::array<double, 2>> vertices;  ///< in [-1, 1] x [-1, 1], y upwards; their numbers are drawn
   std::vector<Edge> edges;
   std::vector<std::string> series;  ///< names of kinds of edges, for the legend

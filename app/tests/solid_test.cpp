@@ -55,8 +55,9 @@ TEST_F(SolidFiles, TheCadLibraryIsNotThereBeforeTheFirstSolid) {
 
 TEST_F(SolidFiles, InfoSaysWhatIsReadyAndWhatIsNot) {
   ASSERT_EQ(run({"info", solid(), "--length-unit", "mm"}), 0) << err_;
-  EXPECT_THAT(out_, HasSubstr("8 faces, 18 edges, 12 vertices: closed, manifold, oriented, one shell, genus 0, "
-                              "contractible"));
+  EXPECT_THAT(out_,
+              HasSubstr("8 faces, 18 edges, 12 vertices: closed, manifold, oriented, one shell, genus 0, "
+                        "contractible"));
   EXPECT_THAT(out_, HasSubstr("edge graph connected, simple, 3-connected"));
   EXPECT_THAT(out_, HasSubstr("17 convex, 1 non-convex; inner angles 90 to 270 degrees"));
   EXPECT_THAT(out_, HasSubstr("volume 3 mm^3, surface 14 mm^2"));

@@ -282,7 +282,7 @@ move = [0, 0, "1 cm"]
 )";
   const Study study = parse_study(ring + material + support, "a/study.toml");
   ASSERT_EQ(study.model.attachments.size(), 2u);
-  const geometry::MultiPatch model = load_model(study.model);
+  const geometry::MultiPatch model = load_model(study.model).model;
   ASSERT_EQ(model.patch_count(), 4) << "quarter, its filling, and one more on both";
   EXPECT_EQ(model.interfaces().size(), 4u);
   double volume = 0;

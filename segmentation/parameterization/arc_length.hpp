@@ -9,7 +9,8 @@ namespace isopatch::segmentation {
 /// A curve in space over [0, 1], measured, so that it can be run through by arc length.
 class ArcLength {
  public:
-  /// @param chords  how many measure the curve; the error of length and of `parameter` falls with their square
+  /// @param chords  how many measure the curve; the error of length and of `parameter` falls with their
+  /// square
   explicit ArcLength(const std::function<Eigen::Vector3d(double)>& curve, int chords = 300);
 
   double length() const { return at_.back(); }

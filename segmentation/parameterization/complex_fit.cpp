@@ -108,7 +108,8 @@ FaceTarget face_target(const HexComplex& complex, std::size_t face, const Shares
   std::array<Eigen::Matrix3Xd, 4> off;
   for (std::size_t k = 0; k < 4; ++k) {
     const Shares& along = k < 2 ? s : t;
-    const Eigen::Matrix3Xd edge = sample_edge(complex, sides[k].edge, sides[k].turned ? turned(along) : along).points;
+    const Eigen::Matrix3Xd edge =
+        sample_edge(complex, sides[k].edge, sides[k].turned ? turned(along) : along).points;
     const Eigen::Matrix2Xd own = map.side_domain(static_cast<int>(k), along);
     Eigen::Matrix2Xd nearest = own;
     for (Eigen::Index i = 0; i < own.cols(); ++i) nearest.col(i) = project(map, edge.col(i), own.col(i));
@@ -177,7 +178,8 @@ Marks fit_edges(const HexComplex& complex, ComplexFit& fit, double tolerance) {
     const auto& ends = complex.edges[e].vertices;
     fit.edges[e] = fit_curve(knots, at, samples.points, complex.vertices[static_cast<std::size_t>(ends[0])],
                              complex.vertices[static_cast<std::size_t>(ends[1])]);
-    const Eigen::Matrix3Xd points = geometry::points_on_grid(geometry::NurbsCurve({knots}, fit.edges[e]), {at});
+    const Eigen::Matrix3Xd points =
+        geometry::points_on_grid(geometry::NurbsCurve({knots}, fit.edges[e]), {at});
     const Eigen::VectorXd errors = (points - samples.points).colwise().norm();
     fit.edge_deviation[e] = errors.maxCoeff();
     fit.edge_gap[e] = samples.gap;
@@ -190,9 +192,9 @@ Marks fit_edges(const HexComplex& complex, ComplexFit& fit, double tolerance) {
   return marks;
 }
 
-void mark_face(Marks& marks, const HexComplex& complex, std::size_t face, const std::array<KnotVector, 2>& knots,
-               const std::array<Shares, 2>& at, const Eigen::Matrix3Xd& target, const Eigen::VectorXd& errors,
-               double tolerance) {
+void mark_face(Marks& marks, const HexComplex& complex, std::size_t face,
+               const std::array<KnotVector, 2>& knots, const std::array<Shares, 2>& at,
+               const Eigen::Matrix3Xd& target, const Eigen::VectorXd& errors, double tolerance) {
   const auto sides = sides_of(complex, face);
   bool marked = false;
   for (int d = 0; d < 2; ++d) {
@@ -228,10 +230,10 @@ FittedFace fit_face(const HexComplex& complex, ComplexFit& fit, std::size_t face
   result.at = {fitting_parameters(result.knots[0], samples_a_span),
                fitting_parameters(result.knots[1], samples_a_span)};
   result.target = face_target(complex, face, result.at[0], result.at[1]);
-  fit.faces[face] =
-      fit_surface(result.knots, result.at, result.target.points, framed_net(complex, fit, face, result.knots));
-  const Eigen::Matrix3Xd points =
-      geometry::points_on_grid(geometry::NurbsSurface(result.knots, fit.faces[face]), {result.at[0], result.at[1]});
+  fit.faces[face] = fit_surface(result.knots, result.at, result.target.points,
+                                framed_net(complex, fit, face, result.knots));
+  const Eigen::Matrix3Xd points = geometry::points_on_grid(
+      geometry::NurbsSurface(result.knots, fit.faces[face]), {result.at[0], result.at[1]});
   result.errors = (points - result.target.points).colwise().norm();
   fit.face_deviation[face] = (points - result.target.surface).colwise().norm().maxCoeff();
   return result;
@@ -305,8 +307,7 @@ std::array<KnotVector, 3> block_knots(const HexComplex& complex, const ComplexFi
           knots_along(complex, fit, block, 2)};
 }
 
-std::vector<int> points_in_block(const HexComplex& complex, const ComplexFit& fit,
-                                 const FaceUse& use) {
+std::vector<int> points_in_block(const HexComplex& complex, const ComplexFit& fit, const FaceUse& use) {
   const auto knots = block_knots(complex, fit, use.side.block);
   const std::array<int, 3> sizes{knots[0].size(), knots[1].size(), knots[2].size()};
   const std::vector<int> on_side = geometry::face_control_points(sizes, use.side.side);
@@ -327,7 +328,8 @@ std::vector<int> points_in_block(const HexComplex& complex, const ComplexFit& fi
 
 Eigen::Matrix3Xd block_net(const HexComplex& complex, const ComplexFit& fit, int block) {
   const auto knots = block_knots(complex, fit, block);
-  Eigen::Matrix3Xd net = Eigen::Matrix3Xd::Zero(3, Eigen::Index(knots[0].size()) * knots[1].size() * knots[2].size());
+  Eigen::Matrix3Xd net =
+      Eigen::Matrix3Xd::Zero(3, Eigen::Index(knots[0].size()) * knots[1].size() * knots[2].size());
   for (const int f : complex.block_faces[static_cast<std::size_t>(block)])
     for (const FaceUse& use : complex.faces[static_cast<std::size_t>(f)].uses) {
       if (use.side.block != block) continue;

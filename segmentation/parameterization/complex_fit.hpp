@@ -12,14 +12,15 @@ namespace isopatch::segmentation {
 
 /// Edges and faces of a complex as splines, each once: neighbours share their control points.
 struct ComplexFit {
-  std::vector<KnotVector> sheets;         ///< knots on [0, 1], by sheet, in its direction
-  std::vector<Eigen::Matrix3Xd> edges;    ///< control points, in the direction of the complex' edge
-  std::vector<Eigen::Matrix3Xd> faces;    ///< nets, in the frame of the complex' face
-  std::vector<double> edge_deviation;     ///< largest distance from the samples, model units
-  std::vector<double> edge_gap;           ///< largest distance of a face's own curve from the samples at equal arc length
-  std::vector<double> face_deviation;     ///< largest distance from points of the surface
-  int rounds = 0;                         ///< of knot insertion
-  bool reached = true;                    ///< whether all deviations are below the tolerance
+  std::vector<KnotVector> sheets;       ///< knots on [0, 1], by sheet, in its direction
+  std::vector<Eigen::Matrix3Xd> edges;  ///< control points, in the direction of the complex' edge
+  std::vector<Eigen::Matrix3Xd> faces;  ///< nets, in the frame of the complex' face
+  std::vector<double> edge_deviation;   ///< largest distance from the samples, model units
+  std::vector<double>
+      edge_gap;  ///< largest distance of a face's own curve from the samples at equal arc length
+  std::vector<double> face_deviation;  ///< largest distance from points of the surface
+  int rounds = 0;                      ///< of knot insertion
+  bool reached = true;                 ///< whether all deviations are below the tolerance
 };
 
 struct FitOptions {
@@ -30,10 +31,11 @@ struct FitOptions {
 };
 void validate(const FitOptions& options);
 
-/// Fits edges, then faces that keep their edges, and halves knot spans until the deviation is below the tolerance.
+/// Fits edges, then faces that keep their edges, and halves knot spans until the deviation is below the
+/// tolerance.
 ///
-/// Where trimming curves of two faces disagree, the edge is put where their surfaces meet; where these do not meet
-/// either, half way, and the difference is blended over the face.
+/// Where trimming curves of two faces disagree, the edge is put where their surfaces meet; where these do not
+/// meet either, half way, and the difference is blended over the face.
 /// @cost O(rounds * faces * samples), some hundred samples a span of a face
 ComplexFit fit(const HexComplex& complex, const FitOptions& options);
 
@@ -46,8 +48,7 @@ std::array<KnotVector, 2> face_knots(const HexComplex& complex, const ComplexFit
 std::array<KnotVector, 3> block_knots(const HexComplex& complex, const ComplexFit& fit, int block);
 
 /// Where the points of a face's net lie in the net of the block that uses it.
-std::vector<int> points_in_block(const HexComplex& complex, const ComplexFit& fit,
-                                 const FaceUse& use);
+std::vector<int> points_in_block(const HexComplex& complex, const ComplexFit& fit, const FaceUse& use);
 
 /// The net of a block: faces as they are, the inside blended.
 Eigen::Matrix3Xd block_net(const HexComplex& complex, const ComplexFit& fit, int block);

@@ -29,7 +29,8 @@ Eigen::Matrix3Xd coons_net(const std::array<geometry::KnotVector, 3>& knots, Eig
   const std::array<int, 3> n{knots[0].size(), knots[1].size(), knots[2].size()};
   const std::array shares{greville_shares(knots[0]), greville_shares(knots[1]), greville_shares(knots[2])};
   std::array<int, 3> i{};
-  // The point with some of its indices moved to the ends; `ends` has two bits a direction: whether, and which.
+  // The point with some of its indices moved to the ends; `ends` has two bits a direction: whether, and
+  // which.
   const auto blend = [&](unsigned directions) {
     Eigen::Vector3d sum(0, 0, 0);
     for (unsigned ends = 0; ends < 8; ++ends) {

@@ -8,8 +8,9 @@
 
 namespace isopatch::segmentation {
 
-/// The net of the transfinite blend of a surface's boundary. Control points at the boundary stay as they are, to the
-/// last bit; the inner ones are those of the exact blend, because (1 - s) has its Greville shares as coefficients.
+/// The net of the transfinite blend of a surface's boundary. Control points at the boundary stay as they are,
+/// to the last bit; the inner ones are those of the exact blend, because (1 - s) has its Greville shares as
+/// coefficients.
 /// @param net    (3, product of sizes); inner points are not looked at
 /// @source Farin, Hansford, Discrete Coons patches, CAGD 1999
 Eigen::Matrix3Xd coons_net(const std::array<geometry::KnotVector, 2>& knots, Eigen::Matrix3Xd net);

@@ -8,8 +8,8 @@ namespace isopatch::segmentation {
 
 using geometry::Side;
 
-// Corner i + 2 j + 4 k of the unit cube is (i, j, k). Edge 4 d + a + 2 b runs along direction d; of the two other
-// directions, increasing, the first is at its end a, the second at b. Sides are those of a patch.
+// Corner i + 2 j + 4 k of the unit cube is (i, j, k). Edge 4 d + a + 2 b runs along direction d; of the two
+// other directions, increasing, the first is at its end a, the second at b. Sides are those of a patch.
 
 /// The two directions other than d, increasing.
 constexpr std::array<int, 2> other_directions(int d) {
@@ -35,8 +35,8 @@ constexpr int side_corner(Side side, int s, int t) {
          (t << along[1]);
 }
 
-/// The edges that bound a side, in the order of `QuadFace::sides`: t = 0 and t = 1 (along s), s = 0 and s = 1 (along
-/// t).
+/// The edges that bound a side, in the order of `QuadFace::sides`: t = 0 and t = 1 (along s), s = 0 and s = 1
+/// (along t).
 constexpr std::array<int, 4> side_edges(Side side) {
   const auto along = geometry::tangents(side);
   const int across = geometry::direction(side);

@@ -81,7 +81,8 @@ struct Source {
   Eigen::Matrix3Xd points;
 };
 
-std::vector<Source> sources_of(const HexComplex& complex, std::size_t edge, const std::vector<double>& shares) {
+std::vector<Source> sources_of(const HexComplex& complex, std::size_t edge,
+                               const std::vector<double>& shares) {
   std::vector<Source> sources;
   for (const EdgeUse& use : complex.edges[edge].uses)
     for (const Side side : geometry::all_sides) {
@@ -169,7 +170,8 @@ void settle_edges(HexComplex& complex) {
     const CommonPoint found = common_point(complex.vertices[v], around[v], complex.size);
     if (found.miss < 1e-5 * complex.size) complex.vertices[v] = found.point;
   }
-  for (std::size_t e = 0; e < complex.edges.size(); ++e) complex.edges[e].surfaces_meet = surfaces_meet(complex, e);
+  for (std::size_t e = 0; e < complex.edges.size(); ++e)
+    complex.edges[e].surfaces_meet = surfaces_meet(complex, e);
 }
 
 }  // namespace isopatch::segmentation

@@ -64,8 +64,9 @@ double distance(const FaceMap& face, const Eigen::Vector3d& point, double reach)
   for (Eigen::Index k = 0; k + n + 1 < grid.cols(); ++k)
     cell = std::max(cell, (grid.col(k + n + 1) - grid.col(k)).norm());
   if (found > reach + 2 * cell) return found;
-  return refined_distance(face, point, {coarse()[static_cast<std::size_t>(nearest % n)],
-                                        coarse()[static_cast<std::size_t>(nearest / n)]});
+  return refined_distance(
+      face, point,
+      {coarse()[static_cast<std::size_t>(nearest % n)], coarse()[static_cast<std::size_t>(nearest / n)]});
 }
 
 FaceContact contact(const FaceMap& first, const FaceMap& second) {

@@ -10,8 +10,8 @@ namespace isopatch::segmentation {
 /// How far two faces are from being one, in the orientation in which they are closest.
 struct FaceContact {
   geometry::FaceOrientation orientation;  ///< from the first face to the second
-  double distance = 0;                    ///< largest found, of corners, sides and some inner points; model units
-  Eigen::Vector3d place;                  ///< where
+  double distance = 0;    ///< largest found, of corners, sides and some inner points; model units
+  Eigen::Vector3d place;  ///< where
 };
 /// Sides are compared by arc length, inner points of the first with the nearest of the second.
 FaceContact contact(const FaceMap& first, const FaceMap& second);

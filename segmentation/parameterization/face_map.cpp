@@ -22,8 +22,10 @@ std::vector<double> equal_steps(int cells) {
 }
 
 std::array<DomainCurve, 4> by_arc_length(const FaceMap& map) {
-  return {[&map](double s) { return map.domain_point(s, 0); }, [&map](double s) { return map.domain_point(s, 1); },
-          [&map](double t) { return map.domain_point(0, t); }, [&map](double t) { return map.domain_point(1, t); }};
+  return {[&map](double s) { return map.domain_point(s, 0); },
+          [&map](double s) { return map.domain_point(s, 1); },
+          [&map](double t) { return map.domain_point(0, t); },
+          [&map](double t) { return map.domain_point(1, t); }};
 }
 
 /// What leads from the blend to the mean-value map, as a spline with `spans` spans a direction.
@@ -36,7 +38,8 @@ geometry::NurbsSurface displacement(const FaceMap& blend, const MeanValueMap& ma
   for (Eigen::Index j = 1; j + 1 < n; ++j)
     for (Eigen::Index i = 1; i + 1 < n; ++i)
       rest.col(i + n * j).head<2>() =
-          map.domain_point({at[static_cast<std::size_t>(i)], at[static_cast<std::size_t>(j)]}) - from.col(i + n * j);
+          map.domain_point({at[static_cast<std::size_t>(i)], at[static_cast<std::size_t>(j)]}) -
+          from.col(i + n * j);
   const Eigen::Matrix3Xd zero = Eigen::Matrix3Xd::Zero(3, Eigen::Index(knots.size()) * knots.size());
   return {{knots, knots}, fit_surface({knots, knots}, {at, at}, rest, zero)};
 }
@@ -79,13 +82,14 @@ Eigen::Matrix2Xd FaceMap::domain_grid(const std::vector<double>& s, const std::v
   const auto m = static_cast<Eigen::Index>(t.size());
   const Eigen::Matrix2Xd low = side_domain(0, s), high = side_domain(1, s);
   const Eigen::Matrix2Xd left = side_domain(2, t), right = side_domain(3, t);
-  const Eigen::Vector2d a = face_.sides[0](0), b = face_.sides[0](1), c = face_.sides[1](0), d = face_.sides[1](1);
+  const Eigen::Vector2d a = face_.sides[0](0), b = face_.sides[0](1), c = face_.sides[1](0),
+                        d = face_.sides[1](1);
   Eigen::Matrix2Xd result(2, n * m);
   for (Eigen::Index j = 0; j < m; ++j)
     for (Eigen::Index i = 0; i < n; ++i) {
       const double x = s[static_cast<std::size_t>(i)], y = t[static_cast<std::size_t>(j)];
-      result.col(i + n * j) = (1 - y) * low.col(i) + y * high.col(i) + (1 - x) * left.col(j) + x * right.col(j) -
-                              (1 - y) * ((1 - x) * a + x * b) - y * ((1 - x) * c + x * d);
+      result.col(i + n * j) = (1 - y) * low.col(i) + y * high.col(i) + (1 - x) * left.col(j) +
+                              x * right.col(j) - (1 - y) * ((1 - x) * a + x * b) - y * ((1 - x) * c + x * d);
     }
   for (const geometry::NurbsSurface& displacement : displacements_)
     result += geometry::points_on_grid(displacement, {s, t}).topRows<2>();
@@ -131,10 +135,12 @@ double smallest_sine(const FaceMap& map) {
         const Eigen::Index beside = i + 1 - di + n * (j + dj);
         const Eigen::Index above = i + di + n * (j + 1 - dj);
         const double turn = (di == dj ? 1 : -1) * (outline > 0 ? 1 : -1);
-        const Eigen::Vector3d x = points.col(beside) - points.col(here), y = points.col(above) - points.col(here);
+        const Eigen::Vector3d x = points.col(beside) - points.col(here),
+                              y = points.col(above) - points.col(here);
         const double lengths = x.norm() * y.norm();
         const double sine = lengths > 0 ? x.cross(y).norm() / lengths : 0.0;
-        const bool folded = !(turn * doubled_area(domain.col(here), domain.col(beside), domain.col(above)) > 0);
+        const bool folded =
+            !(turn * doubled_area(domain.col(here), domain.col(beside), domain.col(above)) > 0);
         smallest = std::min(smallest, folded ? -sine : sine);
       }
   return smallest;

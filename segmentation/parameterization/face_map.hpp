@@ -43,7 +43,8 @@ class FaceMap {
   Eigen::Matrix2Xd domain_grid(const std::vector<double>& s, const std::vector<double>& t) const;
   Eigen::Matrix3Xd grid(const std::vector<double>& s, const std::vector<double>& t) const;
 
-  /// The same map with its inside moved by a spline displacement of the domain, whose outer control points are zero.
+  /// The same map with its inside moved by a spline displacement of the domain, whose outer control points
+  /// are zero.
   FaceMap moved(const geometry::NurbsSurface& displacement) const;
 
  private:
@@ -55,14 +56,14 @@ class FaceMap {
   double domain_size_ = 0;
 };
 
-/// The smallest sine of an angle between a face map's grid lines, on a grid of 24 x 24 cells; negative where the map
-/// folds over in the domain. If it is positive, the piecewise linear map through the grid is bijective onto the
-/// outline's polygon.
+/// The smallest sine of an angle between a face map's grid lines, on a grid of 24 x 24 cells; negative where
+/// the map folds over in the domain. If it is positive, the piecewise linear map through the grid is
+/// bijective onto the outline's polygon.
 double smallest_sine(const FaceMap& map);
 
-/// A map of the unit square to a face: the blend of its sides, or, where that folds, leaves the domain or gets narrow
-/// angles, the mean-value map if it is better. Bijective if `smallest_sine` is positive, which no smooth map is for a
-/// face with a corner of more than 180 degrees.
+/// A map of the unit square to a face: the blend of its sides, or, where that folds, leaves the domain or
+/// gets narrow angles, the mean-value map if it is better. Bijective if `smallest_sine` is positive, which no
+/// smooth map is for a face with a corner of more than 180 degrees.
 ///
 /// @source Coons 1967; Floater 2003
 FaceMap face_map(const QuadFace& face);

@@ -165,8 +165,8 @@ void number_faces(HexComplex& complex, const std::vector<Match>& matches) {
         const Match& match = *found->second;
         face.uses.push_back({match.second, match.contact.orientation});
         face.gap = match.contact.distance;
-        complex.block_faces[static_cast<std::size_t>(match.second.block)][static_cast<std::size_t>(
-            match.second.side)] = number;
+        complex.block_faces[static_cast<std::size_t>(match.second.block)]
+                           [static_cast<std::size_t>(match.second.side)] = number;
       }
       complex.faces.push_back(std::move(face));
     }
@@ -181,8 +181,8 @@ bool reversed_in(const HexComplex& complex, int block, int edge) {
   return false;
 }
 
-// The four parallel edges of each block's direction belong together; two ways around that disagree make a sheet
-// symmetric.
+// The four parallel edges of each block's direction belong together; two ways around that disagree make a
+// sheet symmetric.
 void find_sheets(HexComplex& complex) {
   std::vector<bool> seen(complex.edges.size(), false);
   for (std::size_t start = 0; start < complex.edges.size(); ++start) {
@@ -247,8 +247,8 @@ BlockSide side_of_face(const std::vector<Hexahedron>& blocks, int block, int fac
   for (const Side side : geometry::all_sides)
     if (blocks[static_cast<std::size_t>(block)].face(side).number == face) return {block, side};
   throw Error(ErrorCode::invalid_argument,
-              fmt::format("pair {}: block '{}' has no face {}; a hexahedron's faces are numbered 0 to 5", pair,
-                          blocks[static_cast<std::size_t>(block)].name, face));
+              fmt::format("pair {}: block '{}' has no face {}; a hexahedron's faces are numbered 0 to 5",
+                          pair, blocks[static_cast<std::size_t>(block)].name, face));
 }
 
 void check(const std::vector<Hexahedron>& blocks, const ComplexOptions& options) {
@@ -318,11 +318,12 @@ HexComplex hex_complex(std::vector<Hexahedron> blocks, const std::vector<ListedP
                                                              label_of(blocks, side), found->second, i));
     const FaceContact found = contact(map_of(maps, first), map_of(maps, second));
     if (found.distance > options.same_point * size)
-      throw Error(ErrorCode::not_conforming,
-                  fmt::format("pair {}: faces {} and {} do not meet: they are {:.3g} apart at ({:.6g}, {:.6g}, "
-                              "{:.6g}), {:.2g} of the model's size; correct the list, or raise same_point",
-                              i, label_of(blocks, first), label_of(blocks, second), found.distance,
-                              found.place[0], found.place[1], found.place[2], found.distance / size));
+      throw Error(
+          ErrorCode::not_conforming,
+          fmt::format("pair {}: faces {} and {} do not meet: they are {:.3g} apart at ({:.6g}, {:.6g}, "
+                      "{:.6g}), {:.2g} of the model's size; correct the list, or raise same_point",
+                      i, label_of(blocks, first), label_of(blocks, second), found.distance, found.place[0],
+                      found.place[1], found.place[2], found.distance / size));
     matches.push_back({first, second, found});
   }
   return assembled(std::move(blocks), std::move(maps), matches, size);
@@ -346,9 +347,10 @@ HexComplex hex_complex(std::vector<Hexahedron> blocks, const ComplexOptions& opt
       if (found.distance <= reach) {
         for (const auto& [a, b] : {std::pair{all[i].side, all[j].side}, std::pair{all[j].side, all[i].side}})
           if (const auto [other, fresh] = partner.try_emplace(a, b); !fresh)
-            throw Error(ErrorCode::not_conforming,
-                        fmt::format("face {} meets both {} and {}; a face lies between two blocks at most",
-                                    label_of(blocks, a), label_of(blocks, other->second), label_of(blocks, b)));
+            throw Error(
+                ErrorCode::not_conforming,
+                fmt::format("face {} meets both {} and {}; a face lies between two blocks at most",
+                            label_of(blocks, a), label_of(blocks, other->second), label_of(blocks, b)));
         matches.push_back({all[i].side, all[j].side, found});
       } else if (lies_in(one, two, reach)) {
         partial.push_back({all[i].side, all[j].side});

@@ -51,10 +51,11 @@ EdgeFaces edge_faces(const HexSolid& solid) {
 void check_faces(const HexSolid& solid) {
   for (const SolidFace& face : solid.faces) {
     if (face.corners.size() != 4)
-      throw Error(ErrorCode::unsupported,
-                  fmt::format("{} has {} corners; each face of a hexahedron has four. Cut the solid further, or "
-                              "divide the edge that has a vertex too many",
-                              of(solid, face), face.corners.size()));
+      throw Error(
+          ErrorCode::unsupported,
+          fmt::format("{} has {} corners; each face of a hexahedron has four. Cut the solid further, or "
+                      "divide the edge that has a vertex too many",
+                      of(solid, face), face.corners.size()));
     if (face.curves.size() != 4 || !face.surface)
       throw Error(ErrorCode::invalid_argument, of(solid, face) + " lacks a curve or its surface");
     for (const int corner : face.corners)
@@ -76,11 +77,11 @@ void check_shell(const HexSolid& solid, const EdgeFaces& edges) {
         fmt::format("solid '{}', edge between vertices {} {} and {} {}: ", solid.name, edge.first,
                     place(solid.vertices[static_cast<std::size_t>(edge.first)]), edge.second,
                     place(solid.vertices[static_cast<std::size_t>(edge.second)]));
-    throw Error(ErrorCode::not_conforming,
-                where + (faces.size() == 1
-                             ? fmt::format("the shell is open, only face {} ends here", names[0])
-                             : fmt::format("{} faces meet here ({}); an edge has two", faces.size(),
-                                           fmt::join(names, ", "))));
+    throw Error(
+        ErrorCode::not_conforming,
+        where + (faces.size() == 1 ? fmt::format("the shell is open, only face {} ends here", names[0])
+                                   : fmt::format("{} faces meet here ({}); an edge has two", faces.size(),
+                                                 fmt::join(names, ", "))));
   }
 }
 
@@ -104,9 +105,8 @@ void check_geometry(const HexSolid& solid) {
     }
     const std::optional<Eigen::Vector2d> crossing = self_intersection(face.curves);
     if (crossing)
-      throw Error(ErrorCode::invalid_argument,
-                  fmt::format("{}: its outline crosses itself at {}", of(solid, face),
-                              place(face.surface(*crossing))));
+      throw Error(ErrorCode::invalid_argument, fmt::format("{}: its outline crosses itself at {}",
+                                                           of(solid, face), place(face.surface(*crossing))));
   }
 }
 
@@ -114,7 +114,8 @@ std::string not_a_cube(const HexSolid& solid, const EdgeFaces& edges, const std:
   std::set<int> used;
   for (const auto& entry : edges) used.insert({entry.first.first, entry.first.second});
   return fmt::format(
-      "solid '{}' is no topological hexahedron: {}. It has {} vertices, {} edges and {} faces; a cube has 8, 12 and "
+      "solid '{}' is no topological hexahedron: {}. It has {} vertices, {} edges and {} faces; a cube has 8, "
+      "12 and "
       "6, connected as a cube's",
       solid.name, why, used.size(), edges.size(), solid.faces.size());
 }
@@ -168,9 +169,10 @@ QuadFace face_on(const HexSolid& solid, const EdgeFaces& edges, const std::array
         if (a == from && b == to) return face.curves[k];
         if (a == to && b == from) return [c = face.curves[k]](double t) { return c(1 - t); };
       }
-      throw Error(ErrorCode::unsupported,
-                  not_a_cube(solid, edges,
-                             fmt::format("face '{}' has no edge between vertices {} and {}", face.name, from, to)));
+      throw Error(
+          ErrorCode::unsupported,
+          not_a_cube(solid, edges,
+                     fmt::format("face '{}' has no edge between vertices {} and {}", face.name, from, to)));
     };
     return {face.name,
             static_cast<int>(f),
@@ -200,7 +202,8 @@ double sixfold_volume(const Hexahedron& block) {
     const auto at = [&](int i, int j) {
       return face.surface(coons_point(face.sides, double(i) / n, double(j) / n));
     };
-    // s, t and the outward normal are right-handed on the high sides of directions 0 and 2, and on the low of 1.
+    // s, t and the outward normal are right-handed on the high sides of directions 0 and 2, and on the low
+    // of 1.
     const double sign = (geometry::is_high(side) ? 1 : -1) * (geometry::direction(side) == 1 ? -1 : 1);
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) {

@@ -52,8 +52,8 @@ struct Hexahedron {
 ///
 /// @throws Error unsupported      a face that has not four corners, a solid that has not the graph of a cube
 /// @throws Error not_conforming   an open shell or a non-manifold edge, naming the edge and its faces
-/// @throws Error invalid_argument an edge of no length, a face whose outline crosses itself, a solid of no volume
-/// All messages name solid, face and vertices.
+/// @throws Error invalid_argument an edge of no length, a face whose outline crosses itself, a solid of no
+/// volume All messages name solid, face and vertices.
 Hexahedron hexahedron(const HexSolid& solid);
 
 }  // namespace isopatch::segmentation

@@ -49,12 +49,12 @@ int add_interior(Triplets& moves, const std::array<int, 3>& n, double step, int 
   for (int k = 1; k + 1 < n[2]; ++k)
     for (int j = 1; j + 1 < n[1]; ++j)
       for (int i = 1; i + 1 < n[0]; ++i)
-        for (int c = 0; c < 3; ++c)
-          moves.emplace_back(3 * index_of(n, i, j, k) + c, first++, step);
+        for (int c = 0; c < 3; ++c) moves.emplace_back(3 * index_of(n, i, j, k) + c, first++, step);
   return first;
 }
 
-Eigen::SparseMatrix<double, Eigen::RowMajor> matrix_of(const Triplets& moves, Eigen::Index rows, int columns) {
+Eigen::SparseMatrix<double, Eigen::RowMajor> matrix_of(const Triplets& moves, Eigen::Index rows,
+                                                       int columns) {
   Eigen::SparseMatrix<double, Eigen::RowMajor> result(rows, columns);
   result.setFromTriplets(moves.begin(), moves.end());
   return result;
@@ -83,7 +83,9 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> coarse_moves(const std::array<KnotV
   }
   const std::array<int, 3> n = sizes_of(knots);
   using Row = geometry::TransferMatrix::InnerIterator;
-  const auto inner = [&](const Row& entry, std::size_t d) { return entry.col() > 0 && entry.col() + 1 < coarse[d]; };
+  const auto inner = [&](const Row& entry, std::size_t d) {
+    return entry.col() > 0 && entry.col() + 1 < coarse[d];
+  };
   Triplets moves;
   for (int k = 1; k + 1 < n[2]; ++k)
     for (int j = 1; j + 1 < n[1]; ++j)
@@ -92,9 +94,11 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> coarse_moves(const std::array<KnotV
           for (Row y(to_fine[1], j); y; ++y)
             for (Row x(to_fine[0], i); x; ++x) {
               if (!inner(x, 0) || !inner(y, 1) || !inner(z, 2)) continue;
-              const auto at = static_cast<int>(x.col() - 1 + (coarse[0] - 2) * (y.col() - 1 + (coarse[1] - 2) * (z.col() - 1)));
+              const auto at = static_cast<int>(
+                  x.col() - 1 + (coarse[0] - 2) * (y.col() - 1 + (coarse[1] - 2) * (z.col() - 1)));
               for (int c = 0; c < 3; ++c)
-                moves.emplace_back(3 * index_of(n, i, j, k) + c, 3 * at + c, step * x.value() * y.value() * z.value());
+                moves.emplace_back(3 * index_of(n, i, j, k) + c, 3 * at + c,
+                                   step * x.value() * y.value() * z.value());
             }
   return matrix_of(moves, 3 * Eigen::Index(n[0]) * n[1] * n[2],
                    3 * (coarse[0] - 2) * (coarse[1] - 2) * (coarse[2] - 2));
@@ -121,7 +125,8 @@ struct SlidingFace {
 
 /// S_u and S_v at the parameters where the face's inner control points sit, (3, 2) each, in the net's order.
 std::vector<Eigen::Matrix<double, 3, 2>> tangents_at_greville(const FaceMap& map,
-                                                              const std::array<KnotVector, 2>& knots, double step) {
+                                                              const std::array<KnotVector, 2>& knots,
+                                                              double step) {
   const Eigen::Matrix2Xd at = map.domain_grid(knots[0].greville(), knots[1].greville());
   std::vector<Eigen::Matrix<double, 3, 2>> result;
   for (Eigen::Index i = 0; i < at.cols(); ++i) {
@@ -135,7 +140,8 @@ std::vector<Eigen::Matrix<double, 3, 2>> tangents_at_greville(const FaceMap& map
   return result;
 }
 
-geometry::NurbsSurface displacement(const SlidingFace& face, const Eigen::VectorXd& variables, double factor) {
+geometry::NurbsSurface displacement(const SlidingFace& face, const Eigen::VectorXd& variables,
+                                    double factor) {
   const int n = face.knots[0].size(), m = face.knots[1].size();
   Eigen::Matrix3Xd net = Eigen::Matrix3Xd::Zero(3, Eigen::Index(n) * m);
   int variable = face.first_variable;
@@ -147,9 +153,9 @@ geometry::NurbsSurface displacement(const SlidingFace& face, const Eigen::Vector
 
 /// The problem of faces sliding on their surfaces.
 struct SlidingProblem {
-  std::vector<int> blocks;                  ///< of the complex
-  std::vector<MovableBlock> movable;        ///< one each
-  std::map<std::size_t, SlidingFace> faces; ///< by face of the complex
+  std::vector<int> blocks;                   ///< of the complex
+  std::vector<MovableBlock> movable;         ///< one each
+  std::map<std::size_t, SlidingFace> faces;  ///< by face of the complex
 };
 
 SlidingProblem sliding_problem(const HexComplex& complex, const ComplexFit& fit, const BlockNets& nets,
@@ -159,7 +165,8 @@ SlidingProblem sliding_problem(const HexComplex& complex, const ComplexFit& fit,
   for (const int b : unhealthy)
     for (const int f : complex.block_faces[static_cast<std::size_t>(b)]) {
       problem.faces[static_cast<std::size_t>(f)] = {};
-      for (const FaceUse& use : complex.faces[static_cast<std::size_t>(f)].uses) blocks.insert(use.side.block);
+      for (const FaceUse& use : complex.faces[static_cast<std::size_t>(f)].uses)
+        blocks.insert(use.side.block);
     }
   int variables = 0;
   std::map<int, Triplets> moves;
@@ -195,7 +202,8 @@ SlidingProblem sliding_problem(const HexComplex& complex, const ComplexFit& fit,
   return problem;
 }
 
-// The largest part of the displacement that leaves the face bijective, among 1, 1/2, 1/4, 1/8; 0 if none does.
+// The largest part of the displacement that leaves the face bijective, among 1, 1/2, 1/4, 1/8; 0 if none
+// does.
 double slide(FaceMap& map, const SlidingFace& face, const Eigen::VectorXd& variables) {
   const double before = smallest_sine(map);
   for (double factor = 1; factor > 0.1; factor /= 2) {
@@ -234,7 +242,8 @@ bool Health::better_than(const Health& other) const {
 
 Health health(const std::array<KnotVector, 3>& knots, const Eigen::Matrix3Xd& net) {
   const geometry::NurbsVolume volume(knots, net);
-  return {geometry::certify_jacobian(volume, {.max_depth = 6}), geometry::quality(volume), hopeless_place(volume)};
+  return {geometry::certify_jacobian(volume, {.max_depth = 6}), geometry::quality(volume),
+          hopeless_place(volume)};
 }
 
 ImprovedNet improve_interior(const std::array<KnotVector, 3>& knots, const Eigen::Matrix3Xd& net,
@@ -287,7 +296,8 @@ bool slide_faces(HexComplex& complex, ComplexFit& fit, BlockNets& blocks, const 
   ComplexFit new_fit = fit;
   for (const auto& [f, face] : problem.faces) {
     const BlockSide first = complex.faces[f].uses[0].side;
-    FaceMap& map = new_complex.maps[static_cast<std::size_t>(first.block)][static_cast<std::size_t>(first.side)];
+    FaceMap& map =
+        new_complex.maps[static_cast<std::size_t>(first.block)][static_cast<std::size_t>(first.side)];
     if (slide(map, face, found.variables) > 0) refit_face(new_complex, new_fit, f);
   }
   BlockNets changed = blocks;
@@ -300,7 +310,8 @@ bool slide_faces(HexComplex& complex, ComplexFit& fit, BlockNets& blocks, const 
     const Eigen::Matrix3Xd inside = moved(problem.movable[i], found.variables);
     for (int k = 1; k + 1 < n[2]; ++k)
       for (int j = 1; j + 1 < n[1]; ++j)
-        for (int at = 1; at + 1 < n[0]; ++at) net.col(index_of(n, at, j, k)) = inside.col(index_of(n, at, j, k));
+        for (int at = 1; at + 1 < n[0]; ++at)
+          net.col(index_of(n, at, j, k)) = inside.col(index_of(n, at, j, k));
     const ImprovedNet improved = improve_interior(knots, net, wanted_quality, options);
     changed.evaluations += improved.evaluations;
     changed.nets[b] = improved.net;

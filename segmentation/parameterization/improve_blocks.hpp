@@ -10,11 +10,13 @@
 
 namespace isopatch::segmentation {
 
-/// Where the edges and faces of a block leave no regular map: a dihedral angle of 180 degrees or more, or of 0.
+/// Where the edges and faces of a block leave no regular map: a dihedral angle of 180 degrees or more, or of
+/// 0.
 struct HopelessPlace {
   geometry::Parameter<3> parameter;  ///< on an edge of the cube
   Eigen::Vector3d place;
-  double scaled_jacobian = 0;  ///< there; on edges it depends on edges and faces alone, and its sign on their angle
+  double scaled_jacobian =
+      0;  ///< there; on edges it depends on edges and faces alone, and its sign on their angle
 };
 
 /// How healthy a patch is.
@@ -35,7 +37,8 @@ struct ImprovedNet {
   int evaluations = 0;
 };
 
-/// Moves a patch's inner control points until it is certified and as good as `wanted_quality`, if that can be.
+/// Moves a patch's inner control points until it is certified and as good as `wanted_quality`, if that can
+/// be.
 ///
 /// Where the certificate still finds a fold between the points looked at, it is done again with a look there.
 /// @return the better of the given and the found net; its six faces as given, to the last bit
@@ -49,8 +52,8 @@ struct BlockNets {
   int evaluations = 0;
 };
 
-/// Lets the inner parameters of the faces of unhealthy blocks slide on their surfaces, together with the interiors of
-/// the blocks at them. Maps of faces, the fit and the nets change; surfaces and edges stay.
+/// Lets the inner parameters of the faces of unhealthy blocks slide on their surfaces, together with the
+/// interiors of the blocks at them. Maps of faces, the fit and the nets change; surfaces and edges stay.
 ///
 /// @param unhealthy  blocks whose faces slide
 /// @return whether any block became better; everything is as before otherwise

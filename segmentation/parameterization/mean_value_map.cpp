@@ -127,9 +127,9 @@ MeanValueMap::MeanValueMap(const std::array<DomainCurve, 4>& sides, const Domain
   square_ = solve(weights(points, triangles_), square);
   smallest_area_ = std::numeric_limits<double>::infinity();
   for (const auto& t : triangles_)
-    smallest_area_ = std::min(
-        smallest_area_, doubled_area(square_[static_cast<std::size_t>(t[0])], square_[static_cast<std::size_t>(t[1])],
-                                     square_[static_cast<std::size_t>(t[2])]));
+    smallest_area_ = std::min(smallest_area_, doubled_area(square_[static_cast<std::size_t>(t[0])],
+                                                           square_[static_cast<std::size_t>(t[1])],
+                                                           square_[static_cast<std::size_t>(t[2])]));
   smallest_area_ *= static_cast<double>(triangles_.size()) / 2;
 }
 

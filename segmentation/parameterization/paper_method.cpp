@@ -29,9 +29,11 @@ Eigen::Matrix3Xd sampled(const Hexahedron& block) {
   const std::array<int, 3> sizes{samples, samples, samples};
   Eigen::Matrix3Xd points = Eigen::Matrix3Xd::Zero(3, samples * samples * samples);
   for (const Side side : geometry::all_sides) {
-    const Eigen::Matrix3Xd face = FaceMap(block.face(side)).grid(equal_shares(samples), equal_shares(samples));
+    const Eigen::Matrix3Xd face =
+        FaceMap(block.face(side)).grid(equal_shares(samples), equal_shares(samples));
     const std::vector<int> where = geometry::face_control_points(sizes, side);
-    for (std::size_t i = 0; i < where.size(); ++i) points.col(where[i]) = face.col(static_cast<Eigen::Index>(i));
+    for (std::size_t i = 0; i < where.size(); ++i)
+      points.col(where[i]) = face.col(static_cast<Eigen::Index>(i));
   }
   // A net over knots of degree 1 blends at equal steps.
   const auto steps = geometry::KnotVector::uniform(1, samples - 1);
@@ -99,7 +101,8 @@ double deviation(const HexComplex& complex, const ComplexFace& face, const geome
   const BlockSide side = face.uses[0].side;
   const Hexahedron& block = complex.blocks[static_cast<std::size_t>(side.block)];
   const std::vector<double> at = equal_shares(33);
-  const Eigen::Matrix3Xd points = geometry::points_on_grid(geometry::face_surface(patch, side.side), {at, at});
+  const Eigen::Matrix3Xd points =
+      geometry::points_on_grid(geometry::face_surface(patch, side.side), {at, at});
   return (points - FaceMap(block.face(side.side)).grid(at, at)).colwise().norm().maxCoeff();
 }
 
@@ -111,7 +114,8 @@ PaperPatches paper_patches(const HexComplex& complex) {
   average(complex, nets);
   PaperPatches result;
   for (const Eigen::Matrix3Xd& net : nets)
-    result.patches.emplace_back(geometry::NurbsVolume::KnotVectors{paper_knots(), paper_knots(), paper_knots()}, net);
+    result.patches.emplace_back(
+        geometry::NurbsVolume::KnotVectors{paper_knots(), paper_knots(), paper_knots()}, net);
   for (const ComplexFace& face : complex.faces)
     result.face_deviation.push_back(
         deviation(complex, face, result.patches[static_cast<std::size_t>(face.uses[0].side.block)]));

@@ -12,9 +12,9 @@ struct PaperPatches {
   std::vector<double> face_deviation;          ///< by face of the complex, at equal parameters; model units
 };
 
-/// 1. each edge of each face sampled at 10 points of equal arc length; 2. their blend in the face's domain, on the
-/// surface; 3. the blend of the six faces' points inside; 4. a least squares fit of all 1000 points; 5. control points that
-/// two blocks should share replaced by their mean.
+/// 1. each edge of each face sampled at 10 points of equal arc length; 2. their blend in the face's domain,
+/// on the surface; 3. the blend of the six faces' points inside; 4. a least squares fit of all 1000
+/// points; 5. control points that two blocks should share replaced by their mean.
 ///
 /// Neither edges nor folds get any further care: that is what it is compared for.
 /// @source Pauley, Nguyen, Mayer, Speh, Weeger, Juettler, The isogeometric segmentation pipeline, section 4

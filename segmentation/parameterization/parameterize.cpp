@@ -19,10 +19,11 @@ using Clock = std::chrono::steady_clock;
 void refuse_partial_contacts(const HexComplex& complex) {
   if (complex.partial_contacts.empty()) return;
   const PartialContact& found = complex.partial_contacts.front();
-  throw Error(ErrorCode::unsupported,
-              fmt::format("face {} is only a part of face {} ({} such contacts): patches meet in whole faces; divide "
-                          "the larger block so that its faces match",
-                          complex.label(found.part), complex.label(found.whole), complex.partial_contacts.size()));
+  throw Error(
+      ErrorCode::unsupported,
+      fmt::format("face {} is only a part of face {} ({} such contacts): patches meet in whole faces; divide "
+                  "the larger block so that its faces match",
+                  complex.label(found.part), complex.label(found.whole), complex.partial_contacts.size()));
 }
 
 bool healthy(const Health& health, double wanted_quality) {
@@ -41,7 +42,8 @@ BlockNets first_nets(const HexComplex& complex, const ComplexFit& fit) {
 std::vector<int> unhealthy(const BlockNets& blocks, double wanted_quality) {
   std::vector<int> result;
   for (std::size_t b = 0; b < blocks.healths.size(); ++b)
-    if (!healthy(blocks.healths[b], wanted_quality) && !blocks.healths[b].hopeless) result.push_back(static_cast<int>(b));
+    if (!healthy(blocks.healths[b], wanted_quality) && !blocks.healths[b].hopeless)
+      result.push_back(static_cast<int>(b));
   return result;
 }
 
@@ -51,8 +53,8 @@ void improve(HexComplex& complex, ComplexFit& fit, BlockNets& blocks, const Para
   for (std::size_t i = 0; i < bad.size(); ++i) {
     progress("optimizing patches", double(i) / double(bad.size()));
     const auto b = static_cast<std::size_t>(bad[i]);
-    ImprovedNet improved = improve_interior(block_knots(complex, fit, bad[i]), blocks.nets[b], options.wanted_quality,
-                                            options.optimization);
+    ImprovedNet improved = improve_interior(block_knots(complex, fit, bad[i]), blocks.nets[b],
+                                            options.wanted_quality, options.optimization);
     blocks.evaluations += improved.evaluations;
     blocks.nets[b] = std::move(improved.net);
     blocks.healths[b] = improved.health;
@@ -114,8 +116,8 @@ std::vector<geometry::Boundary> boundaries(const HexComplex& complex) {
     const BlockSide side = face.uses[0].side;
     const Hexahedron& block = complex.blocks[static_cast<std::size_t>(side.block)];
     const std::string name = complex.blocks.size() > 1 ? complex.label(side) : block.face(side.side).name;
-    auto found =
-        std::find_if(result.begin(), result.end(), [&](const auto& boundary) { return boundary.name == name; });
+    auto found = std::find_if(result.begin(), result.end(),
+                              [&](const auto& boundary) { return boundary.name == name; });
     if (found == result.end()) found = result.insert(result.end(), {name, {}});
     found->faces.push_back({PatchId(side.block), side.side});
   }
@@ -144,14 +146,16 @@ std::string complaint(const PatchReport& patch) {
       patch.certificate.sign == geometry::JacobianSign::negative ? "folded" : "not certified",
       patch.certificate.smallest, place(patch.certificate.parameter), place(patch.certificate.place));
   if (!patch.hopeless) return what + "; optimization found no better map: divide the block";
-  return fmt::format("{}; its faces meet at 180 degrees or more on the edge at {}, where no regular patch has an edge: "
-                     "divide the block there",
-                     what, place(patch.hopeless->place));
+  return fmt::format(
+      "{}; its faces meet at 180 degrees or more on the edge at {}, where no regular patch has an edge: "
+      "divide the block there",
+      what, place(patch.hopeless->place));
 }
 
 std::string edge_label(const HexComplex& complex, std::size_t edge) {
   const ComplexEdge& found = complex.edges[edge];
-  return fmt::format("{}, edge from {} to {}", complex.blocks[static_cast<std::size_t>(found.uses[0].block)].name,
+  return fmt::format("{}, edge from {} to {}",
+                     complex.blocks[static_cast<std::size_t>(found.uses[0].block)].name,
                      place(complex.vertices[static_cast<std::size_t>(found.vertices[0])]),
                      place(complex.vertices[static_cast<std::size_t>(found.vertices[1])]));
 }
@@ -175,8 +179,8 @@ Parameterization shared_method(HexComplex complex, const ParameterizationOptions
   }
   for (std::size_t f = 0; f < complex.faces.size(); ++f) {
     const ComplexFace& face = complex.faces[f];
-    report.faces.push_back({names_of(complex, face), complex.map(face.uses[0].side).kind(),
-                            fitted.face_deviation[f], face.gap});
+    report.faces.push_back(
+        {names_of(complex, face), complex.map(face.uses[0].side).kind(), fitted.face_deviation[f], face.gap});
   }
   const auto widest = std::max_element(fitted.edge_gap.begin(), fitted.edge_gap.end());
   report.largest_gap = *widest;
@@ -197,12 +201,11 @@ Parameterization paper_method(const HexComplex& complex) {
     result.report.patches.back().certified_before = result.report.patches.back().certificate.accepted();
   }
   for (std::size_t f = 0; f < complex.faces.size(); ++f)
-    result.report.faces.push_back(
-        {names_of(complex, complex.faces[f]), FaceMapKind::coons, found.face_deviation[f], complex.faces[f].gap});
+    result.report.faces.push_back({names_of(complex, complex.faces[f]), FaceMapKind::coons,
+                                   found.face_deviation[f], complex.faces[f].gap});
   result.patches = patch_set(complex, std::move(found.patches));
   return result;
 }
-
 
 }  // namespace
 
@@ -219,8 +222,9 @@ bool ParameterizationReport::certified() const {
 }
 
 const FaceReport& ParameterizationReport::worst_face() const {
-  return *std::max_element(faces.begin(), faces.end(),
-                           [](const FaceReport& a, const FaceReport& b) { return a.deviation < b.deviation; });
+  return *std::max_element(faces.begin(), faces.end(), [](const FaceReport& a, const FaceReport& b) {
+    return a.deviation < b.deviation;
+  });
 }
 
 bool ParameterizationReport::usable() const {
@@ -233,8 +237,8 @@ std::vector<std::string> ParameterizationReport::complaints() const {
     if (!patch.certificate.accepted()) result.push_back(complaint(patch));
   for (const FaceReport& face : faces)
     if (face.deviation > tolerance)
-      result.push_back(fmt::format("face {} deviates by {:.3g} from its surface, more than {:.3g}{}", face.name,
-                                   face.deviation, tolerance,
+      result.push_back(fmt::format("face {} deviates by {:.3g} from its surface, more than {:.3g}{}",
+                                   face.name, face.deviation, tolerance,
                                    face.gap > tolerance
                                        ? fmt::format("; its two blocks are {:.3g} apart there", face.gap)
                                        : "; raise max_spans or the tolerance"));

@@ -38,8 +38,9 @@ struct PatchReport {
   geometry::JacobianCertificate certificate;
   geometry::Quality quality;
   std::optional<HopelessPlace> hopeless;  ///< why no map can be certified, where that is known
-  std::array<int, 10> histogram{};  ///< of the scaled Jacobian at Gauss points, tenths of [0, 1]; below 0 in the first
-  double volume = 0;                ///< model units^3
+  std::array<int, 10>
+      histogram{};    ///< of the scaled Jacobian at Gauss points, tenths of [0, 1]; below 0 in the first
+  double volume = 0;  ///< model units^3
   int control_points = 0;
   bool certified_before = false;  ///< without optimization
   bool moved = false;             ///< whether optimization changed it
@@ -47,10 +48,10 @@ struct PatchReport {
 
 /// One face of the complex.
 struct FaceReport {
-  std::string name;        ///< "block:face", of both blocks
+  std::string name;  ///< "block:face", of both blocks
   FaceMapKind kind = FaceMapKind::coons;
-  double deviation = 0;    ///< largest distance of the patch from the surface at equal parameters, model units
-  double gap = 0;          ///< between the two blocks' surfaces, as given
+  double deviation = 0;  ///< largest distance of the patch from the surface at equal parameters, model units
+  double gap = 0;        ///< between the two blocks' surfaces, as given
 };
 
 struct ParameterizationReport {
@@ -60,8 +61,8 @@ struct ParameterizationReport {
   std::vector<FaceReport> faces;
   double largest_gap = 0;  ///< between outlines of faces along an edge, as given, model units
   std::string gap_at;      ///< the edge's block and vertices' places
-  int rounds = 0;        ///< of knot insertion
-  int evaluations = 0;   ///< of the shape energy
+  int rounds = 0;          ///< of knot insertion
+  int evaluations = 0;     ///< of the shape energy
   double seconds = 0;
 
   bool certified() const;

@@ -37,8 +37,9 @@ int block_named(const std::string& name, const std::vector<Hexahedron>& blocks, 
   for (const Hexahedron& block : blocks) names.push_back(block.name);
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end())
-    throw Error(ErrorCode::invalid_argument, fmt::format("{}no block is called '{}'{}; there are {}", where, name,
-                                                         did_you_mean(name, names), fmt::join(names, ", ")));
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("{}no block is called '{}'{}; there are {}", where, name,
+                            did_you_mean(name, names), fmt::join(names, ", ")));
   return static_cast<int>(found - names.begin());
 }
 
@@ -56,8 +57,9 @@ std::vector<ListedPair> parse_pairs(const std::string& text, const std::string& 
     std::string first, second, rest;
     ListedPair pair;
     if (!(words >> first >> pair.first_face >> second >> pair.second_face) || words >> rest)
-      throw Error(ErrorCode::bad_format,
-                  where + "expected 'block face block face', faces by their numbers from 0, got '" + line + "'");
+      throw Error(
+          ErrorCode::bad_format,
+          where + "expected 'block face block face', faces by their numbers from 0, got '" + line + "'");
     pair.first_block = block_named(first, blocks, where);
     pair.second_block = block_named(second, blocks, where);
     result.push_back(pair);
@@ -72,7 +74,8 @@ HexComplex read_blocks(const BlockFiles& files) {
     int count = 0;
     for (const geometry::BrepFile& solid : geometry::read_breps(path, options_for(path, files.length_unit))) {
       const std::string stem = path.stem().string();
-      blocks.push_back(hexahedron(hex_solid(solid.brep, count == 0 ? stem : fmt::format("{}#{}", stem, count))));
+      blocks.push_back(
+          hexahedron(hex_solid(solid.brep, count == 0 ? stem : fmt::format("{}#{}", stem, count))));
       ++count;
     }
   }

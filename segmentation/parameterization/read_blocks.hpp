@@ -11,7 +11,8 @@ namespace isopatch::segmentation {
 
 /// Files of topological hexahedra, and how they meet.
 struct BlockFiles {
-  std::vector<std::filesystem::path> files;    ///< any format of `read_breps`; several solids in a file are several blocks
+  std::vector<std::filesystem::path>
+      files;  ///< any format of `read_breps`; several solids in a file are several blocks
   std::optional<std::filesystem::path> pairs;  ///< without it, pairs are found from the geometry
   double length_unit = 1;                      ///< m that a unit of formats without one measures
   ComplexOptions complex;
@@ -19,7 +20,8 @@ struct BlockFiles {
 
 /// Reads hexahedra and puts them together; lengths are metres.
 ///
-/// Blocks are called by their files' names without ending; further solids of a file have "#1", "#2", ... behind it.
+/// Blocks are called by their files' names without ending; further solids of a file have "#1", "#2", ...
+/// behind it.
 /// @throws Error as `read_breps`, `hexahedron` and `hex_complex` do
 HexComplex read_blocks(const BlockFiles& files);
 

@@ -15,8 +15,8 @@ namespace {
 using geometry::KnotVector;
 using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-// Lobatto's rule, so that the ends of spans are among the nodes, where folds begin: four points a span, three where
-// spans are many.
+// Lobatto's rule, so that the ends of spans are among the nodes, where folds begin: four points a span, three
+// where spans are many.
 void add_nodes(const KnotVector& knots, std::vector<std::pair<double, double>>& nodes) {
   const double inner = (1 - 1 / std::sqrt(5.0)) / 2;
   const std::vector<double> breaks = knots.breaks();

@@ -10,17 +10,17 @@ namespace isopatch::segmentation {
 /// A block whose control points depend on variables.
 struct MovableBlock {
   std::array<geometry::KnotVector, 3> knots;
-  Eigen::Matrix3Xd points;                            ///< where all variables are zero
-  Eigen::SparseMatrix<double, Eigen::RowMajor> moves; ///< (3 n, variables): of the points' coordinates
-  Eigen::Vector3d lengths;                            ///< edges of the brick that it should resemble
+  Eigen::Matrix3Xd points;                             ///< where all variables are zero
+  Eigen::SparseMatrix<double, Eigen::RowMajor> moves;  ///< (3 n, variables): of the points' coordinates
+  Eigen::Vector3d lengths;                             ///< edges of the brick that it should resemble
   CountedPoints counted = CountedPoints::inside_faces_and_interior;
-  std::array<std::vector<double>, 3> extra;           ///< further parameters at which to look for folds
+  std::array<std::vector<double>, 3> extra;  ///< further parameters at which to look for folds
 };
 
 struct OptimizationOptions {
-  int untangling_rounds = 25;      ///< of a regularization each; range 0 .. 1000
-  int untangling_evaluations = 60; ///< of the energy, a round; range 1 .. 100000
-  int quality_evaluations = 60;    ///< range 0 .. 100000
+  int untangling_rounds = 25;       ///< of a regularization each; range 0 .. 1000
+  int untangling_evaluations = 60;  ///< of the energy, a round; range 1 .. 100000
+  int quality_evaluations = 60;     ///< range 0 .. 100000
 };
 
 struct OptimizedShapes {
@@ -30,11 +30,12 @@ struct OptimizedShapes {
   int evaluations = 0;
 };
 
-/// Makes blocks like bricks: first an untangling phase, which may start from folds and reduces the regularization until
-/// no point looked at is folded, then a quality phase behind the barrier.
+/// Makes blocks like bricks: first an untangling phase, which may start from folds and reduces the
+/// regularization until no point looked at is folded, then a quality phase behind the barrier.
 ///
 /// @return  variables with the largest smallest determinant of the phase reached
 /// @source  Garanzha et al. 2021, section 3; minimized by L-BFGS of NLopt
-OptimizedShapes optimize_shapes(const std::vector<MovableBlock>& blocks, const OptimizationOptions& options = {});
+OptimizedShapes optimize_shapes(const std::vector<MovableBlock>& blocks,
+                                const OptimizationOptions& options = {});
 
 }  // namespace isopatch::segmentation

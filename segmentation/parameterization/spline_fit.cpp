@@ -60,7 +60,8 @@ Eigen::Matrix3Xd fit_surface(const std::array<KnotVector, 2>& knots,
   Eigen::Matrix3Xd values = boundary;
   std::array<int, 2> grid = sizes;
   for (std::size_t d = 0; d < 2; ++d) {
-    values = geometry::apply_along<2>(values, grid, static_cast<int>(d), dense_collocation(knots[d], parameters[d]));
+    values = geometry::apply_along<2>(values, grid, static_cast<int>(d),
+                                      dense_collocation(knots[d], parameters[d]));
     grid[d] = static_cast<int>(parameters[d].size());
   }
   Eigen::Matrix3Xd correction = points - values;
@@ -79,7 +80,8 @@ std::vector<double> line_errors(const std::array<KnotVector, 2>& knots,
                                 const Eigen::Matrix3Xd& points, int direction) {
   const auto d = static_cast<std::size_t>(direction);
   const Eigen::MatrixXd basis = dense_collocation(knots[d], parameters[d]);
-  const std::array<int, 2> grid{static_cast<int>(parameters[0].size()), static_cast<int>(parameters[1].size())};
+  const std::array<int, 2> grid{static_cast<int>(parameters[0].size()),
+                                static_cast<int>(parameters[1].size())};
   const Eigen::MatrixXd projector = basis * pseudoinverse(basis);
   const Eigen::Matrix3Xd rest = points - geometry::apply_along<2>(points, grid, direction, projector);
   const std::vector<double> breaks = knots[d].breaks();
@@ -87,7 +89,8 @@ std::vector<double> line_errors(const std::array<KnotVector, 2>& knots,
   for (Eigen::Index k = 0; k < rest.cols(); ++k) {
     const auto index = static_cast<std::size_t>(d == 0 ? k % grid[0] : k / grid[0]);
     const auto above = std::upper_bound(breaks.begin(), breaks.end(), parameters[d][index]);
-    const auto span = std::min<std::size_t>(static_cast<std::size_t>(above - breaks.begin()) - 1, result.size() - 1);
+    const auto span =
+        std::min<std::size_t>(static_cast<std::size_t>(above - breaks.begin()) - 1, result.size() - 1);
     result[span] = std::max(result[span], rest.col(k).norm());
   }
   return result;

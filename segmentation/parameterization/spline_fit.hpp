@@ -33,8 +33,8 @@ Eigen::Matrix3Xd fit_surface(const std::array<KnotVector, 2>& knots,
                              const std::array<std::vector<double>, 2>& parameters,
                              const Eigen::Matrix3Xd& points, Eigen::Matrix3Xd boundary);
 
-/// How far points are from every spline of a space, as far as each line of the grid along one direction tells: per
-/// span the largest distance of a point from its line's least squares fit, model units.
+/// How far points are from every spline of a space, as far as each line of the grid along one direction
+/// tells: per span the largest distance of a point from its line's least squares fit, model units.
 std::vector<double> line_errors(const std::array<KnotVector, 2>& knots,
                                 const std::array<std::vector<double>, 2>& parameters,
                                 const Eigen::Matrix3Xd& points, int direction);

@@ -33,8 +33,8 @@ double shape(const Points& points, int a, int b, int c) {
 
 bool inside(const Points& points, const Triangle& t, const Eigen::Vector2d& p) {
   for (int k = 0; k < 3; ++k)
-    if (doubled_area(at(points, t[static_cast<std::size_t>(k)]), at(points, t[static_cast<std::size_t>((k + 1) % 3)]),
-                     p) < 0)
+    if (doubled_area(at(points, t[static_cast<std::size_t>(k)]),
+                     at(points, t[static_cast<std::size_t>((k + 1) % 3)]), p) < 0)
       return false;
   return true;
 }
@@ -58,7 +58,8 @@ std::vector<Triangle> cut_ears(const Points& points) {
       best = quality;
       ear = i;
     }
-    if (ear == n) throw Error(ErrorCode::internal, "a face's outline cannot be triangulated: it crosses itself");
+    if (ear == n)
+      throw Error(ErrorCode::internal, "a face's outline cannot be triangulated: it crosses itself");
     result.push_back({ring[(ear + n - 1) % n], ring[ear], ring[(ear + 1) % n]});
     ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(ear));
   }

@@ -16,8 +16,8 @@ struct Triangulation {
 
 /// Triangulates a simple polygon, corners in straight lines allowed, with inner points on a grid.
 ///
-/// Ears are cut, inner points inserted, and edges flipped while that widens the smallest angle; the polygon's edges
-/// are never touched.
+/// Ears are cut, inner points inserted, and edges flipped while that widens the smallest angle; the polygon's
+/// edges are never touched.
 /// @param outline       counterclockwise
 /// @param inner_points  about how many
 /// @throws Error internal if no ear is left, which means that the polygon crosses itself

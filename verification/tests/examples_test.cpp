@@ -147,6 +147,19 @@ TEST_F(Examples, ChairStandHasItsFigures) {
   expect_vector(summary["results"]["reactions"][1]["force"], {0, 0, 159.903}, equilibrium * 159.903);
 }
 
+TEST_F(Examples, ChairStandFromSolidsHasItsFigures) {
+  ISOPATCH_NEEDS_DATA("chair_stand/solids");
+  const json summary = summary_of("chair_stand_solids");
+  expect_figures(summary, 18130, 0.0253949958, 0.318546605e-3);
+  EXPECT_EQ(at(summary, "/model/patches"), 9);
+  EXPECT_EQ(at(summary, "/model/interfaces"), 10);
+  expect_vector(summary["results"]["reactions"][1]["force"], {0, 0, 159.903}, equilibrium * 159.903);
+  // Finite elements, 69,719 nodes: W, and the mean sag of the bore, which a uniform traction makes 2 W / F.
+  const double energy = at(summary, "/results/internal_energy");
+  EXPECT_NEAR(energy / 25.409e-3, 1, 1e-2);
+  EXPECT_NEAR(2 * energy / 159.903 / 0.31781e-3, 1, 1e-2);
+}
+
 TEST_F(Examples, ChairStandWithRingAndPinHasItsFigures) {
   ISOPATCH_NEEDS_DATA("chair_stand/chair_stand.xml");
   const json summary = summary_of("chair_stand_a");

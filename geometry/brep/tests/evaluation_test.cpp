@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <thread>
 
 #include "geometry/base/error.hpp"
 #include "geometry/brep/brep.hpp"
@@ -157,6 +159,47 @@ TEST(BrepEvaluation, AHoleDoesNotBelongToItsFace) {
     ++faces;
   }
   EXPECT_EQ(faces, 2);
+}
+
+/// Sums over everything that a solid can be asked, in an order of its own.
+double digest(const Brep& brep, int seed) {
+  std::mt19937 random(static_cast<unsigned>(seed));
+  std::vector<double> sums(brep.faces().size());
+  std::vector<std::size_t> order(brep.faces().size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::shuffle(order.begin(), order.end(), random);
+  for (const std::size_t f : order) {
+    const FaceId face(static_cast<int>(f));
+    const DomainBox box = brep.domain(face);
+    for (int i = 1; i < 6; ++i) {
+      const Eigen::Vector2d uv = box.low + i / 6.0 * (box.high - box.low);
+      const Eigen::Vector3d on = brep.point(face, uv);
+      sums[f] += on.sum() + brep.derivatives(face, uv).sum() + brep.project(face, on).uv.sum() +
+                 brep.contains(face, uv);
+    }
+    for (const EdgeUse use : brep.faces()[f].loops.front())
+      sums[f] += brep.point(use.edge, 0.3).sum() + brep.domain_point(face, use, 0.3).sum() +
+                 brep.project(use.edge, brep.vertices().col(0)).t;
+    sums[f] += brep.area(face);
+  }
+  double total = brep.volume();
+  for (const double sum : sums) total += sum;
+  return total;
+}
+
+TEST(BrepEvaluation, ThreadsDoNotDisturbEachOther) {
+  for (int round = 0; round < 2; ++round) {
+    const std::vector<Brep> shared = solids(), alone = solids();
+    for (std::size_t s = 0; s < shared.size(); ++s) {
+      std::vector<double> found(4);
+      std::vector<std::thread> threads;
+      for (int i = 0; i < 4; ++i)
+        threads.emplace_back([&, i] { found[static_cast<std::size_t>(i)] = digest(shared[s], i); });
+      for (std::thread& thread : threads) thread.join();
+      const double expected = digest(alone[s], 9);
+      for (const double value : found) EXPECT_EQ(value, expected);
+    }
+  }
 }
 
 TEST(BrepEvaluation, IdsOutOfRangeAreRefused) {

@@ -31,7 +31,8 @@ HexComplex from_brep_files(bool with_list) {
 std::set<std::set<std::string>> pairs_of(const HexComplex& complex) {
   std::set<std::set<std::string>> result;
   for (const ComplexFace& face : complex.faces)
-    if (face.uses.size() == 2) result.insert({complex.label(face.uses[0].side), complex.label(face.uses[1].side)});
+    if (face.uses.size() == 2)
+      result.insert({complex.label(face.uses[0].side), complex.label(face.uses[1].side)});
   return result;
 }
 
@@ -102,12 +103,14 @@ TEST(ChairStand, WrongPairListsAreRefusedByName) {
   test::ChairStand plain = test::chair_stand(folder().string());
   auto pairs = plain.pairs;
   pairs[3].second_face = 0;
-  EXPECT_THAT([&] { hex_complex(plain.blocks, pairs); },
-              test::ThrowsError(ErrorCode::not_conforming, {"pair 3", "Parts1_seed002_4:face5", "do not meet"}));
+  EXPECT_THAT(
+      [&] { hex_complex(plain.blocks, pairs); },
+      test::ThrowsError(ErrorCode::not_conforming, {"pair 3", "Parts1_seed002_4:face5", "do not meet"}));
   pairs = plain.pairs;
   pairs[1] = pairs[0];
-  EXPECT_THAT([&] { hex_complex(plain.blocks, pairs); },
-              test::ThrowsError(ErrorCode::invalid_argument, {"Parts1_seed002_3:face5", "pair 0 and in pair 1"}));
+  EXPECT_THAT(
+      [&] { hex_complex(plain.blocks, pairs); },
+      test::ThrowsError(ErrorCode::invalid_argument, {"Parts1_seed002_3:face5", "pair 0 and in pair 1"}));
   pairs = plain.pairs;
   pairs[0].first_block = 9;
   EXPECT_THAT([&] { hex_complex(plain.blocks, pairs); },

@@ -17,14 +17,16 @@ double basis(const std::vector<double>& knots, std::size_t i, int degree, double
   if (knots[i + p] > knots[i])
     sum += (t - knots[i]) / (knots[i + p] - knots[i]) * basis(knots, i, degree - 1, t, last);
   if (knots[i + p + 1] > knots[i + 1])
-    sum += (knots[i + p + 1] - t) / (knots[i + p + 1] - knots[i + 1]) * basis(knots, i + 1, degree - 1, t, last);
+    sum +=
+        (knots[i + p + 1] - t) / (knots[i + p + 1] - knots[i + 1]) * basis(knots, i + 1, degree - 1, t, last);
   return sum;
 }
 
 double slope(const std::vector<double>& knots, std::size_t i, int degree, double t, double last) {
   const auto p = static_cast<std::size_t>(degree);
   double sum = 0;
-  if (knots[i + p] > knots[i]) sum += degree / (knots[i + p] - knots[i]) * basis(knots, i, degree - 1, t, last);
+  if (knots[i + p] > knots[i])
+    sum += degree / (knots[i + p] - knots[i]) * basis(knots, i, degree - 1, t, last);
   if (knots[i + p + 1] > knots[i + 1])
     sum -= degree / (knots[i + p + 1] - knots[i + 1]) * basis(knots, i + 1, degree - 1, t, last);
   return sum;
@@ -68,8 +70,10 @@ double plain_determinant(const geometry::NurbsVolume& volume, const Eigen::Vecto
     for (int i = 0; i < volume.size(d); ++i) {
       const auto& knots = volume.knots(d).knots();
       const auto at = static_cast<std::size_t>(i);
-      values[static_cast<std::size_t>(d)].push_back(basis(knots, at, volume.degree(d), parameter[d], knots.back()));
-      slopes[static_cast<std::size_t>(d)].push_back(slope(knots, at, volume.degree(d), parameter[d], knots.back()));
+      values[static_cast<std::size_t>(d)].push_back(
+          basis(knots, at, volume.degree(d), parameter[d], knots.back()));
+      slopes[static_cast<std::size_t>(d)].push_back(
+          slope(knots, at, volume.degree(d), parameter[d], knots.back()));
     }
   Eigen::Matrix3d jacobian = Eigen::Matrix3d::Zero();
   Eigen::Index column = 0;

@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include <vector>
 #include <string>
+#include <vector>
 
 #include "geometry/base/error.hpp"
 #include "segmentation/parameterization/parameterize.hpp"
@@ -12,12 +12,12 @@ namespace isopatch::segmentation::test {
 
 ParameterizationOptions options(ParameterizationMethod method);
 
-/// How many control points of different patches are closer than 1e-6 of the model's size without being equal to the
-/// last bit.
+/// How many control points of different patches are closer than 1e-6 of the model's size without being equal
+/// to the last bit.
 int coincident_but_different_points(const geometry::PatchSet& set);
 
-/// det J of a B-spline volume by the recursion of Cox and de Boor, written down plainly: shares no code with the
-/// library.
+/// det J of a B-spline volume by the recursion of Cox and de Boor, written down plainly: shares no code with
+/// the library.
 double plain_determinant(const geometry::NurbsVolume& volume, const Eigen::Vector3d& parameter);
 
 /// The smallest of `plain_determinant` on a grid of n^3 points, ends included.

@@ -22,7 +22,8 @@ std::vector<T> numbers(const pugi::xml_node& node) {
   return result;
 }
 
-/// Degree and knots as the file has them: inner knots may be repeated degree + 1 times, with equal control points.
+/// Degree and knots as the file has them: inner knots may be repeated degree + 1 times, with equal control
+/// points.
 struct RawKnots {
   int degree = 1;
   std::vector<double> knots;

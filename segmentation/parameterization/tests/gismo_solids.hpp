@@ -7,7 +7,8 @@
 
 namespace isopatch::segmentation::test {
 
-/// A solid of trimmed surfaces as G+Smo writes it, read plainly and without a CAD kernel: the tests' second opinion.
+/// A solid of trimmed surfaces as G+Smo writes it, read plainly and without a CAD kernel: the tests' second
+/// opinion.
 HexSolid gismo_solid(const std::string& path);
 
 /// The nine solids of the chair stand, and the pairs of the file beside them.

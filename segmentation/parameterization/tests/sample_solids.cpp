@@ -22,10 +22,11 @@ Eigen::Vector3d corner_point(int corner) {
 
 /// A face with the frame of a side and the unit square as its domain.
 SolidFace square_face(Side side, DomainSurface surface) {
-  return {"side " + std::string(geometry::name(side)),
-          {side_corner(side, 0, 0), side_corner(side, 1, 0), side_corner(side, 1, 1), side_corner(side, 0, 1)},
-          {line({0, 0}, {1, 0}), line({1, 0}, {1, 1}), line({1, 1}, {0, 1}), line({0, 1}, {0, 0})},
-          std::move(surface)};
+  return {
+      "side " + std::string(geometry::name(side)),
+      {side_corner(side, 0, 0), side_corner(side, 1, 0), side_corner(side, 1, 1), side_corner(side, 0, 1)},
+      {line({0, 0}, {1, 0}), line({1, 0}, {1, 1}), line({1, 1}, {0, 1}), line({0, 1}, {0, 0})},
+      std::move(surface)};
 }
 
 Eigen::Vector3d on_side(Side side, const Eigen::Vector2d& uv) {
@@ -39,13 +40,14 @@ Eigen::Vector3d on_side(Side side, const Eigen::Vector2d& uv) {
 
 }  // namespace
 
-HexSolid mapped_cube(const std::string& name, const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& map) {
+HexSolid mapped_cube(const std::string& name,
+                     const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& map) {
   HexSolid solid;
   solid.name = name;
   for (int c = 0; c < 8; ++c) solid.vertices.push_back(map(corner_point(c)));
   for (const Side side : geometry::all_sides)
-    solid.faces.push_back(
-        square_face(side, [=](const Eigen::Vector2d& uv) -> Eigen::Vector3d { return map(on_side(side, uv)); }));
+    solid.faces.push_back(square_face(
+        side, [=](const Eigen::Vector2d& uv) -> Eigen::Vector3d { return map(on_side(side, uv)); }));
   return solid;
 }
 
@@ -73,12 +75,18 @@ HexSolid hilly_cube() {
 HexSolid trimmed_slab() {
   constexpr double height = 0.4, hump = 0.38;
   const auto bump = [](double t) { return hump * std::pow(std::sin(pi * t), 2); };
-  const std::array<DomainCurve, 4> sides{
-      [=](double s) -> Eigen::Vector2d { return {s, bump(s)}; }, line({0, 1}, {1, 1}),
-      [=](double t) -> Eigen::Vector2d { return {bump(t), t}; }, line({1, 0}, {1, 1})};
+  const std::array<DomainCurve, 4> sides{[=](double s) -> Eigen::Vector2d {
+                                           return {s, bump(s)};
+                                         },
+                                         line({0, 1}, {1, 1}),
+                                         [=](double t) -> Eigen::Vector2d {
+                                           return {bump(t), t};
+                                         },
+                                         line({1, 0}, {1, 1})};
   HexSolid solid;
   solid.name = "trimmed slab";
-  for (int c = 0; c < 8; ++c) solid.vertices.push_back(corner_point(c).cwiseProduct(Eigen::Vector3d(1, 1, height)));
+  for (int c = 0; c < 8; ++c)
+    solid.vertices.push_back(corner_point(c).cwiseProduct(Eigen::Vector3d(1, 1, height)));
   const auto reversed = [](DomainCurve curve) { return [=](double t) { return curve(1 - t); }; };
   for (const Side side : geometry::all_sides) {
     SolidFace face = square_face(side, {});
@@ -87,7 +95,10 @@ HexSolid trimmed_slab() {
       face.surface = [=](const Eigen::Vector2d& uv) -> Eigen::Vector3d { return {uv[0], uv[1], z}; };
       face.curves = {sides[0], sides[3], reversed(sides[1]), reversed(sides[2])};
     } else {
-      const DomainCurve wall = sides[side == Side::south ? 0 : side == Side::north ? 1 : side == Side::west ? 2 : 3];
+      const DomainCurve wall = sides[side == Side::south   ? 0
+                                     : side == Side::north ? 1
+                                     : side == Side::west  ? 2
+                                                           : 3];
       face.surface = [=](const Eigen::Vector2d& uv) -> Eigen::Vector3d {
         const Eigen::Vector2d p = wall(uv[0]);
         return {p[0], p[1], height * uv[1]};
@@ -117,7 +128,8 @@ HexSolid random_hexahedron(std::uint32_t seed, double amount) {
   const auto knots = geometry::KnotVector::bezier(3);
   const std::array<geometry::KnotVector, 3> all{knots, knots, knots};
   Eigen::Matrix3Xd net(3, 64);
-  for (Eigen::Index i = 0; i < 64; ++i) net.col(i) = Eigen::Vector3d(double(i % 4), double(i / 4 % 4), double(i / 16)) / 3;
+  for (Eigen::Index i = 0; i < 64; ++i)
+    net.col(i) = Eigen::Vector3d(double(i % 4), double(i / 4 % 4), double(i / 16)) / 3;
   std::array<Eigen::Vector3d, 8> shift;
   for (auto& vector : shift) vector = amount * Eigen::Vector3d(number(), number(), number());
   for (Eigen::Index i = 0; i < 64; ++i) {

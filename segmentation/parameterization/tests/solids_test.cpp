@@ -74,13 +74,14 @@ TEST(Solids, PolyhedraAndStepFilesComeOutExactly) {
 // Its top has a corner of more than 180 degrees: any smooth map of a square to it folds there.
 TEST(Solids, ACornerThatNoPatchHasIsReportedWithItsPlace) {
   const Parameterization made = patch_of(test::straight(
-      "deformed cube", {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1.2, .125, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {.125, .5, 1}}}));
+      "deformed cube",
+      {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1.2, .125, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {.125, .5, 1}}}));
   EXPECT_FALSE(made.report.certified());
   ASSERT_TRUE(made.report.patches[0].hopeless.has_value());
   EXPECT_LT((made.report.patches[0].hopeless->place - Eigen::Vector3d(.125, .5, 1)).norm(), 1e-9);
-  EXPECT_THAT(made.report.complaints()[0],
-              testing::AllOf(testing::HasSubstr("'deformed cube' is folded"),
-                             testing::HasSubstr("edge at (0.125, 0.5, 1)"), testing::HasSubstr("180 degrees")));
+  EXPECT_THAT(made.report.complaints()[0], testing::AllOf(testing::HasSubstr("'deformed cube' is folded"),
+                                                          testing::HasSubstr("edge at (0.125, 0.5, 1)"),
+                                                          testing::HasSubstr("180 degrees")));
 }
 
 TEST(Solids, OptionsOutOfRangeAreNamed) {
@@ -105,15 +106,17 @@ TEST(BadSolids, AnOpenShellNamesTheEdge) {
   HexSolid solid = cube();
   solid.faces.pop_back();
   EXPECT_THAT([&] { hexahedron(solid); },
-              ThrowsError(ErrorCode::not_conforming, {"'part'", "vertices 4 (0, 0, 1)", "shell is open", "'face 2'"}));
+              ThrowsError(ErrorCode::not_conforming,
+                          {"'part'", "vertices 4 (0, 0, 1)", "shell is open", "'face 2'"}));
 }
 
 TEST(BadSolids, ANonManifoldEdgeNamesItsFaces) {
   HexSolid solid = cube();
   solid.faces.push_back(solid.faces[2]);
   solid.faces.back().name = "extra";
-  EXPECT_THAT([&] { hexahedron(solid); },
-              ThrowsError(ErrorCode::not_conforming, {"'part'", "3 faces meet here", "'extra'", "vertices 0"}));
+  EXPECT_THAT(
+      [&] { hexahedron(solid); },
+      ThrowsError(ErrorCode::not_conforming, {"'part'", "3 faces meet here", "'extra'", "vertices 0"}));
 }
 
 TEST(BadSolids, AFiveCorneredFaceIsNamed) {
@@ -134,7 +137,9 @@ TEST(BadSolids, AnEdgeOfNoLengthIsNamed) {
 TEST(BadSolids, ASelfIntersectingFaceIsNamedWithThePlace) {
   HexSolid solid = cube();
   // The outline bulges over the opposite side.
-  solid.faces[5].curves[0] = [](double t) -> Eigen::Vector2d { return {t, 1.2 * std::sin(std::numbers::pi * t)}; };
+  solid.faces[5].curves[0] = [](double t) -> Eigen::Vector2d {
+    return {t, 1.2 * std::sin(std::numbers::pi * t)};
+  };
   EXPECT_THAT([&] { hexahedron(solid); },
               ThrowsError(ErrorCode::invalid_argument, {"'face 5'", "crosses itself", "1)"}));
 }
@@ -158,8 +163,9 @@ TEST(BadSolids, APartialContactIsFoundAndRefusedByName) {
   ASSERT_EQ(complex.partial_contacts.size(), 1u);
   EXPECT_EQ(complex.label(complex.partial_contacts[0].part), "small:side west");
   EXPECT_EQ(complex.label(complex.partial_contacts[0].whole), "large:side east");
-  EXPECT_THAT([&] { parameterize(complex); },
-              ThrowsError(ErrorCode::unsupported, {"small:side west", "only a part of face large:side east"}));
+  EXPECT_THAT(
+      [&] { parameterize(complex); },
+      ThrowsError(ErrorCode::unsupported, {"small:side west", "only a part of face large:side east"}));
 }
 
 }  // namespace

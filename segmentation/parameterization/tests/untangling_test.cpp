@@ -52,7 +52,8 @@ TEST(ShapeEnergy, GradientIsTheDifferenceQuotientAlsoWhereItIsFolded) {
     const double h = 1e-6;
     const double quotient =
         (energy(net + h * direction, epsilon).energy - energy(net - h * direction, epsilon).energy) / (2 * h);
-    EXPECT_NEAR(quotient, value.gradient.cwiseProduct(direction).sum(), 1e-5 * std::abs(quotient) + 1e-6 * value.energy);
+    EXPECT_NEAR(quotient, value.gradient.cwiseProduct(direction).sum(),
+                1e-5 * std::abs(quotient) + 1e-6 * value.energy);
   }
 }
 
@@ -67,7 +68,8 @@ TEST(Untangling, FreesInnerPointsThatWereThrownAbout) {
   for (const Side side : geometry::all_sides)
     for (const int i : geometry::face_control_points(n, side)) outer[static_cast<std::size_t>(i)] = true;
   for (Eigen::Index i = 0; i < 125; ++i)
-    if (!outer[static_cast<std::size_t>(i)]) net.col(i) += Eigen::Vector3d(number(), 2 * number(), 3 * number());
+    if (!outer[static_cast<std::size_t>(i)])
+      net.col(i) += Eigen::Vector3d(number(), 2 * number(), 3 * number());
   ASSERT_FALSE(health(knots, net).certificate.accepted());
   const ImprovedNet improved = improve_interior(knots, net, 0.5, {});
   EXPECT_TRUE(improved.health.certificate.accepted());
