@@ -194,7 +194,7 @@ void add_study_commands(CLI::App& app, CommandLine& line) {
       ->type_name("P,P");
   compare->add_flag(
       "--condition", line.levels.condition,
-      "Estimates the condition of systems that are factorized, which takes some ten solutions more");
+      "Estimates the condition of systems that are factorized, which takes some thirty solutions more");
 }
 
 void add_input(CLI::App* command, InputFile& input) {

@@ -1,6 +1,7 @@
 #include "solvers/condition.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -13,7 +14,7 @@ namespace isopatch::solvers {
 namespace {
 
 constexpr int steps_of_products = 60;
-constexpr int steps_of_solutions = 10;
+constexpr int steps_of_solutions = 30;
 
 Eigen::VectorXd random_start(Eigen::Index size) {
   std::mt19937 random(8);
@@ -62,14 +63,27 @@ ConditionEstimate estimate_condition(const LinearSystem& system, const Progress&
     return result;
   };
   LinearSystem loaded = system;
-  const auto solution = [&](const Eigen::VectorXd& f) {
-    loaded.load = f;
-    return solve(loaded).x;
+  // `solve` knows no right side of the constraints: what satisfies it, orthogonal to their kernel, is taken
+  // off first.
+  const Eigen::SparseMatrix<double> transposed = system.constraints.transpose();
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> gram(
+      Eigen::SparseMatrix<double>(transposed.transpose() * transposed));
+  const auto solution = [&](const Eigen::VectorXd& z) {
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(z.size());
+    loaded.load = z.head(n);
+    if (system.has_constraints()) {
+      result.head(n) = transposed * gram.solve(z.tail(z.size() - n)) / scale;
+      loaded.load -= multiply(system.stiffness, result.head(n));
+    }
+    const LinearSolution found = solve(loaded);
+    result.head(n) += found.x;
+    if (system.has_constraints()) result.tail(z.size() - n) = found.multipliers / scale;
+    return result;
   };
   progress("estimating the condition", 0);
   ConditionEstimate estimate;
   estimate.largest = largest_eigenvalue(product, n + system.constraints.rows(), steps_of_products);
-  estimate.smallest = 1 / largest_eigenvalue(solution, n, steps_of_solutions);
+  estimate.smallest = 1 / largest_eigenvalue(solution, n + system.constraints.rows(), steps_of_solutions);
   return estimate;
 }
 

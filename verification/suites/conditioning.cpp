@@ -40,7 +40,7 @@ TEST(Coupling, ConditionOfBothSystems) {
       expect(Claim{fmt::format("{} as it is, {}: condition number", model.name, iga::name(coupling)), "",
                    ReferenceKind::other_method, "all eigenvalues of the dense matrix",
                    eigenvalues.tail<1>()[0] / eigenvalues[0],
-                   iga::estimate_condition(p.problem, coupling).number(), 2e-2, p.named});
+                   iga::estimate_condition(p.problem, coupling).number(), 1e-4, p.named});
     }
 }
 
