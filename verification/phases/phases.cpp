@@ -66,7 +66,7 @@ Phases measure(const std::string& path, const std::vector<std::string>& override
                const std::filesystem::path& directory) {
   Phases phase;
   app::Study study = app::read_study(path, overrides);
-  const auto model = phase("connect", [&] { return app::load_model(study.model); });
+  const auto model = phase("connect", [&] { return app::load_model(study.model); }).model;
   phase("report, certificate", [&] { return app::report(model); });
   auto discretization = phase("discretize", [&] { return iga::discretize(model, study.discretization); });
   const app::BuiltProblem built = phase("whole build", [&] { return app::build_problem(study); });
