@@ -45,7 +45,7 @@ TEST(EdgeSelection, SeesTheWholeCurvedEdge) {
     ADD_FAILURE() << "accepted";
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), HasSubstr("no edge of the support's faces lies there"));
-    EXPECT_THAT(error.what(), HasSubstr("Nearest: 0:east+front (up to 586 mm away)"));
+    EXPECT_THAT(error.what(), HasSubstr("Nearest: 0:east+front (up to 585.8 mm away)"));
   }
 }
 
