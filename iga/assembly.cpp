@@ -55,15 +55,15 @@ void evaluate_points(const QuadratureGeometry& geometry, const StiffnessTables& 
   data.layer_begin = layer_begin;
   const int strips = (data.thirds + thirds_per_task - 1) / thirds_per_task;
   const int first_third = tables.points[2] * tables.first_layer;
-  parallel_for(static_cast<std::int64_t>(strips) * seconds * (layer_end - layer_begin),
-               [&](std::int64_t task, int) {
-                 const int second = static_cast<int>(task / strips);
-                 const int begin = static_cast<int>(task % strips) * thirds_per_task;
-                 const int end = std::min(data.thirds, begin + thirds_per_task);
-                 double* const out = buffers.points.data() + (data.block(second, 0, begin) - data.values);
-                 geometry.evaluate(layer_begin * seconds + second, first_third + begin, first_third + end,
-                                   out, data.thirds, patch);
-               });
+  parallel_ranges(static_cast<std::int64_t>(strips) * seconds * (layer_end - layer_begin),
+                  [&](std::int64_t task, int) {
+                    const int second = static_cast<int>(task / strips);
+                    const int begin = static_cast<int>(task % strips) * thirds_per_task;
+                    const int end = std::min(data.thirds, begin + thirds_per_task);
+                    double* const out = buffers.points.data() + (data.block(second, 0, begin) - data.values);
+                    geometry.evaluate(layer_begin * seconds + second, first_third + begin, first_third + end,
+                                      out, data.thirds, patch);
+                  });
 }
 
 struct PartAt {

@@ -24,31 +24,32 @@ solvers::SymmetricBlockMatrix stiffness_pattern(const std::vector<PatchSpace>& s
   const int rows = graph.rows();
   solvers::SymmetricBlockMatrix matrix;
   matrix.row_start.resize(static_cast<std::size_t>(rows) + 1);
-  std::vector<std::vector<int>> columns(static_cast<std::size_t>(task_count(rows)));
+  // Intervals first: far fewer numbers than columns, which then go straight to where they stay.
+  std::vector<std::vector<RowInterval>> found(static_cast<std::size_t>(task_count(rows)));
   parallel_for(task_count(rows), [&](std::int64_t task, int) {
-    std::vector<int>& found = columns[static_cast<std::size_t>(task)];
-    std::vector<RowInterval> intervals;
+    std::vector<RowInterval>& intervals = found[static_cast<std::size_t>(task)];
+    std::vector<RowInterval> of_row;
     const int first = static_cast<int>(task) * rows_per_task;
     const int last = std::min(rows, first + rows_per_task);
     for (int row = first; row < last; ++row) {
-      graph.neighbours(row, row, intervals);
-      std::int64_t count = 0;
-      for (const RowInterval& interval : intervals) {
-        const std::size_t size = found.size();
-        found.resize(size + static_cast<std::size_t>(interval.end - interval.begin));
-        std::iota(found.begin() + static_cast<std::ptrdiff_t>(size), found.end(), interval.begin);
-        count += interval.end - interval.begin;
-      }
-      matrix.row_start[static_cast<std::size_t>(row) + 1] = count;
+      graph.neighbours(row, row, of_row);
+      if (row == first) intervals.reserve(of_row.size() * rows_per_task);
+      intervals.insert(intervals.end(), of_row.begin(), of_row.end());
+      matrix.row_start[static_cast<std::size_t>(row) + 1] =
+          std::accumulate(of_row.begin(), of_row.end(), std::int64_t{0},
+                          [](std::int64_t sum, const RowInterval& i) { return sum + i.end - i.begin; });
     }
   });
-  for (std::size_t r = 1; r < matrix.row_start.size(); ++r) matrix.row_start[r] += matrix.row_start[r - 1];
+
+  std::partial_sum(matrix.row_start.begin(), matrix.row_start.end(), matrix.row_start.begin());
   matrix.columns.resize(static_cast<std::size_t>(matrix.row_start.back()));
+
   parallel_for(task_count(rows), [&](std::int64_t task, int) {
-    std::vector<int>& found = columns[static_cast<std::size_t>(task)];
-    std::copy(found.begin(), found.end(),
-              matrix.columns.begin() + matrix.row_start[static_cast<std::size_t>(task * rows_per_task)]);
-    std::vector<int>().swap(found);
+    int* column = matrix.columns.data() + matrix.row_start[static_cast<std::size_t>(task * rows_per_task)];
+    for (const RowInterval& interval : found[static_cast<std::size_t>(task)]) {
+      std::iota(column, column + (interval.end - interval.begin), interval.begin);
+      column += interval.end - interval.begin;
+    }
   });
   matrix.values = solvers::ZeroedVector<double>(9 * matrix.columns.size());
   return matrix;

@@ -16,7 +16,7 @@ APPLY_KFLOP = {2: 2.9, 3: 7.6, 4: 16.0}
 _UNITS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
 
 
-def measure(root, program, output, repetitions, seconds=0.2):
+def measure(root, program, output, repetitions, seconds=0.1):
     """Runs the program, every repetition in another random order; its JSON goes to `output`."""
     subprocess.run([str(program), f"--benchmark_out={output}", "--benchmark_out_format=json",
                     f"--benchmark_repetitions={repetitions}", "--benchmark_enable_random_interleaving=true",
