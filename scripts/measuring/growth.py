@@ -51,13 +51,16 @@ def exponents(entries):
 
     Patches of few elements have more unknowns an element, so what works through elements grows faster with the unknowns
     than with the elements. A phase is within the bound if it is so by either; the solver's, which know no elements, by
-    the unknowns. `within` is None for a direct factorization, which has no bound.
+    the unknowns. `within` is None for a direct factorization, which has no bound. The solver's phases have no exponent
+    between two sizes that different methods solved.
     """
     done = [entry for entry in entries if not entry["failure"]]
     found = []
     for smaller, larger in zip(done, done[1:]):
         pair = {"from_dofs": smaller["dofs"], "to_dofs": larger["dofs"], "phases": {}}
         for phase in larger["phases"]:
+            if phase.startswith("solve") and smaller["method"] != larger["method"]:
+                continue
             value, by_elements = (exponent(smaller, larger, phase, size) for size in ("dofs", "elements"))
             if value is not None:
                 judged = value if phase.startswith("solve") else min(value, by_elements)

@@ -115,6 +115,11 @@ class Growth(unittest.TestCase):
             found = growth.exponents(entries)[0]["phases"]["solve: factorization"]
             self.assertIs(found["within"], within)
 
+    def test_two_methods_have_no_exponent_in_common(self):
+        entries = [{**run_of(n, n, direct), "phases": {"solve: solve": t, "assembly": t}}
+                   for n, direct, t in ((10_000, True, 0.1), (100_000, False, 9.0))]
+        self.assertEqual(list(growth.exponents(entries)[0]["phases"]), ["assembly"])
+
     def test_a_size_that_failed_is_named_and_left_out(self):
         entries = [run_of(10_000, 1_000, assembly=1.0), {"elements_per_direction": 29, "failure": "out of memory"}]
         self.assertEqual(growth.exponents(entries), [])
