@@ -5,25 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/quadrature.hpp"
-#include "geometry/splines/nurbs.hpp"
+#include "iga/element_tables.hpp"
 
 namespace isopatch::iga {
-
-/// Basis functions of one direction, evaluated at the quadrature points of every element.
-struct DirectionTable {
-  /// One element: functions first .. first + degree at its points.
-  struct Element {
-    int first = 0;
-    Eigen::MatrixXd values;       ///< (points, degree + 1)
-    Eigen::MatrixXd derivatives;  ///< (points, degree + 1)
-    Eigen::VectorXd nodes;        ///< parameters of the points
-    Eigen::VectorXd weights;      ///< quadrature weights, scaled to the element
-  };
-  std::vector<Element> elements;
-};
-/// @param rule  on [0, 1]
-DirectionTable direction_table(const geometry::KnotVector& knots, const geometry::QuadratureRule& rule);
 
 /// Everything an integral over one element needs. n functions, q points; first direction fastest in both.
 struct ElementValues {
@@ -43,16 +27,17 @@ class ElementEvaluator {
   /// With the given rule in each direction, for example at points of evaluation.
   ElementEvaluator(const geometry::NurbsVolume& patch, const std::array<geometry::QuadratureRule, 3>& rules);
 
-  std::int64_t element_count() const;
+  std::int64_t element_count() const { return tables_.element_count(); }
   /// Fills `values`, whose storage is used again from element to element.
   void evaluate(std::int64_t element, ElementValues& values) const;
   /// Parameter of a quadrature point.
-  geometry::Parameter<3> parameter(std::int64_t element, Eigen::Index point) const;
+  geometry::Parameter<3> parameter(std::int64_t element, Eigen::Index point) const {
+    return tables_.parameter(element, point);
+  }
 
  private:
-  std::array<const DirectionTable::Element*, 3> of(std::int64_t element) const;
   const geometry::NurbsVolume* patch_;
-  std::array<DirectionTable, 3> tables_;
+  ElementTables tables_;
 };
 
 }  // namespace isopatch::iga

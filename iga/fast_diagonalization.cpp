@@ -5,7 +5,7 @@
 #include <map>
 
 #include "geometry/quadrature.hpp"
-#include "iga/element.hpp"
+#include "iga/element_tables.hpp"
 #include "iga/internal/dense_along.hpp"
 #include "iga/separable_coefficients.hpp"
 

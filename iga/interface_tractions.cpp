@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "geometry/quadrature.hpp"
-#include "iga/element.hpp"
+#include "iga/element_tables.hpp"
 #include "iga/node_classes.hpp"
 #include "iga/support_frames.hpp"
 

@@ -1,45 +1,16 @@
 #include "iga/internal/element_tensors.hpp"
 
+#include <utility>
+
 namespace isopatch::iga {
-namespace {
 
-std::array<geometry::QuadratureRule, 3> gauss_rules(const geometry::NurbsVolume& patch, int points) {
-  std::array<geometry::QuadratureRule, 3> rules;
-  for (int d = 0; d < 3; ++d)
-    rules[static_cast<std::size_t>(d)] = geometry::gauss_legendre(points > 0 ? points : patch.degree(d) + 1);
-  return rules;
-}
-
-}  // namespace
-
-ElementTensors::ElementTensors(const geometry::NurbsVolume& patch,
-                               const std::array<geometry::QuadratureRule, 3>& rules)
-    : size_(patch.sizes()) {
+ElementTensors::ElementTensors(ElementTables tables, const geometry::NurbsVolume& patch)
+    : tables_(std::move(tables)), size_(patch.sizes()) {
+  const auto first = tables_.of(0);
   for (std::size_t d = 0; d < 3; ++d) {
-    tables_[d] = direction_table(patch.knots()[d], rules[d]);
     functions_[d] = patch.knots()[d].degree() + 1;
-    points_[d] = rules[d].nodes.size();
+    points_[d] = first[d]->nodes.size();
   }
-}
-
-ElementTensors::ElementTensors(const geometry::NurbsVolume& patch, int points)
-    : ElementTensors(patch, gauss_rules(patch, points)) {}
-
-std::int64_t ElementTensors::element_count() const {
-  std::int64_t count = 1;
-  for (const DirectionTable& table : tables_) count *= static_cast<std::int64_t>(table.elements.size());
-  return count;
-}
-
-geometry::Parameter<3> ElementTensors::parameter(std::int64_t element, Eigen::Index point) const {
-  const auto directions = of(element);
-  geometry::Parameter<3> result;
-  for (int d = 0; d < 3; ++d) {
-    const Eigen::VectorXd& nodes = directions[static_cast<std::size_t>(d)]->nodes;
-    result[d] = nodes[point % nodes.size()];
-    point /= nodes.size();
-  }
-  return result;
 }
 
 template <int C>
@@ -54,7 +25,7 @@ void ElementTensors::resize(TensorBuffers<C>& buffers) const {
 template <int C>
 void ElementTensors::values(std::int64_t element, TensorBuffers<C>& b) const {
   resize(b);
-  const auto [u, v, w] = of(element);
+  const auto [u, v, w] = tables_.of(element);
   const auto [m, n, o] = functions_;
   const auto [q, r, s] = points_;
   contract<false, false, C>(u->values, 1, n * o, b.coefficients.data(), b.part[0].data());
@@ -65,7 +36,7 @@ void ElementTensors::values(std::int64_t element, TensorBuffers<C>& b) const {
 template <int C>
 void ElementTensors::gradients(std::int64_t element, TensorBuffers<C>& b) const {
   resize(b);
-  const auto [u, v, w] = of(element);
+  const auto [u, v, w] = tables_.of(element);
   const auto [m, n, o] = functions_;
   const auto [q, r, s] = points_;
   auto& [value, du, value_value, du_value, value_dv] = b.part;
@@ -83,7 +54,7 @@ void ElementTensors::gradients(std::int64_t element, TensorBuffers<C>& b) const 
 template <int C>
 void ElementTensors::test_with_values(std::int64_t element, TensorBuffers<C>& b) const {
   resize(b);
-  const auto [u, v, w] = of(element);
+  const auto [u, v, w] = tables_.of(element);
   const auto [m, n, o] = functions_;
   const auto [q, r, s] = points_;
   contract<true, false, C>(w->values, q * r, 1, b.at[0].data(), b.part[0].data());
@@ -94,7 +65,7 @@ void ElementTensors::test_with_values(std::int64_t element, TensorBuffers<C>& b)
 template <int C>
 void ElementTensors::test_with_gradients(std::int64_t element, TensorBuffers<C>& b) const {
   resize(b);
-  const auto [u, v, w] = of(element);
+  const auto [u, v, w] = tables_.of(element);
   const auto [m, n, o] = functions_;
   const auto [q, r, s] = points_;
   auto& [value, du, dv, value_value, du_value] = b.part;

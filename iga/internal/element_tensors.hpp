@@ -1,6 +1,6 @@
 #pragma once
 
-#include "iga/element.hpp"
+#include "iga/element_tables.hpp"
 #include "iga/internal/tensor_contraction.hpp"
 
 namespace isopatch::iga {
@@ -15,19 +15,23 @@ namespace isopatch::iga {
 class ElementTensors {
  public:
   /// @param rules  points and weights on [0, 1], of each direction
-  ElementTensors(const geometry::NurbsVolume& patch, const std::array<geometry::QuadratureRule, 3>& rules);
+  ElementTensors(const geometry::NurbsVolume& patch, const std::array<geometry::QuadratureRule, 3>& rules)
+      : ElementTensors(ElementTables(patch, rules), patch) {}
   /// Gauss points; 0: degree + 1 of them in each direction.
-  ElementTensors(const geometry::NurbsVolume& patch, int points);
+  ElementTensors(const geometry::NurbsVolume& patch, int points)
+      : ElementTensors(ElementTables(patch, points), patch) {}
 
-  std::int64_t element_count() const;
+  std::int64_t element_count() const { return tables_.element_count(); }
   Eigen::Index function_count() const { return functions_[0] * functions_[1] * functions_[2]; }
   Eigen::Index point_count() const { return points_[0] * points_[1] * points_[2]; }
-  geometry::Parameter<3> parameter(std::int64_t element, Eigen::Index point) const;
+  geometry::Parameter<3> parameter(std::int64_t element, Eigen::Index point) const {
+    return tables_.parameter(element, point);
+  }
 
   /// Calls visit(a, index): the a-th function of the element is the patch's function `index`.
   template <class Visit>
   void for_each_function(std::int64_t element, Visit visit) const {
-    const auto [u, v, w] = of(element);
+    const auto [u, v, w] = tables_.of(element);
     Eigen::Index a = 0;
     for (Eigen::Index k = 0; k < functions_[2]; ++k)
       for (Eigen::Index j = 0; j < functions_[1]; ++j) {
@@ -38,7 +42,7 @@ class ElementTensors {
   /// Calls visit(q, weight): the q-th point of the element and its quadrature weight, without det J.
   template <class Visit>
   void for_each_point(std::int64_t element, Visit visit) const {
-    const auto [u, v, w] = of(element);
+    const auto [u, v, w] = tables_.of(element);
     Eigen::Index q = 0;
     for (Eigen::Index k = 0; k < points_[2]; ++k)
       for (Eigen::Index j = 0; j < points_[1]; ++j) {
@@ -61,19 +65,11 @@ class ElementTensors {
   void test_with_gradients(std::int64_t element, TensorBuffers<C>& buffers) const;
 
  private:
-  std::array<const DirectionTable::Element*, 3> of(std::int64_t element) const {
-    std::array<const DirectionTable::Element*, 3> result;
-    for (std::size_t d = 0; d < 3; ++d) {
-      const auto count = static_cast<std::int64_t>(tables_[d].elements.size());
-      result[d] = &tables_[d].elements[static_cast<std::size_t>(element % count)];
-      element /= count;
-    }
-    return result;
-  }
+  ElementTensors(ElementTables tables, const geometry::NurbsVolume& patch);
   template <int C>
   void resize(TensorBuffers<C>& buffers) const;
 
-  std::array<DirectionTable, 3> tables_;
+  ElementTables tables_;
   std::array<int, 3> size_;
   std::array<Eigen::Index, 3> functions_;  // per element and direction
   std::array<Eigen::Index, 3> points_;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/splines/knot_vector.hpp"
-#include "iga/element.hpp"
+#include "iga/element_tables.hpp"
 #include "iga/internal/lanes.hpp"
 
 namespace isopatch::iga {

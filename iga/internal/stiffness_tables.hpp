@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "iga/element.hpp"
+#include "iga/element_tables.hpp"
 #include "iga/internal/direction_overlap.hpp"
 #include "iga/internal/small_products.hpp"
 #include "iga/patch_space.hpp"
