@@ -108,6 +108,21 @@ TEST(Coupling, GeneratedModels) {
   }
 }
 
+// Models that studies make of others by attaching patches, of several materials. The cut of the joint
+// supports every patch.
+TEST(Coupling, PipeJoint) {
+  expect_agreement(
+      solved_both_ways("pipe joint", "examples/pipe_joint/study.toml", {"discretization.refine=0"}));
+}
+
+TEST(Coupling, ChairStandWithRingAndPin) {
+  ISOPATCH_NEEDS_DATA("chair_stand/chair_stand.xml");
+  const BothWays s =
+      solved_both_ways("chair stand with ring and pin", "examples/chair_stand_a/study.toml", {});
+  expect_agreement(s);
+  expect_equilibrium(s);
+}
+
 TEST(Coupling, InterfacesThatCutAPartInTwo) {
   for (const auto& [name, count] : {std::pair{"plate", 1u}, std::pair{"bracket", 2u}, std::pair{"link", 4u}})
     expect_cuts(
@@ -154,6 +169,26 @@ TEST(FullCoupling, GeneratedModelsOfDegreeThree) {
     overrides.insert(overrides.end(), {"discretization.degree=3", "discretization.refine=2"});
     const BothWays s = solved_both_ways(model.name + ", p = 3, refined twice",
                                         "verification/studies/pulled.toml", overrides);
+    expect_agreement(s);
+    expect_equilibrium(s);
+  }
+}
+
+TEST(FullCoupling, ChairStandFromSolids) {
+  ISOPATCH_NEEDS_DATA("chair_stand/solids");
+  const BothWays s =
+      solved_both_ways("chair stand from solids", "examples/chair_stand_solids/study.toml", {});
+  expect_agreement(s);
+  expect_equilibrium(s);
+}
+
+// The other two parametrizations of TERRIFIC that were published, which fit only to 5e-6 of its size.
+TEST(FullCoupling, LooselyFittedTerrific) {
+  for (const std::string name : {"terrificPart01_vol", "terrificPart02_vol"}) {
+    ISOPATCH_NEEDS_DATA("terrific/" + name + ".xml");
+    const BothWays s = solved_both_ways(name, "examples/terrific/study.toml",
+                                        {"model.file=" + data_path("terrific/" + name + ".xml").string(),
+                                         "discretization.degree=2", "model.same_point=1e-5"});
     expect_agreement(s);
     expect_equilibrium(s);
   }
