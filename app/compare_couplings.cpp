@@ -108,7 +108,7 @@ iga::ElasticityOptions options_of(const Study& study, iga::Coupling coupling) {
   else if (coupling == iga::Coupling::lagrange && method == Method::cg)
     method = can_iterate ? Method::minres : Method::automatic;
   else if (coupling == iga::Coupling::lagrange && method == Method::cholmod)
-    method = Method::automatic;
+    method = Method::mumps;
   return options;
 }
 

@@ -94,6 +94,15 @@ TEST_F(Program, CompareKeepsWhatIsFinishedWhenMemoryEnds) {
   EXPECT_THAT(out_, HasSubstr("the two couplings agree"));
 }
 
+// Whatever the size: a comparison of factors must not turn into one of a factor and an iteration.
+TEST_F(Program, CompareFactorizesWithBothCouplingsWhereCholmodIsAskedFor) {
+  ASSERT_EQ(run({"compare", study(), "--set", "solver.method=cholmod"}), 0) << err_;
+  const json all = compared(results());
+  EXPECT_EQ(all["elimination"]["method"], "cholmod");
+  EXPECT_EQ(all["lagrange"]["method"], "mumps");
+  EXPECT_EQ(all["lagrange"]["reason"], "asked for by name");
+}
+
 TEST_F(Program, CompareIteratesWithBothCouplingsAndPlotsTheResiduals) {
   ASSERT_EQ(run({"compare", study(), "--set", "solver.method=\"cg\"", "--set", "discretization.refine=3"}), 0)
       << err_;

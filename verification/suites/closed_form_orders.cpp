@@ -82,7 +82,7 @@ KnownProblem cavity(const iga::Material& material) {
   const ExactSolution exact = pulled_body_with_cavity(material, 1);
   return {"spherical cavity", ReferenceKind::closed_form, "Goodier", exact, [=](int degree, int elements) {
             const MultiPatch model = geometry::connect(graded(
-                geometry::sphere_model({.inner_radius = 1, .outer_radius = 4}), 2, degree, 4 * elements, 4));
+                geometry::sphere_model({.inner_radius = 1, .outer_radius = 4}), 2, degree, 3 * elements, 5));
             iga::ElasticityProblem p = unloaded(
                 model,
                 {.degree = {degree, degree, degree}, .elements_per_direction = {elements, elements, 0}},
@@ -128,10 +128,10 @@ TEST(ClosedForms, KirschPlate) {
                         double allowed) {
     expect(Claim{what, unit, ReferenceKind::closed_form, "Kirsch", reference, value, allowed});
   };
-  claim("s_xx over the hole, of the tension", "Pa", 3, top.stress(0, 0), 1e-3);
-  claim("s_yy beside the hole, of the tension", "Pa", -1, side.stress(1, 1), 1e-3);
-  claim("u_x beside the hole", "m", problem.exact.displacement({1, 0, 0})[0], side.displacement[0], 1e-5);
-  claim("u_y over the hole", "m", problem.exact.displacement({0, 1, 0})[1], top.displacement[1], 1e-5);
+  claim("s_xx over the hole, of the tension", "Pa", 3, top.stress(0, 0), 1e-4);
+  claim("s_yy beside the hole, of the tension", "Pa", -1, side.stress(1, 1), 1e-4);
+  claim("u_x beside the hole", "m", problem.exact.displacement({1, 0, 0})[0], side.displacement[0], 1e-7);
+  claim("u_y over the hole", "m", problem.exact.displacement({0, 1, 0})[1], top.displacement[1], 1e-7);
 }
 
 void expect_cavity(int degree, int elements, double of_displacement, double of_stress) {
@@ -153,7 +153,7 @@ void expect_cavity(int degree, int elements, double of_displacement, double of_s
 }
 
 TEST(ClosedForms, SphericalCavity) {
-  expect_cavity(4, 4, 1e-5, 1e-2);
+  expect_cavity(4, 4, 3e-6, 3e-4);
 }
 
 // The sphere is of degree 4.

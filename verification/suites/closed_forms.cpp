@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "verification/suites/solved_study.hpp"
@@ -28,7 +29,8 @@ double allowed_of_cylinder(int degree, double nu) {
   return degree == 3 ? (nu < 0.4 ? 1e-6 : 1e-4) : 1e-6;
 }
 
-void expect_cylinder(int degree, double nu) {
+// Returns the error of u_r at the inner wall.
+double expect_cylinder(int degree, double nu) {
   const std::string file = "examples/thick_cylinder/study.toml";
   const SolvedStudy s = solved(
       file, {fmt::format("discretization.degree={}", degree), fmt::format("material.0.poisson={}", nu)});
@@ -45,15 +47,26 @@ void expect_cylinder(int degree, double nu) {
         s.probe("outer wall").values.displacement[0], allowed);
   claim("energy", "J", exact.energy(), s.run.solution.results.internal_energy, allowed);
   // Stress is a derivative: one order less.
+  const double of_stress = degree == 3 ? 1e-3 : 1e-4;
   if (nu < 0.4 && degree >= 3) {
-    claim("s_tt at the inner wall", "Pa", 50.0 / 3, s.probe("inner wall").values.stress(1, 1), 1e-3);
-    claim("s_rr at the inner wall", "Pa", -10, s.probe("inner wall").values.stress(0, 0), 1e-3);
+    claim("s_tt at the inner wall", "Pa", 50.0 / 3, s.probe("inner wall").values.stress(1, 1), of_stress);
+    claim("s_rr at the inner wall", "Pa", -10, s.probe("inner wall").values.stress(0, 0), of_stress);
   }
+  return std::abs(s.probe("inner wall").values.displacement[0] / exact.radial_displacement(1) - 1);
 }
 
 TEST(ClosedForms, ThickCylinder) {
-  for (const int degree : {2, 3, 4})
-    for (const double nu : {0.3, 0.4999}) expect_cylinder(degree, nu);
+  for (const int degree : {2, 3, 4}) {
+    const double error = expect_cylinder(degree, 0.3);
+    const double locked = expect_cylinder(degree, 0.4999);
+    report(
+        Figure{.what = fmt::format("locking: error of u_r at nu = 0.4999 over that at 0.3, p = {}", degree),
+               .unit = "",
+               .kind = ReferenceKind::closed_form,
+               .source = "Lame",
+               .value = locked / error,
+               .why = "displacements alone lock where material is nearly incompressible; both fall with p"});
+  }
 }
 
 TEST(ClosedForms, TwoMaterialBar) {
@@ -80,10 +93,10 @@ TEST(ClosedForms, HollowSphere) {
                          double allowed) {
     expect(Claim{what, unit, ReferenceKind::closed_form, "Lame", reference, value, allowed, s.named});
   };
-  claim("u_r at the inner wall", "m", wall, s.probe("inner wall").values.displacement[0], 1e-5);
+  claim("u_r at the inner wall", "m", wall, s.probe("inner wall").values.displacement[0], 1e-6);
   claim("energy", "J", 0.5 * wall * std::numbers::pi / 2, s.run.solution.results.internal_energy, 1e-6);
   // p (b^3 / (2 a^3) + 1) a^3 / (b^3 - a^3).
-  claim("s_tt at the inner wall", "Pa", 5.0 / 7, s.probe("inner wall").values.stress(1, 1), 1e-2);
+  claim("s_tt at the inner wall", "Pa", 5.0 / 7, s.probe("inner wall").values.stress(1, 1), 2e-3);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "iga/loads.hpp"
 #include "verification/claims/claim.hpp"
 #include "verification/suites/linear_field.hpp"
@@ -108,6 +110,21 @@ TEST(Coupling, GeneratedModels) {
   }
 }
 
+// Models that studies make of others by attaching patches, of several materials. The cut of the joint
+// supports every patch.
+TEST(Coupling, PipeJoint) {
+  expect_agreement(
+      solved_both_ways("pipe joint", "examples/pipe_joint/study.toml", {"discretization.refine=0"}));
+}
+
+TEST(Coupling, ChairStandWithRingAndPin) {
+  ISOPATCH_NEEDS_DATA("chair_stand/chair_stand.xml");
+  const BothWays s =
+      solved_both_ways("chair stand with ring and pin", "examples/chair_stand_a/study.toml", {});
+  expect_agreement(s);
+  expect_equilibrium(s);
+}
+
 TEST(Coupling, InterfacesThatCutAPartInTwo) {
   for (const auto& [name, count] : {std::pair{"plate", 1u}, std::pair{"bracket", 2u}, std::pair{"link", 4u}})
     expect_cuts(
@@ -154,6 +171,30 @@ TEST(FullCoupling, GeneratedModelsOfDegreeThree) {
     overrides.insert(overrides.end(), {"discretization.degree=3", "discretization.refine=2"});
     const BothWays s = solved_both_ways(model.name + ", p = 3, refined twice",
                                         "verification/studies/pulled.toml", overrides);
+    expect_agreement(s);
+    expect_equilibrium(s);
+  }
+}
+
+TEST(FullCoupling, ChairStandFromSolids) {
+  ISOPATCH_NEEDS_DATA("chair_stand/solids");
+  const BothWays s =
+      solved_both_ways("chair stand from solids", "examples/chair_stand_solids/study.toml", {});
+  expect_agreement(s);
+  expect_equilibrium(s);
+}
+
+// Two other parts of G+Smo, of 15 cubic patches each, which fit only to 5e-6 of their size: held in one eye,
+// loaded in the other.
+TEST(FullCoupling, LooselyFittedParts) {
+  for (const auto& [name, held, loaded] :
+       {std::tuple{"terrificPart01_vol", "0:back", "2:back"}, {"terrificPart02_vol", "2:front", "0:back"}}) {
+    const std::string file = fmt::format("terrific/{}.xml", name);
+    ISOPATCH_NEEDS_DATA(file);
+    const BothWays s = solved_both_ways(
+        name, "examples/terrific/study.toml",
+        {"model.file=" + data_path(file).string(), "model.same_point=1e-5",
+         fmt::format("support.0.faces=[\"{}\"]", held), fmt::format("load.0.faces=[\"{}\"]", loaded)});
     expect_agreement(s);
     expect_equilibrium(s);
   }

@@ -128,7 +128,7 @@ void expect_same_energy(const std::string& name, const geometry::PatchSet& set, 
 }
 
 TEST(Invariance, Elimination) {
-  for (const ModelCase& model : model_cases())
+  for (const ModelCase& model : every_model_case())
     expect_same_energy(model.name, patches_of(model), model.held, model.loaded, iga::Coupling::elimination);
 }
 

@@ -27,13 +27,23 @@ const std::vector<ModelCase>& model_cases() {
        {"model.generate=cook", "model.patches=[2, 2]", "model.thickness=10"},
        "x_min",
        "x_max"},
+      {"elliptic plate", {"model.generate=elliptic_plate", "model.layers=2"}, "bottom", "top"},
       {"link", {"model.generate=link"}, "bore_left", "bore_right"},
       {"elbow", {"model.generate=elbow"}, "inlet", "outlet"}};
   return cases;
 }
 
+const std::vector<ModelCase>& every_model_case() {
+  static const std::vector<ModelCase> cases = [] {
+    std::vector<ModelCase> all = model_cases();
+    all.push_back({"twisted beam", {"model.generate=twisted_beam"}, "root", "tip"});
+    return all;
+  }();
+  return cases;
+}
+
 const ModelCase& model_case(const std::string& name) {
-  for (const ModelCase& model : model_cases())
+  for (const ModelCase& model : every_model_case())
     if (model.name == name) return model;
   throw std::out_of_range("no model " + name);
 }

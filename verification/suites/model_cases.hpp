@@ -9,7 +9,7 @@
 
 namespace isopatch::verification {
 
-/// A generated model of several patches, as a study names it.
+/// A generated model, as a study names it.
 struct ModelCase {
   std::string name;                    ///< "sphere"
   std::vector<std::string> overrides;  ///< of a study's [model]: "model.generate=sphere", ...
@@ -17,8 +17,10 @@ struct ModelCase {
   std::string loaded;                  ///< boundary that they load
 };
 
-/// One of every kind that isopatch generates.
+/// One of every kind that isopatch generates with several patches.
 const std::vector<ModelCase>& model_cases();
+/// These and the twisted beam, which is one patch.
+const std::vector<ModelCase>& every_model_case();
 /// @throws std::out_of_range for an unknown name
 const ModelCase& model_case(const std::string& name);
 

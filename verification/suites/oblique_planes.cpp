@@ -140,10 +140,10 @@ TEST(PatchTests, SectorsOfACylinder) {
           fmt::format("thick cylinder, sector of {} degrees between planes of symmetry, {}: ", degrees,
                       iga::name(coupling));
       expect(Claim{of + "u_r at the inner wall", "m", ReferenceKind::closed_form, "Lame", wall,
-                   s.probe("inner wall").values.displacement[0], 1e-6, s.named});
+                   s.probe("inner wall").values.displacement[0], 1e-8, s.named});
       expect(Claim{of + "energy", "J", ReferenceKind::closed_form, "Lame",
                    0.5 * 10 * wall * 0.5 * degrees * std::numbers::pi / 180,
-                   s.run.solution.results.internal_energy, 1e-6, s.named});
+                   s.run.solution.results.internal_energy, 1e-8, s.named});
     }
 }
 

@@ -55,13 +55,13 @@ void expect_follows_its_surface(const ModelCase& model, const std::vector<std::s
 }
 
 TEST(PatchTests, DisplacementOnTheWholeSurface) {
-  for (const ModelCase& model : model_cases()) expect_follows_its_surface(model);
+  for (const ModelCase& model : every_model_case()) expect_follows_its_surface(model);
   expect_follows_its_surface({"Cook's membrane, 1 thick", {"model.generate=cook"}, "", ""});
 }
 
 // Degree + 1 points integrate polynomial patches of degree 2 exactly, and rational functions nearly.
 TEST(PatchTests, DefaultQuadrature) {
-  for (const ModelCase& model : model_cases()) {
+  for (const ModelCase& model : every_model_case()) {
     std::vector<std::string> overrides = model.overrides;
     overrides.emplace_back("discretization.points=0");
     const SolvedStudy s = solved("verification/studies/patch_test.toml", overrides);
@@ -104,19 +104,19 @@ void expect_is_pulled_into_it(const ModelCase& model, const std::string& what,
 }
 
 TEST(PatchTests, TractionOnAllFacesButOneBoundary) {
-  for (const ModelCase& model : model_cases())
+  for (const ModelCase& model : every_model_case())
     expect_is_pulled_into_it(model, "by tractions", patches_of(model));
 }
 
 TEST(PatchTests, RandomlyReorientedPatches) {
-  for (const ModelCase& model : model_cases())
+  for (const ModelCase& model : every_model_case())
     for (const unsigned seed : {1u, 2u})
       expect_is_pulled_into_it(model, fmt::format("by tractions, reoriented with seed {}", seed),
                                geometry::randomly_reoriented(patches_of(model), seed));
 }
 
 TEST(FullPatchTests, DegreesAndRefinement) {
-  for (const ModelCase& model : model_cases())
+  for (const ModelCase& model : every_model_case())
     for (const auto& [degree, refine] : {std::pair{3, 1}, std::pair{4, 1}, std::pair{2, 2}})
       expect_follows_its_surface(model, {fmt::format("discretization.degree={}", degree),
                                          fmt::format("discretization.refine={}", refine)});

@@ -56,7 +56,7 @@ double rigid_force(const iga::ElasticityProblem& problem) {
 }
 
 TEST(PatchTests, RigidMotionsCauseNoForce) {
-  for (const ModelCase& model : model_cases())
+  for (const ModelCase& model : every_model_case())
     expect(Claim{model.name + ": largest force from translations and rotations",
                  "",
                  ReferenceKind::exact,
@@ -93,7 +93,7 @@ void expect_zero_modes(const std::string& name, const geometry::PatchSet& set, i
 }
 
 TEST(PatchTests, SixZeroModesOfAFreeBody) {
-  for (const ModelCase& model : model_cases()) expect_zero_modes(model.name, patches_of(model), 1);
+  for (const ModelCase& model : every_model_case()) expect_zero_modes(model.name, patches_of(model), 1);
 }
 
 TEST(PatchTests, TwelveZeroModesOfTwoFreeBodies) {

@@ -45,7 +45,7 @@ void expect_terrific_as_it_is() {
   const Terrific t({"discretization.degree=2"}, "p = 2");
   t.claim("energy", "J", ReferenceKind::other_method, other_iga, 68.5963, t.energy(), 1e-4);
   t.claim("largest displacement", "m", ReferenceKind::other_method, other_iga, 6.838e-3,
-          t.largest_displacement(), 1e-3);
+          t.largest_displacement(), 1e-4);
   const iga::ProblemSize& size = t.study().run.solution.size;
   const auto count = [&](const std::string& what, const std::string& source, double reference,
                          std::int64_t value) {
@@ -69,13 +69,53 @@ void expect_terrific_as_it_is() {
   thrice.beside("energy", "J", printed, 70.1, thrice.energy(), why);
 }
 
+// Where finite elements have the largest displacement, printed to 0.01 mm.
+void expect_terrific_at_its_corner(const Terrific& t) {
+  const iga::ElasticField& field = t.study().run.solution.field;
+  const iga::Extremum& largest = t.study().run.solution.results.max_displacement;
+  const Eigen::Vector3d corner(198.02e-3, -179.69e-3, -27.44e-3);
+  const double size = t.study().run.built.problem.discretization.model.size();
+  t.claim("place of the largest displacement, off by this share of the part's size", "",
+          ReferenceKind::independent_fe, fe, 0, (largest.place - corner).norm() / size, 1e-2);
+  const Eigen::Vector3d u = iga::evaluate(field, largest.patch, largest.parameter).displacement;
+  const Eigen::Vector3d reference(6.20e-3, 3.12e-3, 0.88e-3);
+  t.claim("difference of the displacement there, over its length", "", ReferenceKind::independent_fe, fe, 0,
+          (u - reference).norm() / reference.norm(), 1e-2);
+}
+
+// The largest von Mises stress within a distance of a place, on a grid of parameters of every patch.
+double largest_stress_near(const iga::ElasticField& field, const Eigen::Vector3d& place, double distance) {
+  constexpr int steps = 32;
+  double largest = 0;
+  for (std::size_t p = 0; p < field.patches.size(); ++p) {
+    const geometry::NurbsVolume& patch = field.patches[p];
+    for (int i = 0; i < (steps + 1) * (steps + 1) * (steps + 1); ++i) {
+      const Eigen::Array3d share =
+          Eigen::Array3d(i % (steps + 1), i / (steps + 1) % (steps + 1), i / (steps + 1) / (steps + 1)) /
+          steps;
+      const geometry::Parameter<3> t = patch.low().array() + share * (patch.high() - patch.low()).array();
+      if ((patch.point(t) - place).norm() < distance)
+        largest = std::max(largest, iga::evaluate(field, static_cast<int>(p), t).von_mises);
+    }
+  }
+  return largest;
+}
+
 TEST(SeedStudies, Terrific) {
   ISOPATCH_NEEDS_DATA("terrific/terrific.xml");
   expect_terrific_as_it_is();
   const Terrific t({}, "p = 3");
-  t.claim("energy", "J", ReferenceKind::independent_fe, fe, 70.10, t.energy(), 5e-3);
+  // The two finest meshes of finite elements differ by 3e-3.
+  t.claim("energy", "J", ReferenceKind::independent_fe, fe, 70.10, t.energy(), 3e-3);
   t.claim("largest displacement", "m", ReferenceKind::independent_fe, fe, 6.993e-3, t.largest_displacement(),
-          5e-3);
+          3e-3);
+  // The figures of the example's README.
+  EXPECT_NEAR(t.energy(), 70.027, 5e-4);
+  EXPECT_NEAR(t.largest_displacement(), 6.987e-3, 5e-7);
+  expect_terrific_at_its_corner(t);
+  // 674 to 684 MPa on four meshes; the program's own maximum is in a folded corner and means nothing.
+  t.claim("von Mises stress in the inner fillet", "Pa", ReferenceKind::independent_fe, fe, 684e6,
+          largest_stress_near(t.study().run.solution.field, {102e-3, -28.6e-3, -13e-3}, 10e-3), 1.5e-2);
   t.claim("control points", "", ReferenceKind::seed_figure, "the space's", 28960,
           static_cast<double>(t.study().run.solution.size.control_points), 0);
   t.claim("clamped area", "m^2", ReferenceKind::seed_figure, "the bore's faces", 2.2521e-3,
@@ -95,7 +135,8 @@ TEST(FullSeedStudies, TerrificRefined) {
   const Terrific half({"discretization.degree=2", "discretization.refine=1"}, "p = 2, refined once");
   half.claim("energy", "J", ReferenceKind::other_method, other_iga, 69.7972, half.energy(), 1e-4);
   half.claim("largest displacement", "m", ReferenceKind::other_method, other_iga, 6.961e-3,
-             half.largest_displacement(), 1e-3);
+             half.largest_displacement(), 3e-4);
+  // What finite elements still change between their two finest meshes is allowed.
   const Terrific fine({"discretization.refine=1"}, "p = 3, refined once");
   fine.claim("energy", "J", ReferenceKind::independent_fe, fe, 70.10, fine.energy(), 3e-3);
   fine.claim("largest displacement", "m", ReferenceKind::independent_fe, fe, 6.993e-3,
@@ -125,14 +166,15 @@ void expect_stand(const std::string& study, const StandFigures& fe_figures, int 
     expect(Claim{what + of, unit, ReferenceKind::independent_fe, fe, reference, value, allowed, s.named});
   };
   claim("load", "N", fe_figures.force, total_force(s), 1e-4);
-  claim("energy", "J", fe_figures.energy, energy, 5e-3);
+  // The two meshes of finite elements differ by up to 1.4e-3; stress is sampled in their Gauss points.
+  claim("energy", "J", fe_figures.energy, energy, 2e-3);
   // A load spread evenly works on the mean displacement of its face.
-  claim("mean sag of the loaded face", "m", fe_figures.sag, 2 * energy / total_force(s), 5e-3);
+  claim("mean sag of the loaded face", "m", fe_figures.sag, 2 * energy / total_force(s), 2e-3);
   claim("largest displacement against the lowest u_z", "m", fe_figures.lowest,
-        s.run.solution.results.max_displacement.value, 5e-3);
+        s.run.solution.results.max_displacement.value, 2e-3);
   for (const char* leg : {"left leg", "right leg"})
     claim(fmt::format("von Mises stress in the {}", leg), "Pa", fe_figures.leg, s.probe(leg).values.von_mises,
-          3e-2);
+          2e-2);
   const std::string why =
       "cannot be met together with the paper's stress and pressure at any scale of this geometry with the "
       "printed material: both are about three times as large";

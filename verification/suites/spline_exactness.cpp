@@ -144,7 +144,7 @@ NurbsVolume randomly_refined(const NurbsVolume& patch, std::mt19937& random) {
 }
 
 TEST(SplineExactness, Refinement) {
-  for (const ModelCase& c : model_cases()) {
+  for (const ModelCase& c : every_model_case()) {
     std::mt19937 random(3);
     double moved = 0, turned = 0;
     for (const NurbsVolume& patch : patches_of(c).patches) {
@@ -288,7 +288,7 @@ TEST(SplineExactness, Derivatives) {
 
 // Functions of the solution space in space: sum N = 1, sum grad N = 0, sum x grad N = I.
 TEST(SplineExactness, SolutionSpaces) {
-  for (const ModelCase& c : model_cases()) {
+  for (const ModelCase& c : every_model_case()) {
     const iga::Discretization d = iga::discretize(connect(patches_of(c)), {.degree = {3, 3, 3}, .refine = 1});
     double sum = 0, gradient = 0, identity = 0;
     iga::ElementValues values;

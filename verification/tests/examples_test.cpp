@@ -190,6 +190,33 @@ TEST_F(Examples, PipeJointHasLamesStressesFarFromTheJoint) {
   EXPECT_NEAR(clamp[2].get<double>(), -6283.185307, 1e-5);
 }
 
+// The link's rows of p = 2, refine = 0 and 1.
+TEST_F(Examples, CouplingComparisonHasItsFirstRows) {
+  const fs::path study = fs::path(ISOPATCH_SOURCE_DIR) / "examples/coupling_comparison/study.toml";
+  std::ostringstream out;
+  std::ostringstream err;
+  ASSERT_EQ(
+      app::run_program({"compare", study.string(), "--output", folder_.string(), "--quiet", "--levels", "2",
+                        "--condition", "--set", "discretization.refine=0", "--set", "solver.method=cholmod"},
+                       {out, err, false, false, true}),
+      0)
+      << err.str();
+  const json levels = json::parse(read_file(folder_ / "compare.json")).at("levels");
+  ASSERT_EQ(levels.size(), 2u);
+  const auto expect_row = [](const json& run, int unknowns, std::int64_t nonzeros, double condition) {
+    EXPECT_EQ(run.at("dofs"), unknowns);
+    EXPECT_EQ(run.at("matrix_nonzeros"), nonzeros);
+    EXPECT_NEAR(at(run, "/condition") / condition, 1, 1e-3);
+  };
+  expect_row(levels[0]["elimination"], 567, 63423, 283112);
+  expect_row(levels[0]["lagrange"], 1215, 73323, 373706);
+  expect_row(levels[1]["elimination"], 1536, 250488, 1619557);
+  expect_row(levels[1]["lagrange"], 2688, 273768, 2031962);
+  for (const json& level : levels)
+    for (const char* what : {"displacement", "internal_energy", "multipliers"})
+      EXPECT_LT(level["difference"][what].get<double>(), 1e-11) << what;
+}
+
 TEST_F(Examples, TerrificHasItsFiguresAtDegreeTwo) {
   ISOPATCH_NEEDS_DATA("terrific/terrific.xml");
   const json summary = summary_of("terrific", {"--set", "discretization.degree=2"});
