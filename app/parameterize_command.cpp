@@ -47,8 +47,10 @@ ExitCode parameterize_command(const ParameterizeCommand& command, const Console&
   for (const std::string& complaint : made.report.complaints()) console.warn(complaint);
   if (!console.quiet)
     console.out << parameterization_text(made.report)
-                << fmt::format("  {} patches, {} interfaces, lengths in m, written to {}\n",
-                               model.patch_count(), model.interfaces().size(), command.output.string());
+                << fmt::format("  {} patch{}, {} interface{}, lengths in m, written to {}\n",
+                               model.patch_count(), model.patch_count() == 1 ? "" : "es",
+                               model.interfaces().size(), model.interfaces().size() == 1 ? "" : "s",
+                               command.output.string());
   return made.report.usable() ? ExitCode::ok : ExitCode::failed;
 }
 

@@ -159,6 +159,8 @@ TEST_F(Blocks, ParameterizeWritesPatchesAndTheirPage) {
   write_file(file("a.off"), off(corners, sides));
   ASSERT_EQ(run({"parameterize", file("a.off"), "-o", file("a.xml"), "--report", file("a.html")}), 0) << err_;
   EXPECT_THAT(out_, HasSubstr("det J > 1"));
+  EXPECT_THAT(out_, HasSubstr("largest deviation  0 m"));
+  EXPECT_THAT(out_, HasSubstr("1 patch, 0 interfaces"));
   const json data = page_data(file("a.html"));
   EXPECT_EQ(data["kind"], "model");
   EXPECT_EQ(data["scene"]["patches"][0]["name"], "a");

@@ -15,9 +15,9 @@ globalThis.isopatch = globalThis.isopatch || {};
       patch.optimized ? "optimized" : "as fitted"]);
   }
 
-  function faceRows(faces, tolerance) {
+  function faceRows({faces, tolerance, size}) {
     return [...faces].sort((a, b) => b.deviation - a.deviation).map((face) => {
-      const text = isopatch.withUnit(face.deviation, "m");
+      const text = isopatch.withUnit(isopatch.withoutRoundOff(face.deviation, size), "m");
       return [face.name, face.sides.join(" = "), face.deviation > tolerance ? element("strong", {}, text) : text,
               face.sides.length > 1 ? isopatch.withUnit(face.gap, "m") : ""];
     });
@@ -35,7 +35,7 @@ globalThis.isopatch = globalThis.isopatch || {};
   isopatch.parameterizationSection = function (summary) {
     const found = summary && summary.parameterization;
     if (!found) return null;
-    const text = `The largest deviation is ${isopatch.withUnit(found.largest_deviation, "m")}, at ${found.largest_deviation_at}; `
+    const text = `The largest deviation is ${isopatch.withUnit(isopatch.withoutRoundOff(found.largest_deviation, found.size), "m")}, at ${found.largest_deviation_at}; `
       + `${isopatch.withUnit(found.tolerance, "m")} is allowed. ${found.certified
         ? "Of every patch det J is certified to be positive everywhere."
         : "Not every patch could be certified."} The bound of det J is that of the certificate, over its mean in the patch.`;
@@ -43,6 +43,6 @@ globalThis.isopatch = globalThis.isopatch || {};
       isopatch.table(["block", "det J", "its bound", "smallest scaled J", "mean", "control points", ""], patchRows(found.patches)),
       element("div", {class: "figures"}, histogram(found.patches)),
       element("details", {}, element("summary", {}, `Deviation of the ${found.faces.length} faces`),
-        isopatch.table(["face", "sides of patches", "deviation", "gap between the solids"], faceRows(found.faces, found.tolerance))));
+        isopatch.table(["face", "sides of patches", "deviation", "gap between the solids"], faceRows(found))));
   };
 })(globalThis.isopatch);
