@@ -154,8 +154,9 @@ BuiltProblem build_problem(const Study& study, const Progress& progress) {
                      {},
                      {},
                      certificate_warnings(model, seen)};
-  if (loaded.parameterization)
-    for (const std::string& complaint : loaded.parameterization->complaints())
+  built.parameterization = loaded.parameterization;
+  if (built.parameterization)
+    for (const std::string& complaint : built.parameterization->complaints())
       built.warnings.push_back({complaint});
   for (const SupportInput& support : study.supports) {
     auto faces = caught_faces(support.selection, support.name, name(support.kind), built, built.supports);

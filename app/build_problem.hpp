@@ -37,6 +37,7 @@ struct BuiltProblem {
   std::vector<CaughtRegion> loads;
   std::vector<LocatedProbe> probes;
   std::vector<Warning> warnings;
+  std::optional<segmentation::ParameterizationReport> parameterization = {};  ///< of a model made of solids
 };
 
 /// Builds the problem that a study describes. Nothing is assembled yet, and no file but the model's is

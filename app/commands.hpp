@@ -77,9 +77,11 @@ struct ParameterizeCommand {
   std::string method = "shared";
   BlocksInput input;             ///< the options; files are filled in
   std::filesystem::path output;  ///< .xml
+  std::filesystem::path report;  ///< .html, or "" for none
 };
 /// Makes patches of topological hexahedra and writes them as G+Smo XML; `failed` if one is not certified or
-/// deviates too far, after writing.
+/// deviates too far, after writing. The report shows the patches or, where the input is bad, what is wrong
+/// with it.
 ExitCode parameterize_command(const ParameterizeCommand& command, const Console& console);
 
 struct ConvertCommand {

@@ -55,7 +55,8 @@ std::string parameterization_text(const ParameterizationReport& report) {
   }
   const FaceReport& worst = report.worst_face();
   text += histogram_text(report);
-  text += fmt::format("  largest deviation  {}, allowed {}, at {}\n", with_unit(worst.deviation, "m"),
+  text += fmt::format("  largest deviation  {}, allowed {}, at {}\n",
+                      with_unit(without_round_off(worst.deviation, report.size), "m"),
                       with_unit(report.tolerance, "m"), worst.name);
   if (report.largest_gap > 1e-3 * report.tolerance)
     text += fmt::format("  outlines differ    by up to {} in the input, {}\n",

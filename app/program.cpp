@@ -258,6 +258,10 @@ void add_parameterize_command(CLI::App& app, CommandLine& line) {
   parameterize->add_option("-o,--output", command.output, "The patches (.xml)")
       ->required()
       ->type_name("FILE");
+  parameterize
+      ->add_option("--report", command.report,
+                   "A page with the patches by quality and deviation, or with what is wrong with the solids")
+      ->type_name("FILE");
   parameterize->add_option("--pairs", command.pairs, "How blocks meet; default: found from the geometry")
       ->type_name("FILE");
   parameterize->add_option("--length-unit", command.length_unit,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/internal/json_values.hpp"
+#include "app/parameterization_scene.hpp"
 #include "app/plots/residual_plot.hpp"
 #include "app/report_scene.hpp"
 #include "app/summary.hpp"
@@ -37,10 +38,14 @@ Page report_page(const iga::ElasticField& field, const StoredModel& model, const
   return page;
 }
 
-std::string report_html(const iga::ElasticField& field, const std::string& study,
-                        const std::string& summary) {
+std::string report_html(const iga::ElasticField& field, const std::string& study, const std::string& summary,
+                        const segmentation::ParameterizationReport* solids) {
   const StoredModel model = stored_model(field.patches, summary);
-  return to_html(report_page(field, model, study, summary));
+  Page page = report_page(field, model, study, summary);
+  if (solids)
+    for (SceneField& more : parameterization_fields(*solids, page.scene->samples))
+      page.scene->fields.push_back(std::move(more));
+  return to_html(page);
 }
 
 }  // namespace isopatch::app

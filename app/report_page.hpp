@@ -4,6 +4,7 @@
 
 #include "app/pages/page.hpp"
 #include "app/stored_model.hpp"
+#include "segmentation/parameterization/parameterize.hpp"
 
 namespace isopatch::app {
 
@@ -18,6 +19,8 @@ Page report_page(const iga::ElasticField& field, const StoredModel& model, const
                  const std::string& summary);
 
 /// report_page as the text of report.html.
-std::string report_html(const iga::ElasticField& field, const std::string& study, const std::string& summary);
+/// @param solids  how solids became the model's patches, for more fields to colour by; may be null
+std::string report_html(const iga::ElasticField& field, const std::string& study, const std::string& summary,
+                        const segmentation::ParameterizationReport* solids = nullptr);
 
 }  // namespace isopatch::app

@@ -7,6 +7,7 @@
 #include "app/compare_levels.hpp"
 #include "app/compare_page.hpp"
 #include "app/comparison_report.hpp"
+#include "app/fault_page.hpp"
 #include "app/output_directory.hpp"
 #include "app/study_keys.hpp"
 #include "app/summary.hpp"
@@ -21,6 +22,19 @@ Study read(const StudyCommand& command) {
   study.options.processes = command.processes;
   if (command.processes.is_first()) check_writable(study.output.directory);
   return study;
+}
+
+// Of solids that cannot be made patches the report shows what is wrong.
+StudyRun solved(const Study& study, const Progress& progress) {
+  try {
+    return run_study(study, progress);
+  } catch (const geometry::SolidError& error) {
+    if (!study.options.processes.is_first() || !study.output.report || !study.model.blocks) throw;
+    const std::filesystem::path& directory = study.output.directory;
+    remove_earlier_results(directory);
+    write_in(directory, "report.html", fault_html(*study.model.blocks, error, study.title, study.text));
+    throw Error(error.code(), shown_in(error, directory / "report.html"));
+  }
 }
 
 // Anew after each level, so that nothing finished is lost.
@@ -38,7 +52,7 @@ void write_comparison(const Study& study, const ComparedStudy& level,
 ExitCode run_command(const StudyCommand& command, const Console& console) {
   const Study study = read(command);
   ProgressDisplay display(console);
-  StudyRun run = run_study(study, display.progress());
+  StudyRun run = solved(study, display.progress());
   if (!command.processes.is_first()) return ExitCode::ok;
   const std::vector<std::string> files = write_results(study, run, display.progress());
   display.clear();

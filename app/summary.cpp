@@ -8,6 +8,7 @@
 
 #include "app/engineering_units.hpp"
 #include "app/internal/json_values.hpp"
+#include "app/parameterization_scene.hpp"
 #include "iga/material.hpp"
 
 #ifndef ISOPATCH_VERSION
@@ -226,7 +227,7 @@ std::string solver_text(const solvers::SolveReport& report) {
 }  // namespace
 
 std::string summary_json(const Study& study, const StudyRun& run) {
-  const Json json = {
+  Json json = {
       {"schema_version", 1},
       {"program", {{"name", "isopatch"}, {"version", version()}}},
       {"title", study.title},
@@ -246,6 +247,8 @@ std::string summary_json(const Study& study, const StudyRun& run) {
       {"timings", timings_json(run)},
       {"parallel", {{"processes", study.options.processes.count()}, {"threads", omp_get_max_threads()}}},
       {"memory", {{"peak_bytes", peak_memory_bytes() + run.bytes_elsewhere}}}};
+  if (run.built.parameterization)
+    json["parameterization"] = Json::parse(parameterization_json(*run.built.parameterization));
   return file_text(json);
 }
 

@@ -63,7 +63,8 @@ std::vector<std::string> write_results(const Study& study, StudyRun& run, const 
   }
   if (study.output.report) {
     progress("writing report.html", 0);
-    write_in(directory, "report.html", report_html(run.solution.field, study.text, summary));
+    const auto* solids = run.built.parameterization ? &*run.built.parameterization : nullptr;
+    write_in(directory, "report.html", report_html(run.solution.field, study.text, summary, solids));
     written.emplace_back("report.html");
   }
   write_in(directory, "summary.json", summary);

@@ -46,7 +46,8 @@ std::string data_json(const Page& page) {
   return "{\"kind\":" + quoted(page.kind) + ",\"program\":" + quoted(page.program) +
          ",\"title\":" + quoted(page.title) + ",\"study\":" + quoted(page.study) +
          ",\"summary\":" + page.summary_json + ",\"plots\":[" + plots +
-         "],\"scene\":" + (page.scene ? scene_json(*page.scene) : "null") + "}";
+         "],\"scene\":" + (page.scene ? scene_json(*page.scene) : "null") +
+         ",\"faults\":" + (page.faults ? fault_scene_json(*page.faults) : "null") + "}";
 }
 
 void replace_marker(std::string& text, std::string_view marker, std::string_view by) {

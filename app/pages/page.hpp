@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/pages/fault_scene.hpp"
 #include "app/pages/scene.hpp"
 
 namespace isopatch::app {
@@ -17,13 +18,14 @@ struct PagePlot {
 
 /// What a page says. Texts in JSON are SI values as the files of that name have them.
 struct Page {
-  std::string kind;     ///< "report", "compare", "model" or "verification"
+  std::string kind;     ///< "report", "compare", "model", "verification" or "faults"
   std::string program;  ///< "isopatch 0.1.0"
   std::string title;
   std::string study;                  ///< text of the study file
   std::string summary_json = "null";  ///< text of summary.json, or compare.json
   std::vector<PagePlot> plots;
-  std::optional<Scene> scene;
+  std::optional<Scene> scene = {};
+  std::optional<FaultScene> faults = {};  ///< of a page of that kind
 };
 
 /// A page as one HTML file that needs nothing else, neither network nor server.

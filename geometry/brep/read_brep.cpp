@@ -10,6 +10,7 @@
 #include "geometry/brep/make_brep.hpp"
 #include "geometry/brep/module.hpp"
 #include "geometry/brep/require_solid.hpp"
+#include "geometry/brep/solid_error.hpp"
 #include "geometry/io/read_gismo_solid.hpp"
 #include "geometry/io/read_off.hpp"
 
@@ -90,7 +91,10 @@ auto named(const fs::path& path, Make make) {
   } catch (const Error& error) {
     const std::string message = error.what();
     if (message.find(path.string()) != message.npos) throw;
-    throw Error(error.code(), fmt::format("{}: {}", path.string(), message));
+    const std::string text = fmt::format("{}: {}", path.string(), message);
+    if (const auto* placed = dynamic_cast<const SolidError*>(&error))
+      throw SolidError(error.code(), text, placed->fault());
+    throw Error(error.code(), text);
   }
 }
 

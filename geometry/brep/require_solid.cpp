@@ -62,9 +62,25 @@ std::string boundary_problem(const Brep& brep, const BoundaryReport& report) {
   return "";
 }
 
+SolidFault boundary_fault(const Brep& brep, const BoundaryReport& report) {
+  SolidFault fault;
+  for (const auto* edges : {&report.overused_edges, &report.free_edges, &report.misoriented_edges})
+    for (const EdgeId edge : *edges) {
+      constexpr int pieces = 24;
+      SolidFault::Edge found{fmt::format("edge {}", edge.value), Eigen::Matrix3Xd(3, pieces + 1)};
+      for (int i = 0; i <= pieces; ++i) found.points.col(i) = brep.point(edge, double(i) / pieces);
+      fault.edges.push_back(std::move(found));
+      for (const FaceId face : brep.edge(edge).faces) fault.faces.push_back({face.value});
+    }
+  for (const VertexId vertex : report.pinched_vertices)
+    fault.points.push_back({fmt::format("vertex {}", vertex.value), brep.vertex(vertex)});
+  return fault;
+}
+
 void require_solid(const Brep& brep) {
-  const std::string problem = boundary_problem(brep, boundary(edge_graph(brep)));
-  if (!problem.empty()) throw Error(ErrorCode::not_manifold, problem);
+  const BoundaryReport report = boundary(edge_graph(brep));
+  const std::string problem = boundary_problem(brep, report);
+  if (!problem.empty()) throw SolidError(ErrorCode::not_manifold, problem, boundary_fault(brep, report));
 }
 
 }  // namespace isopatch::geometry

@@ -4,6 +4,7 @@
 
 #include "geometry/brep/brep.hpp"
 #include "geometry/brep/edge_graph.hpp"
+#include "geometry/brep/solid_error.hpp"
 
 namespace isopatch::geometry {
 
@@ -16,7 +17,10 @@ std::string describe(const Brep& brep, FaceId face);
 /// What keeps faces from bounding a solid, the first few entities named; "" if nothing does.
 std::string boundary_problem(const Brep& brep, const BoundaryReport& report);
 
-/// @throws Error not_manifold  with the problem
+/// The edges with their faces, and the vertices, that keep faces from bounding a solid.
+SolidFault boundary_fault(const Brep& brep, const BoundaryReport& report);
+
+/// @throws SolidError not_manifold  with the problem and its places
 void require_solid(const Brep& brep);
 
 }  // namespace isopatch::geometry

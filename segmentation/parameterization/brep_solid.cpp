@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "geometry/base/error.hpp"
+#include "geometry/brep/solid_error.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -16,11 +16,12 @@ SolidFace solid_face(const Brep& brep, FaceId id, const std::string& solid) {
   SolidFace result;
   result.name = face.name.empty() ? fmt::format("face {}", id.value) : face.name;
   if (face.loops.size() != 1)
-    throw Error(
+    throw geometry::SolidError(
         ErrorCode::unsupported,
         fmt::format("solid '{}', face '{}' has {} outlines; each face of a hexahedron has one. Cut the solid "
                     "through the hole first",
-                    solid, result.name, face.loops.size()));
+                    solid, result.name, face.loops.size()),
+        {.faces = {{id.value, solid, fmt::format("{} outlines", face.loops.size())}}});
   for (const geometry::EdgeUse& use : face.loops.front()) {
     const BrepEdge& edge = brep.edge(use.edge);
     result.corners.push_back((use.reversed ? edge.end : edge.start).value);

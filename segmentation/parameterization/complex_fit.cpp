@@ -235,7 +235,9 @@ FittedFace fit_face(const HexComplex& complex, ComplexFit& fit, std::size_t face
   const Eigen::Matrix3Xd points = geometry::points_on_grid(
       geometry::NurbsSurface(result.knots, fit.faces[face]), {result.at[0], result.at[1]});
   result.errors = (points - result.target.points).colwise().norm();
-  fit.face_deviation[face] = (points - result.target.surface).colwise().norm().maxCoeff();
+  DeviationGrid& deviations = fit.face_deviations[face];
+  deviations = {result.at[0], result.at[1], (points - result.target.surface).colwise().norm()};
+  fit.face_deviation[face] = deviations.values.maxCoeff();
   return result;
 }
 
@@ -275,6 +277,7 @@ ComplexFit fit(const HexComplex& complex, const FitOptions& options) {
   fit.edge_gap = fit.edge_deviation;
   fit.faces.resize(complex.faces.size());
   fit.face_deviation.assign(complex.faces.size(), 0);
+  fit.face_deviations.resize(complex.faces.size());
   for (;; ++fit.rounds) {
     Marks marks = fit_edges(complex, fit, tolerance);
     const bool edges_open = any(marks);

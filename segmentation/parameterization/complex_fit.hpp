@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/splines/nurbs.hpp"
+#include "segmentation/parameterization/deviation_grid.hpp"
 #include "segmentation/parameterization/hex_complex.hpp"
 #include "segmentation/parameterization/spline_fit.hpp"
 
@@ -18,9 +19,10 @@ struct ComplexFit {
   std::vector<double> edge_deviation;   ///< largest distance from the samples, model units
   std::vector<double>
       edge_gap;  ///< largest distance of a face's own curve from the samples at equal arc length
-  std::vector<double> face_deviation;  ///< largest distance from points of the surface
-  int rounds = 0;                      ///< of knot insertion
-  bool reached = true;                 ///< whether all deviations are below the tolerance
+  std::vector<double> face_deviation;          ///< largest distance from points of the surface
+  std::vector<DeviationGrid> face_deviations;  ///< all of them, in the frame of the complex' face
+  int rounds = 0;                              ///< of knot insertion
+  bool reached = true;                         ///< whether all deviations are below the tolerance
 };
 
 struct FitOptions {

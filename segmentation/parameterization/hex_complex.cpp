@@ -7,13 +7,16 @@
 #include <map>
 #include <queue>
 
-#include "geometry/base/error.hpp"
+#include "geometry/brep/solid_error.hpp"
 #include "segmentation/parameterization/edge_samples.hpp"
 #include "segmentation/parameterization/face_contact.hpp"
 #include "segmentation/parameterization/outline.hpp"
 
 namespace isopatch::segmentation {
 namespace {
+
+using geometry::SolidError;
+using geometry::SolidFault;
 
 /// Two sides that are one face.
 struct Match {
@@ -261,6 +264,16 @@ std::string label_of(const std::vector<Hexahedron>& blocks, BlockSide side) {
   return block.name + ":" + block.face(side.side).name;
 }
 
+SolidFault fault_of(const std::vector<Hexahedron>& blocks, const std::vector<BlockSide>& sides,
+                    const std::string& remark, std::vector<SolidFault::Point> points = {}) {
+  SolidFault fault{.points = std::move(points)};
+  for (const BlockSide side : sides) {
+    const Hexahedron& block = blocks[static_cast<std::size_t>(side.block)];
+    fault.faces.push_back({block.face(side.side).number, block.name, remark});
+  }
+  return fault;
+}
+
 /// A face and the box around a coarse grid of it.
 struct Candidate {
   BlockSide side;
@@ -314,16 +327,20 @@ HexComplex hex_complex(std::vector<Hexahedron> blocks, const std::vector<ListedP
     const BlockSide second = side_of_face(blocks, pairs[i].second_block, pairs[i].second_face, i);
     for (const BlockSide side : {first, second})
       if (const auto [found, fresh] = pair_of.try_emplace(side, i); !fresh)
-        throw Error(ErrorCode::invalid_argument, fmt::format("face {} is in pair {} and in pair {}",
-                                                             label_of(blocks, side), found->second, i));
+        throw SolidError(
+            ErrorCode::invalid_argument,
+            fmt::format("face {} is in pair {} and in pair {}", label_of(blocks, side), found->second, i),
+            fault_of(blocks, {side}, fmt::format("in pairs {} and {}", found->second, i)));
     const FaceContact found = contact(map_of(maps, first), map_of(maps, second));
     if (found.distance > options.same_point * size)
-      throw Error(
+      throw SolidError(
           ErrorCode::not_conforming,
           fmt::format("pair {}: faces {} and {} do not meet: they are {:.3g} apart at ({:.6g}, {:.6g}, "
                       "{:.6g}), {:.2g} of the model's size; correct the list, or raise same_point",
                       i, label_of(blocks, first), label_of(blocks, second), found.distance, found.place[0],
-                      found.place[1], found.place[2], found.distance / size));
+                      found.place[1], found.place[2], found.distance / size),
+          fault_of(blocks, {first, second}, fmt::format("in pair {}", i),
+                   {{fmt::format("{:.3g} apart", found.distance), found.place}}));
     matches.push_back({first, second, found});
   }
   return assembled(std::move(blocks), std::move(maps), matches, size);
@@ -347,10 +364,11 @@ HexComplex hex_complex(std::vector<Hexahedron> blocks, const ComplexOptions& opt
       if (found.distance <= reach) {
         for (const auto& [a, b] : {std::pair{all[i].side, all[j].side}, std::pair{all[j].side, all[i].side}})
           if (const auto [other, fresh] = partner.try_emplace(a, b); !fresh)
-            throw Error(
+            throw SolidError(
                 ErrorCode::not_conforming,
                 fmt::format("face {} meets both {} and {}; a face lies between two blocks at most",
-                            label_of(blocks, a), label_of(blocks, other->second), label_of(blocks, b)));
+                            label_of(blocks, a), label_of(blocks, other->second), label_of(blocks, b)),
+                fault_of(blocks, {a, other->second, b}, ""));
         matches.push_back({all[i].side, all[j].side, found});
       } else if (lies_in(one, two, reach)) {
         partial.push_back({all[i].side, all[j].side});

@@ -9,12 +9,14 @@
 #include <optional>
 #include <set>
 
-#include "geometry/base/error.hpp"
+#include "geometry/brep/solid_error.hpp"
 #include "segmentation/parameterization/outline.hpp"
 
 namespace isopatch::segmentation {
 namespace {
 
+using geometry::SolidError;
+using geometry::SolidFault;
 using VertexPair = std::pair<int, int>;
 
 VertexPair ordered(int a, int b) {
@@ -48,14 +50,45 @@ EdgeFaces edge_faces(const HexSolid& solid) {
   return result;
 }
 
+int number_of(const HexSolid& solid, const SolidFace& face) {
+  return static_cast<int>(&face - solid.faces.data());
+}
+
+SolidFault face_fault(const HexSolid& solid, const SolidFace& face, const std::string& remark,
+                      const std::vector<int>& vertices) {
+  SolidFault fault;
+  fault.faces.push_back({number_of(solid, face), solid.name, remark});
+  for (const int v : std::set<int>(vertices.begin(), vertices.end()))
+    if (v >= 0 && static_cast<std::size_t>(v) < solid.vertices.size())
+      fault.points.push_back({fmt::format("vertex {}", v), solid.vertices[static_cast<std::size_t>(v)]});
+  return fault;
+}
+
+/// An edge and its faces.
+SolidFault edge_fault(const HexSolid& solid, const VertexPair& edge, const std::vector<std::size_t>& faces) {
+  SolidFault fault;
+  for (const std::size_t f : faces) fault.faces.push_back({static_cast<int>(f), solid.name});
+  const SolidFace& face = solid.faces[faces.front()];
+  for (std::size_t k = 0; k < face.corners.size(); ++k) {
+    if (ordered(face.corners[k], face.corners[(k + 1) % face.corners.size()]) != edge) continue;
+    constexpr int pieces = 24;
+    Eigen::Matrix3Xd points(3, pieces + 1);
+    for (int i = 0; i <= pieces; ++i) points.col(i) = face.surface(face.curves[k](double(i) / pieces));
+    fault.edges.push_back({fmt::format("edge between vertices {} and {}", edge.first, edge.second), points});
+    break;
+  }
+  return fault;
+}
+
 void check_faces(const HexSolid& solid) {
   for (const SolidFace& face : solid.faces) {
     if (face.corners.size() != 4)
-      throw Error(
+      throw SolidError(
           ErrorCode::unsupported,
           fmt::format("{} has {} corners; each face of a hexahedron has four. Cut the solid further, or "
                       "divide the edge that has a vertex too many",
-                      of(solid, face), face.corners.size()));
+                      of(solid, face), face.corners.size()),
+          face_fault(solid, face, fmt::format("{} corners", face.corners.size()), face.corners));
     if (face.curves.size() != 4 || !face.surface)
       throw Error(ErrorCode::invalid_argument, of(solid, face) + " lacks a curve or its surface");
     for (const int corner : face.corners)
@@ -63,8 +96,10 @@ void check_faces(const HexSolid& solid) {
         throw Error(ErrorCode::invalid_argument,
                     fmt::format("{} names vertex {}, which does not exist", of(solid, face), corner));
     if (std::set<int>(face.corners.begin(), face.corners.end()).size() != 4)
-      throw Error(ErrorCode::unsupported,
-                  fmt::format("{} visits a vertex twice: {}", of(solid, face), fmt::join(face.corners, " ")));
+      throw SolidError(
+          ErrorCode::unsupported,
+          fmt::format("{} visits a vertex twice: {}", of(solid, face), fmt::join(face.corners, " ")),
+          face_fault(solid, face, "visits a vertex twice", face.corners));
   }
 }
 
@@ -77,11 +112,12 @@ void check_shell(const HexSolid& solid, const EdgeFaces& edges) {
         fmt::format("solid '{}', edge between vertices {} {} and {} {}: ", solid.name, edge.first,
                     place(solid.vertices[static_cast<std::size_t>(edge.first)]), edge.second,
                     place(solid.vertices[static_cast<std::size_t>(edge.second)]));
-    throw Error(
+    throw SolidError(
         ErrorCode::not_conforming,
         where + (faces.size() == 1 ? fmt::format("the shell is open, only face {} ends here", names[0])
                                    : fmt::format("{} faces meet here ({}); an edge has two", faces.size(),
-                                                 fmt::join(names, ", "))));
+                                                 fmt::join(names, ", "))),
+        edge_fault(solid, edge, faces));
   }
 }
 
@@ -99,14 +135,21 @@ void check_geometry(const HexSolid& solid) {
         last = next;
       }
       if (!(length > 1e-9 * size))
-        throw Error(ErrorCode::invalid_argument,
-                    fmt::format("{}: the edge between vertices {} and {} at {} has no length; merge the two",
-                                of(solid, face), from, to, place(last)));
+        throw SolidError(
+            ErrorCode::invalid_argument,
+            fmt::format("{}: the edge between vertices {} and {} at {} has no length; merge the two",
+                        of(solid, face), from, to, place(last)),
+            face_fault(solid, face, "an edge without length", {from, to}));
     }
     const std::optional<Eigen::Vector2d> crossing = self_intersection(face.curves);
-    if (crossing)
-      throw Error(ErrorCode::invalid_argument, fmt::format("{}: its outline crosses itself at {}",
-                                                           of(solid, face), place(face.surface(*crossing))));
+    if (crossing) {
+      SolidFault fault = face_fault(solid, face, "outline crosses itself", {});
+      fault.points.push_back({"crossing", face.surface(*crossing)});
+      throw SolidError(ErrorCode::invalid_argument,
+                       fmt::format("{}: its outline crosses itself at {}", of(solid, face),
+                                   place(face.surface(*crossing))),
+                       std::move(fault));
+    }
   }
 }
 
@@ -122,8 +165,8 @@ std::string not_a_cube(const HexSolid& solid, const EdgeFaces& edges, const std:
 
 /// The vertex at each corner of the cube: grown from vertex 0 and its three neighbours.
 std::array<int, 8> label_corners(const HexSolid& solid, const EdgeFaces& edges) {
-  const auto fail = [&](const std::string& why) {
-    return Error(ErrorCode::unsupported, not_a_cube(solid, edges, why));
+  const auto fail = [&](const std::string& why, SolidFault fault = {}) {
+    return SolidError(ErrorCode::unsupported, not_a_cube(solid, edges, why), std::move(fault));
   };
   std::map<int, std::set<int>> neighbours;
   for (const auto& entry : edges) {
@@ -132,7 +175,10 @@ std::array<int, 8> label_corners(const HexSolid& solid, const EdgeFaces& edges) 
   }
   if (neighbours.size() != 8 || edges.size() != 12 || solid.faces.size() != 6) throw fail("wrong counts");
   for (const auto& [vertex, near] : neighbours)
-    if (near.size() != 3) throw fail(fmt::format("{} edges meet at vertex {}", near.size(), vertex));
+    if (near.size() != 3)
+      throw fail(
+          fmt::format("{} edges meet at vertex {}", near.size(), vertex),
+          {.points = {{fmt::format("vertex {}", vertex), solid.vertices[static_cast<std::size_t>(vertex)]}}});
   const int origin = neighbours.begin()->first;
   const std::vector<int> axes(neighbours[origin].begin(), neighbours[origin].end());
   // The fourth corner of the face through the origin and two of its neighbours.

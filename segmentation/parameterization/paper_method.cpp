@@ -97,13 +97,14 @@ void average(const HexComplex& complex, std::vector<Eigen::Matrix3Xd>& nets) {
   }
 }
 
-double deviation(const HexComplex& complex, const ComplexFace& face, const geometry::NurbsVolume& patch) {
+DeviationGrid deviations(const HexComplex& complex, const ComplexFace& face,
+                         const geometry::NurbsVolume& patch) {
   const BlockSide side = face.uses[0].side;
   const Hexahedron& block = complex.blocks[static_cast<std::size_t>(side.block)];
   const std::vector<double> at = equal_shares(33);
   const Eigen::Matrix3Xd points =
       geometry::points_on_grid(geometry::face_surface(patch, side.side), {at, at});
-  return (points - FaceMap(block.face(side.side)).grid(at, at)).colwise().norm().maxCoeff();
+  return {at, at, (points - FaceMap(block.face(side.side)).grid(at, at)).colwise().norm()};
 }
 
 }  // namespace
@@ -117,8 +118,8 @@ PaperPatches paper_patches(const HexComplex& complex) {
     result.patches.emplace_back(
         geometry::NurbsVolume::KnotVectors{paper_knots(), paper_knots(), paper_knots()}, net);
   for (const ComplexFace& face : complex.faces)
-    result.face_deviation.push_back(
-        deviation(complex, face, result.patches[static_cast<std::size_t>(face.uses[0].side.block)]));
+    result.face_deviations.push_back(
+        deviations(complex, face, result.patches[static_cast<std::size_t>(face.uses[0].side.block)]));
   return result;
 }
 

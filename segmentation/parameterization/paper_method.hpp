@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "segmentation/parameterization/deviation_grid.hpp"
 #include "segmentation/parameterization/hex_complex.hpp"
 
 namespace isopatch::segmentation {
@@ -9,7 +10,7 @@ namespace isopatch::segmentation {
 /// Patches made by the five steps of the paper, and how far their faces are from the surfaces.
 struct PaperPatches {
   std::vector<geometry::NurbsVolume> patches;  ///< cubic, three inner knots a direction: 343 control points
-  std::vector<double> face_deviation;          ///< by face of the complex, at equal parameters; model units
+  std::vector<DeviationGrid> face_deviations;  ///< by face of the complex
 };
 
 /// 1. each edge of each face sampled at 10 points of equal arc length; 2. their blend in the face's domain,

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <map>
 
-#include "geometry/base/error.hpp"
+#include "geometry/brep/solid_error.hpp"
 #include "geometry/quadrature.hpp"
 #include "segmentation/parameterization/improve_blocks.hpp"
 #include "segmentation/parameterization/paper_method.hpp"
@@ -19,11 +19,19 @@ using Clock = std::chrono::steady_clock;
 void refuse_partial_contacts(const HexComplex& complex) {
   if (complex.partial_contacts.empty()) return;
   const PartialContact& found = complex.partial_contacts.front();
-  throw Error(
+  geometry::SolidFault fault;
+  for (const PartialContact& contact : complex.partial_contacts)
+    for (const BlockSide side : {contact.part, contact.whole}) {
+      const Hexahedron& block = complex.blocks[static_cast<std::size_t>(side.block)];
+      fault.faces.push_back({block.face(side.side).number, block.name,
+                             side == contact.part ? "part of " + complex.label(contact.whole) : ""});
+    }
+  throw geometry::SolidError(
       ErrorCode::unsupported,
       fmt::format("face {} is only a part of face {} ({} such contacts): patches meet in whole faces; divide "
                   "the larger block so that its faces match",
-                  complex.label(found.part), complex.label(found.whole), complex.partial_contacts.size()));
+                  complex.label(found.part), complex.label(found.whole), complex.partial_contacts.size()),
+      std::move(fault));
 }
 
 bool healthy(const Health& health, double wanted_quality) {
@@ -179,8 +187,8 @@ Parameterization shared_method(HexComplex complex, const ParameterizationOptions
   }
   for (std::size_t f = 0; f < complex.faces.size(); ++f) {
     const ComplexFace& face = complex.faces[f];
-    report.faces.push_back(
-        {names_of(complex, face), complex.map(face.uses[0].side).kind(), fitted.face_deviation[f], face.gap});
+    report.faces.push_back({names_of(complex, face), complex.map(face.uses[0].side).kind(),
+                            fitted.face_deviation[f], face.gap, face.uses, fitted.face_deviations[f]});
   }
   const auto widest = std::max_element(fitted.edge_gap.begin(), fitted.edge_gap.end());
   report.largest_gap = *widest;
@@ -200,9 +208,12 @@ Parameterization paper_method(const HexComplex& complex) {
         report_of(complex.blocks[b].name, patch, health(patch.knots(), patch.control_points())));
     result.report.patches.back().certified_before = result.report.patches.back().certificate.accepted();
   }
-  for (std::size_t f = 0; f < complex.faces.size(); ++f)
-    result.report.faces.push_back({names_of(complex, complex.faces[f]), FaceMapKind::coons,
-                                   found.face_deviation[f], complex.faces[f].gap});
+  for (std::size_t f = 0; f < complex.faces.size(); ++f) {
+    const ComplexFace& face = complex.faces[f];
+    const DeviationGrid& deviations = found.face_deviations[f];
+    result.report.faces.push_back({names_of(complex, face), FaceMapKind::coons, deviations.values.maxCoeff(),
+                                   face.gap, face.uses, deviations});
+  }
   result.patches = patch_set(complex, std::move(found.patches));
   return result;
 }

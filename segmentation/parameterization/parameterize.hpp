@@ -52,6 +52,8 @@ struct FaceReport {
   FaceMapKind kind = FaceMapKind::coons;
   double deviation = 0;  ///< largest distance of the patch from the surface at equal parameters, model units
   double gap = 0;        ///< between the two blocks' surfaces, as given
+  std::vector<FaceUse> uses = {};  ///< sides of patches that it is
+  DeviationGrid deviations = {};   ///< all over it
 };
 
 struct ParameterizationReport {

@@ -11,6 +11,7 @@
 #include "geometry/base/error.hpp"
 #include "geometry/base/nearest_name.hpp"
 #include "geometry/brep/read_brep.hpp"
+#include "geometry/brep/solid_error.hpp"
 #include "segmentation/parameterization/brep_solid.hpp"
 
 namespace isopatch::segmentation {
@@ -23,13 +24,12 @@ std::string small_ending(const std::filesystem::path& path) {
   return text;
 }
 
-// STEP and IGES say their unit themselves; a plain 1 is no contradiction.
-geometry::ReadBrepOptions options_for(const std::filesystem::path& path, double length_unit) {
-  const std::string end = small_ending(path);
-  const bool says = end == ".step" || end == ".stp" || end == ".iges" || end == ".igs";
-  geometry::ReadBrepOptions options;
-  if (!says || length_unit != 1) options.length_unit = length_unit;
-  return options;
+std::vector<geometry::BrepFile> solids_of(const std::filesystem::path& path, double length_unit) {
+  try {
+    return geometry::read_breps(path, block_reading(path, length_unit));
+  } catch (const geometry::SolidError& error) {
+    throw geometry::SolidError(error.code(), error.what(), of_solid(error.fault(), block_name(path, 0)));
+  }
 }
 
 int block_named(const std::string& name, const std::vector<Hexahedron>& blocks, const std::string& where) {
@@ -44,6 +44,15 @@ int block_named(const std::string& name, const std::vector<Hexahedron>& blocks, 
 }
 
 }  // namespace
+
+// STEP and IGES say their unit themselves; a plain 1 is no contradiction.
+geometry::ReadBrepOptions block_reading(const std::filesystem::path& path, double length_unit) {
+  const std::string end = small_ending(path);
+  const bool says = end == ".step" || end == ".stp" || end == ".iges" || end == ".igs";
+  geometry::ReadBrepOptions options;
+  if (!says || length_unit != 1) options.length_unit = length_unit;
+  return options;
+}
 
 std::vector<ListedPair> parse_pairs(const std::string& text, const std::string& source,
                                     const std::vector<Hexahedron>& blocks) {
@@ -67,17 +76,18 @@ std::vector<ListedPair> parse_pairs(const std::string& text, const std::string& 
   return result;
 }
 
+std::string block_name(const std::filesystem::path& path, int solid) {
+  const std::string stem = path.stem().string();
+  return solid == 0 ? stem : fmt::format("{}#{}", stem, solid);
+}
+
 HexComplex read_blocks(const BlockFiles& files) {
   if (files.files.empty()) throw Error(ErrorCode::invalid_argument, "no file of a block is given");
   std::vector<Hexahedron> blocks;
   for (const std::filesystem::path& path : files.files) {
     int count = 0;
-    for (const geometry::BrepFile& solid : geometry::read_breps(path, options_for(path, files.length_unit))) {
-      const std::string stem = path.stem().string();
-      blocks.push_back(
-          hexahedron(hex_solid(solid.brep, count == 0 ? stem : fmt::format("{}#{}", stem, count))));
-      ++count;
-    }
+    for (const geometry::BrepFile& solid : solids_of(path, files.length_unit))
+      blocks.push_back(hexahedron(hex_solid(solid.brep, block_name(path, count++))));
   }
   if (!files.pairs) return hex_complex(std::move(blocks), files.complex);
   const auto pairs = parse_pairs(read_file(*files.pairs), files.pairs->string(), blocks);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/brep/read_brep.hpp"
 #include "segmentation/parameterization/hex_complex.hpp"
 
 namespace isopatch::segmentation {
@@ -22,8 +23,15 @@ struct BlockFiles {
 ///
 /// Blocks are called by their files' names without ending; further solids of a file have "#1", "#2", ...
 /// behind it.
-/// @throws Error as `read_breps`, `hexahedron` and `hex_complex` do
+/// @throws Error as `read_breps`, `hexahedron` and `hex_complex` do; SolidError where it is known which
+/// faces, edges and places are wrong
 HexComplex read_blocks(const BlockFiles& files);
+
+/// How `read_blocks` reads a file.
+/// @param length_unit  of formats that do not say it, m
+geometry::ReadBrepOptions block_reading(const std::filesystem::path& path, double length_unit);
+/// What `read_blocks` calls the n-th solid of a file, from 0.
+std::string block_name(const std::filesystem::path& path, int solid);
 
 /// A list of pairs, one a line: block, number of its face, block, number of its face.
 /// @param source  of the text, for messages

@@ -1,6 +1,6 @@
 """Pages of small made-up parts with known fields, filled into the template as the program does it.
 
-  fixture.py FOLDER      writes report.html, compare.html, model.html, verification.html and grid.html (300 patches, 250,000 points)
+  fixture.py FOLDER      writes report.html, compare.html, model.html, verification.html, faults.html and grid.html (300 patches, 250,000 points)
 """
 
 import array
@@ -246,12 +246,43 @@ def verification():
             "plots": [{"title": "", "section": "manufactured", "svg": PLOT}], "scene": None}
 
 
+def ring_parameterization():
+    patch = lambda name, **more: {"name": name, "certified": True, "determinant_bound": 5e-5, "min_scaled_jacobian": 0.81,
+                                  "mean_scaled_jacobian": 0.93, "histogram": [0] * 8 + [8, 24], "volume": 1e-4,
+                                  "control_points": 343, "optimized": False, **more}
+    return {"certified": False, "size": 0.1, "tolerance": 1e-5, "largest_deviation": 8.6e-6, "largest_deviation_at": "a:face 3",
+            "largest_gap": 0, "patches": [patch("a"), patch("b", certified=False, determinant_bound=2.5e-5)],
+            "faces": [{"name": "a:face 1 = b:face 5", "sides": ["0:east", "1:west"], "deviation": 1e-6, "gap": 2e-8},
+                      {"name": "a:face 3", "sides": ["0:west"], "deviation": 8.6e-6, "gap": 0}],
+            "rounds": 2, "evaluations": 0, "seconds": 0.1}
+
+
 def ring_model():
     scene = ring().data()
     scene["fields"] = [JACOBIAN]
     del scene["displacement"], scene["von_mises"]
     return {"kind": "model", "program": "isopatch 0.1.0", "title": "quarter ring", "study": None,
-            "summary": {"model": ring_summary(ring_markers())["model"]}, "plots": [], "scene": scene}
+            "summary": {"model": ring_summary(ring_markers())["model"], "parameterization": ring_parameterization()},
+            "plots": [], "scene": scene}
+
+
+def faults():
+    """Two faces of a cube of which one crosses itself, an edge, a vertex."""
+    square = lambda z, order: block(c for i in order for c in [(0, 0, z), (0.1, 0, z), (0.1, 0.1, z), (0, 0.1, z)][i])
+    faces = [{"name": "part: face 0", "remark": "", "is_faulty": False, "points": square(0, [0, 1, 2, 3]),
+              "triangles": [0, 1, 2, 0, 2, 3]},
+             {"name": "part: face 1", "remark": "outline <crosses> itself", "is_faulty": True,
+              "points": square(0.1, [0, 1, 3, 2]), "triangles": [0, 1, 2, 0, 2, 3]},
+             {"name": "part: face 2", "remark": "", "is_faulty": True, "points": "", "triangles": []}]
+    lines = [{"name": "", "is_faulty": False, "points": square(0, [0, 1, 2, 3])},
+             {"name": "part: edge 3", "is_faulty": True, "points": square(0.1, [0, 1])},
+             {"name": "part: edge 4", "is_faulty": True, "points": square(0.1, [2, 2])}]
+    scene = {"length": {"unit": "mm", "factor": 1e3}, "box": {"min": [0, 0, 0], "max": [0.1, 0.1, 0.1]}, "faces": faces,
+             "lines": lines, "places": [{"name": "crossing", "point": [0.05, 0.05, 0.1]}]}
+    summary = {"message": "solid 'part', face 1: its outline <crosses> itself", "solids": [
+        {"name": "part", "file": "part.off", "faces": 3, "edges": 12, "vertices": 8, "state": "closed"}]}
+    return {"kind": "faults", "program": "isopatch 0.1.0", "title": "part", "study": STUDY, "summary": summary, "plots": [],
+            "scene": None, "faults": scene}
 
 
 def grid_fields(point):
@@ -293,7 +324,7 @@ def fill(data):
     return page
 
 
-PAGES = {"report": ring_report, "compare": ring_compare, "model": ring_model, "verification": verification,
+PAGES = {"report": ring_report, "compare": ring_compare, "model": ring_model, "verification": verification, "faults": faults,
          "grid": lambda: grid_report(samples=9)}
 
 

@@ -83,6 +83,29 @@ TEST(Page, KeepsTextsThatLookLikeMarkup) {
   EXPECT_TRUE(data["scene"].is_null());
 }
 
+TEST(FaultScene, HasEveryPointAndMark) {
+  FaultScene scene;
+  scene.length = {"mm", 1e3};
+  scene.faces = {{"part: face 0", "5 corners", true,
+                  (Eigen::Matrix3Xd(3, 3) << 0, 1, 0, 0, 0, 2, 3, 3, 3).finished(), Eigen::Vector3i(0, 1, 2)},
+                 {"part: face 1", "", false, Eigen::Matrix3Xd(3, 0), Eigen::Matrix3Xi(3, 0)}};
+  scene.lines = {{"edge 4", true, (Eigen::Matrix3Xd(3, 2) << 0, 1, 0, 0, 0, 0).finished()}};
+  scene.places = {{"vertex 7", {0, -4, 1}}};
+  Page page;
+  page.kind = "faults";
+  page.faults = scene;
+  const json data = data_of(to_html(page))["faults"];
+  EXPECT_EQ(from_base64(data["faces"][0]["points"]), std::vector<float>({0, 0, 3, 1, 0, 3, 0, 2, 3}));
+  EXPECT_EQ(data["faces"][0]["triangles"], json({0, 1, 2}));
+  EXPECT_EQ(data["faces"][0]["remark"], "5 corners");
+  EXPECT_EQ(data["faces"][1]["is_faulty"], false);
+  EXPECT_EQ(data["faces"][1]["points"], "");
+  EXPECT_EQ(data["lines"][0]["name"], "edge 4");
+  EXPECT_EQ(data["places"][0]["point"], json({0.0, -4.0, 1.0}));
+  EXPECT_EQ(data["box"]["min"], json({0.0, -4.0, 0.0}));
+  EXPECT_EQ(data["box"]["max"], json({1.0, 2.0, 3.0}));
+}
+
 TEST(Scene, HasEverySampleOfEveryPatch) {
   const auto d = iga::discretize(
       geometry::connect(geometry::box_model({.patches = {2, 1, 1}, .curvature = 0.3, .seed = 4})));

@@ -376,6 +376,16 @@ class OtherPages(Pages):
             return [...document.querySelectorAll(`#${arguments[0]} tbody tr:not(.case)`)].map((row) => (
               [row.querySelector("th").innerText, row.querySelector(".verdict").textContent]));""", section)
 
+    def test_patches_of_solids_have_certificate_quality_and_deviation(self):
+        self.open("model")
+        text = self.browser.run("return [...document.querySelectorAll('h2')].find((h) => h.textContent === 'From solids to patches').parentElement.innerText")
+        for part in ("The largest deviation is 8.6 um, at a:face 3; 10 um is allowed", "Not every patch could be certified",
+                     "0.25", "75 %"):
+            self.assertIn(part, text)
+        rows = self.browser.run("return [...document.querySelectorAll('details tbody tr')].map((row) => [...row.children].map((cell) => cell.textContent))")
+        self.assertEqual(rows[0], ["a:face 3", "0:west", "8.6 um", ""])
+        self.assertEqual(rows[1], ["a:face 1 = b:face 5", "0:east = 1:west", "1 um", "20 nm"])
+
     def test_verification_shows_every_verdict(self):
         self.open("verification")
         self.expect_sound()
@@ -394,6 +404,33 @@ class OtherPages(Pages):
         self.assertEqual(self.browser.run("return [...document.querySelectorAll('.claims')].map((x) => x.querySelectorAll('svg').length)"),
                          [0, 1, 0])
 
+    def test_faults_stand_out_in_red(self):
+        self.open("faults")
+        self.expect_sound()
+        self.assertIn("its outline <crosses> itself", self.browser.run("return document.getElementById('message').textContent"))
+        reddish = """
+            isopatch.viewer.draw();
+            const canvas = isopatch.viewer.canvas;
+            const gl = canvas.getContext("webgl2") || canvas.getContext("webgl");
+            const bytes = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);
+            gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+            let count = 0;
+            for (let i = 0; i < bytes.length; i += 4) if (bytes[i] > 1.3 * bytes[i + 1] && bytes[i] > 1.3 * bytes[i + 2]) count += 1;
+            return 4 * count / bytes.length;"""
+        self.assertGreater(self.browser.run(reddish), 0.02)
+        self.browser.run("isopatch.viewer.look('top')")
+        self.assertGreater(self.browser.run(reddish), 0.05)
+        labels = self.browser.run("return [...document.querySelectorAll('.marker-label')].map((x) => x.textContent)")
+        self.assertEqual(labels, ["part: face 1 (outline <crosses> itself)", "part: edge 3", "part: edge 4", "crossing"])
+        rows = self.browser.run("return [...document.querySelectorAll('tbody tr')].map((row) => [...row.children].map((cell) => cell.textContent))")
+        self.assertIn(["part: face 2", "drawn by its edges only", ""], rows)
+        self.assertIn(["crossing", "(50, 50, 100) mm", "show"], rows)
+        self.assertIn(["part", "part.off", "3", "12", "8", "closed"], rows)
+        # "show" leads to the place.
+        self.browser.run("[...document.querySelectorAll('button')].find((b) => b.getAttribute('aria-label') === 'show crossing').click()")
+        self.browser.settle()
+        self.assertFalse(self.browser.run("return document.querySelector('.marker-picked').hidden"))
+
     def test_verdicts_are_readable_in_both_themes(self):
         self.open("verification")
         for theme in ("light", "dark"):
@@ -407,11 +444,11 @@ class OtherPages(Pages):
     def test_pages_fit_a_phone(self):
         self.addCleanup(self.browser.resize, 1280, 800)
         self.browser.resize(390, 844, is_phone=True)
-        for name in ("report", "compare", "model", "verification"):
+        for name in ("report", "compare", "model", "verification", "faults"):
             self.open(name)
             width = self.browser.run("return document.documentElement.scrollWidth")
             self.assertLessEqual(width, 390, name)
-            if name != "verification":
+            if name not in ("verification", "faults"):
                 self.expect_drawn()
 
     def test_without_webgl_the_rest_is_there(self):

@@ -117,7 +117,7 @@ globalThis.isopatch = globalThis.isopatch || {};
   isopatch.buildReport = function (main, data, scene, viewer) {
     const sections = [
       isopatch.warningsSection(isopatch.warningTexts(data, scene), viewer), figures(data, scene), regions(data, scene),
-      solver(data), isopatch.qualitySection(scene), isopatch.studySection(data)];
+      solver(data), isopatch.parameterizationSection(data.summary), isopatch.qualitySection(scene), isopatch.studySection(data)];
     main.append(...sections.filter(Boolean));
   };
 })(globalThis.isopatch);

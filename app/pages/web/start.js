@@ -3,8 +3,9 @@ globalThis.isopatch = globalThis.isopatch || {};
 (function (isopatch) {
   "use strict";
 
-  const builders = {report: "buildReport", model: "buildReport", compare: "buildCompare", verification: "buildVerification"};
-  const titles = {report: "Report", model: "Model", compare: "Comparison of the couplings", verification: "Checked"};
+  const builders = {report: "buildReport", model: "buildReport", compare: "buildCompare", verification: "buildVerification",
+                    faults: "buildFaults"};
+  const titles = {report: "Report", model: "Model", compare: "Comparison of the couplings", verification: "Checked", faults: "Bad input"};
 
   // Light, dark, or as the system has it.
   function themeButton(changed) {
@@ -49,8 +50,8 @@ globalThis.isopatch = globalThis.isopatch || {};
       const tolerance = isopatch.toleranceText(scene);
       if (tolerance && stage.viewer) stage.root.querySelector(".stage-main").append(tolerance);
     }
-    theme.follow();
     isopatch[builders[data.kind]](main, data, scene, isopatch.viewer);
+    theme.follow();
     document.body.dataset.ready = "";
   };
 

@@ -6,14 +6,15 @@ globalThis.isopatch = globalThis.isopatch || {};
 
   const fieldOfView = 24;  // degrees: little distortion
 
-  function makeRenderer(canvas) {
+  // The renderer of a canvas, or null if the browser has no WebGL.
+  isopatch.makeRenderer = function (canvas) {
     const settings = {antialias: true, alpha: false, preserveDrawingBuffer: true};
     const context = canvas.getContext("webgl2", settings) || canvas.getContext("webgl", settings);
     if (!context) return null;
     const renderer = new THREE.WebGLRenderer({canvas, context, ...settings});
     renderer.setPixelRatio(Math.min(2, window.devicePixelRatio || 1));
     return renderer;
-  }
+  };
 
   function niceScale(value) {
     const power = 10 ** Math.floor(Math.log10(value));
@@ -42,7 +43,7 @@ globalThis.isopatch = globalThis.isopatch || {};
     const element = isopatch.element;
     const canvas = element("canvas", {tabindex: "0", role: "img", "aria-label":
       "The part in three dimensions. Arrow keys turn it, shift and arrows move it, plus and minus zoom, 1 to 7 choose a view, 0 fits it in."});
-    const renderer = makeRenderer(canvas);
+    const renderer = isopatch.makeRenderer(canvas);
     if (!renderer) return null;
     const layer = element("div", {class: "marker-layer", "aria-hidden": "true"});
     const bar = element("div", {class: "colour-bar"});

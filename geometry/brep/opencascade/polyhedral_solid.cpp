@@ -12,9 +12,9 @@
 
 #include <fmt/format.h>
 
-#include "geometry/base/error.hpp"
 #include "geometry/brep/opencascade/internal/conversions.hpp"
 #include "geometry/brep/opencascade/internal/solid_shapes.hpp"
+#include "geometry/brep/solid_error.hpp"
 
 namespace isopatch::geometry {
 namespace {
@@ -61,11 +61,12 @@ class PolyhedronMaker {
     for (const int v : polygon) off = std::max(off, std::abs((corner(v) - centre).dot(normal)));
     if (off <= tolerance_ && normal.allFinite()) return plane_face(polygon, centre, normal, off);
     if (polygon.size() == 4) return bilinear_face(polygon);
-    throw Error(
+    throw SolidError(
         ErrorCode::invalid_argument,
         fmt::format("face {} has {} corners and is not plane: a corner lies {:.3g} m off; split it into "
                     "triangles or quadrilaterals",
-                    index, polygon.size(), off / scale_));
+                    index, polygon.size(), off / scale_),
+        {.faces = {{static_cast<int>(index)}}});
   }
 
   TopoDS_Face plane_face(const std::vector<int>& polygon, const Eigen::Vector3d& centre,

@@ -10,10 +10,10 @@
 
 #include <fmt/format.h>
 
-#include "geometry/base/error.hpp"
 #include "geometry/brep/opencascade/internal/conversions.hpp"
 #include "geometry/brep/opencascade/internal/loop_curve.hpp"
 #include "geometry/brep/opencascade/internal/solid_shapes.hpp"
+#include "geometry/brep/solid_error.hpp"
 
 namespace isopatch::geometry {
 namespace {
@@ -93,17 +93,34 @@ class Sewer {
                        piece.face, place(piece.curve.point(0)), place(piece.curve.point(1)));
   }
 
+  // The curve with its face and its ends, and another face if there is one.
+  SolidFault fault(const Piece& piece, int other_face = -1) const {
+    constexpr int pieces = 24;
+    SolidFault::Edge edge{fmt::format("curve {} of loop {} of face {}", piece.index, piece.loop, piece.face),
+                          Eigen::Matrix3Xd(3, pieces + 1)};
+    for (int i = 0; i <= pieces; ++i) edge.points.col(i) = piece.curve.point(double(i) / pieces) / scale_;
+    SolidFault result;
+    result.faces.push_back({static_cast<int>(piece.face)});
+    if (other_face >= 0) result.faces.push_back({other_face});
+    result.points.push_back({"its start", edge.points.col(0)});
+    result.points.push_back({"its end", edge.points.col(pieces)});
+    result.edges.push_back(std::move(edge));
+    return result;
+  }
+
   void require_closed_loops() const {
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       const Piece& piece = pieces_[i];
       const Piece& next = following(i);
       if (piece.curve.length() <= tolerance_)
-        throw Error(ErrorCode::not_manifold, fmt::format("{} has no length; remove it", name(piece)));
+        throw SolidError(ErrorCode::not_manifold, fmt::format("{} has no length; remove it", name(piece)),
+                         fault(piece));
       const double gap = (piece.curve.point(1) - next.curve.point(0)).norm();
       if (gap > tolerance_)
-        throw Error(ErrorCode::invalid_argument,
-                    fmt::format("{} ends {:.3g} m away from the start of the next one; loops must close",
-                                name(piece), gap / scale_));
+        throw SolidError(ErrorCode::invalid_argument,
+                         fmt::format("{} ends {:.3g} m away from the start of the next one; loops must close",
+                                     name(piece), gap / scale_),
+                         fault(piece));
     }
   }
 
@@ -172,9 +189,10 @@ class Sewer {
         join(a, b, pair.match);
       else if (pair.match.distance <= tolerance_ && !(a.taken && b.taken && a.edge == b.edge) &&
                !accept_open_)
-        throw Error(
+        throw SolidError(
             ErrorCode::not_manifold,
-            fmt::format("{} is shared by more than two faces; face {} is one of them", name(a), b.face));
+            fmt::format("{} is shared by more than two faces; face {} is one of them", name(a), b.face),
+            fault(a, static_cast<int>(b.face)));
     }
   }
 
@@ -234,10 +252,12 @@ class Sewer {
 
   void add_free(Piece& piece) {
     if (!accept_open_)
-      throw Error(ErrorCode::not_manifold, fmt::format("{} belongs to one face only{}; the faces must close "
-                                                       "up to {:.3g} m at corners and {:.3g} m along edges",
-                                                       name(piece), nearest_text(piece), tolerance_ / scale_,
-                                                       curve_tolerance_ / scale_));
+      throw SolidError(
+          ErrorCode::not_manifold,
+          fmt::format("{} belongs to one face only{}; the faces must close up to {:.3g} m at "
+                      "corners and {:.3g} m along edges",
+                      name(piece), nearest_text(piece), tolerance_ / scale_, curve_tolerance_ / scale_),
+          fault(piece));
     leading_edge(piece);
   }
 

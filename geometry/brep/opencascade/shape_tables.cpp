@@ -21,8 +21,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "geometry/base/error.hpp"
 #include "geometry/brep/opencascade/internal/conversions.hpp"
+#include "geometry/brep/solid_error.hpp"
 
 namespace isopatch::geometry {
 namespace {
@@ -202,11 +202,14 @@ class TableMaker {
       const BrepEdge& edge = tables.edges[i];
       if (edge.length > 1e-9 * size) continue;
       const Eigen::Vector3d at = tables.vertices.col(edge.start.value);
-      throw Error(
+      SolidFault fault{.points = {{fmt::format("edge {}", i), at}}};
+      for (const int face : face_numbers(edge)) fault.faces.push_back({face});
+      throw SolidError(
           ErrorCode::not_manifold,
           fmt::format("edge {} of faces {} at ({:.6g}, {:.6g}, {:.6g}) m has no length; remove it in the CAD "
                       "program",
-                      i, fmt::join(face_numbers(edge), " and "), at.x(), at.y(), at.z()));
+                      i, fmt::join(face_numbers(edge), " and "), at.x(), at.y(), at.z()),
+          std::move(fault));
     }
   }
 

@@ -1,0 +1,146 @@
+// Solids that something is wrong with, in three dimensions: what is faulty in red, all else seen through.
+globalThis.isopatch = globalThis.isopatch || {};
+(function (isopatch) {
+  "use strict";
+
+  const fieldOfView = 24;  // degrees
+  const faulty = "#d3222a";
+
+  // {faces, lines, places} decoded, with what a camera needs to know.
+  isopatch.readFaults = function (data) {
+    const decoded = (item) => ({...item, points: isopatch.decodeBlock(item.points)});
+    const {min, max} = data.box;
+    const scene = {
+      length: data.length, box: data.box, faces: data.faces.map(decoded), lines: data.lines.map(decoded), places: data.places,
+      centre: min.map((x, i) => (x + max[i]) / 2), size: Math.hypot(...max.map((x, i) => x - min[i]))};
+    const all = [...scene.faces, ...scene.lines].map((item) => item.points);
+    scene.points = all.reduce((sum, points) => sum.concat(Array.from(points)), scene.places.flatMap((place) => place.point));
+    return scene;
+  };
+
+  const geometryOf = (points, index) => {
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute("position", new THREE.BufferAttribute(points, 3));
+    if (index) geometry.setIndex(index);
+    return geometry;
+  };
+
+  // A face that crosses itself has no normal, so faulty ones are not lit. Where an edge is wrong its faces step back.
+  function faceObject(face, opacity) {
+    const geometry = geometryOf(face.points, face.triangles);
+    geometry.computeVertexNormals();
+    const look = {side: THREE.DoubleSide, transparent: true};
+    const material = face.is_faulty
+      ? new THREE.MeshBasicMaterial({...look, color: faulty, opacity})
+      : new THREE.MeshLambertMaterial({...look, color: "#9fb3c8", opacity: 0.22, depthWrite: false});
+    const mesh = new THREE.Mesh(geometry, material);
+    mesh.renderOrder = face.is_faulty ? 1 : 2;
+    return mesh;
+  }
+
+  function lineObject(line, scene, ink) {
+    if (!line.is_faulty) return new THREE.Line(geometryOf(line.points), ink);
+    const corners = [];
+    for (let i = 0; i < line.points.length; i += 3) corners.push(new THREE.Vector3(...line.points.slice(i, i + 3)));
+    const curve = new THREE.CatmullRomCurve3(corners, false, "centripetal");
+    // Where an edge has no length a ball is left.
+    const geometry = curve.getLength() > 1e-6 * scene.size
+      ? new THREE.TubeGeometry(curve, 4 * corners.length, 0.006 * scene.size, 8)
+      : new THREE.SphereGeometry(0.012 * scene.size).translate(...corners[0].toArray());
+    return new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({color: faulty}));
+  }
+
+  function worldOf(scene, ink) {
+    const world = new THREE.Scene();
+    const opacity = scene.lines.some((line) => line.is_faulty) ? 0.35 : 0.75;
+    world.add(new THREE.HemisphereLight(0xffffff, 0x8899aa, 0.9));
+    const sun = new THREE.DirectionalLight(0xffffff, 0.35);
+    sun.position.set(-0.4, -0.7, 1);
+    world.add(sun, ...scene.faces.filter((face) => face.triangles.length).map((face) => faceObject(face, opacity)),
+              ...scene.lines.map((line) => lineObject(line, scene, ink)));
+    return world;
+  }
+
+  const middleOf = (points) => {
+    const count = points.length / 3;
+    const result = [0, 0, 0];
+    for (let i = 0; i < points.length; ++i) result[i % 3] += points[i] / count;
+    return result;
+  };
+
+  // A point of the polyline's middle.
+  const halfWay = (points) => {
+    const at = 3 * Math.floor(points.length / 6);
+    return points.length > 6 ? Array.from(points.slice(at, at + 3)) : middleOf(points);
+  };
+
+  // What is wrong, each with a name and a point: faces, edges, places.
+  isopatch.faultPlaces = function (scene) {
+    const named = (list, point) => list.filter((item) => item.is_faulty && item.points.length).map((item) => (
+      {name: item.name + (item.remark ? " (" + item.remark + ")" : ""), kind: "warning", point: point(item.points)}));
+    return [...named(scene.faces, middleOf), ...named(scene.lines, halfWay),
+            ...scene.places.map((place) => ({...place, kind: "max_von_mises"}))];
+  };
+
+  isopatch.makeFaultViewer = function (host, scene) {
+    const canvas = isopatch.element("canvas", {tabindex: "0", role: "img", "aria-label":
+      "The solids in three dimensions. Arrow keys turn them, shift and arrows move them, plus and minus zoom, 1 to 7 choose a view, 0 fits them in."});
+    const renderer = isopatch.makeRenderer(canvas);
+    if (!renderer) return null;
+    const layer = isopatch.element("div", {class: "marker-layer", "aria-hidden": "true"});
+    host.append(canvas, layer);
+    const ink = new THREE.LineBasicMaterial({});
+    const world = worldOf(scene, ink);
+    const camera = new THREE.PerspectiveCamera(fieldOfView, 1, 1, 10);
+    const places = isopatch.faultPlaces(scene);
+    const markers = isopatch.makeMarkers(layer, places);
+    let asked = false;
+
+    function project(point) {
+      const v = new THREE.Vector3(...point).project(camera);
+      if (Math.abs(v.x) > 1 || Math.abs(v.y) > 1 || Math.abs(v.z) > 1) return null;
+      return [((v.x + 1) / 2) * canvas.clientWidth, ((1 - v.y) / 2) * canvas.clientHeight];
+    }
+    function draw() {
+      asked = false;
+      renderer.render(world, camera);
+      markers.update(0, project, () => false, canvas.clientWidth);
+    }
+    function ask() {
+      if (asked) return;
+      asked = true;
+      requestAnimationFrame(draw);
+    }
+    function choose(place) {
+      markers.setPicked(place);
+      ask();
+    }
+    const orbit = isopatch.makeOrbit(canvas, camera, scene, {
+      changed: ask, insets: () => [0, 0], points: () => scene.points,
+      clicked: (x, y) => choose(markers.at(x, y))});
+    function resize() {
+      const [width, height] = [host.clientWidth, host.clientHeight];
+      if (width === 0 || height === 0) return;
+      renderer.setSize(width, height, false);
+      camera.aspect = width / height;
+      orbit.fit();
+    }
+    function setBackground() {
+      const {backgroundColor, color} = getComputedStyle(host);
+      renderer.setClearColor(new THREE.Color(backgroundColor), 1);
+      ink.color.set(color);
+      ask();
+    }
+    function printed() {
+      renderer.setClearColor(new THREE.Color("white"), 1);
+      ink.color.set("black");
+      draw();
+    }
+    canvas.addEventListener("webglcontextrestored", ask);
+    window.addEventListener("beforeprint", printed);
+    window.addEventListener("afterprint", setBackground);
+    new ResizeObserver(resize).observe(host);
+    setBackground();
+    return {canvas, places, orbit, choose, draw, setBackground, look: orbit.look, fit: orbit.fit, project};
+  };
+})(globalThis.isopatch);

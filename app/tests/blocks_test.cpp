@@ -1,0 +1,185 @@
+#include "app/tests/program_fixture.hpp"
+
+namespace isopatch::app {
+namespace {
+
+/// A unit cube with its vertices and faces as given.
+std::string off(const std::string& vertices, const std::string& faces) {
+  const auto lines = [](const std::string& text) { return std::count(text.begin(), text.end(), '\n'); };
+  return "OFF\n" + std::to_string(lines(vertices)) + " " + std::to_string(lines(faces)) + " 0\n" + vertices +
+         faces;
+}
+const std::string corners = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n";
+const std::string five_sides = "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n";
+const std::string sides = five_sides + "4 3 0 4 7\n";
+/// Beside it, over x from 1 to 2.
+const std::string next_corners = "1 0 0\n2 0 0\n2 1 0\n1 1 0\n1 0 1\n2 0 1\n2 1 1\n1 1 1\n";
+
+const std::string cube_study = R"(title = "two cubes"
+[model]
+blocks = ["a.off", "b.off"]
+[[material]]
+young = 1000
+poisson = 0.25
+[[support]]
+faces = ["a:face 5"]
+displacement = [0, 0, 0]
+[[load]]
+faces = ["b:face 3"]
+traction = [10, 0, 0]
+)";
+
+class Blocks : public Program {
+ protected:
+  std::string file(const std::string& name) const { return (folder_ / name).string(); }
+  /// The data inside a page.
+  static json page_data(const fs::path& page) {
+    const std::string html = read_file(page), begin = "id=\"isopatch-data\">";
+    const auto from = html.find(begin) + begin.size();
+    return json::parse(html.substr(from, html.find("</script>", from) - from));
+  }
+  /// Parameterizes a bad solid with a report and returns the report's data.
+  json refused(const std::string& text) {
+    write_file(file("part.off"), text);
+    EXPECT_EQ(run({"parameterize", file("part.off"), "-o", file("p.xml"), "--report", file("p.html")}), 2);
+    EXPECT_FALSE(fs::exists(file("p.xml")));
+    EXPECT_THAT(err_, HasSubstr("p.html shows where"));
+    if (!fs::exists(file("p.html"))) return {};
+    json data = page_data(file("p.html"));
+    EXPECT_EQ(data["kind"], "faults");
+    EXPECT_THAT(err_, HasSubstr(data["summary"]["message"].get<std::string>()));
+    return data;
+  }
+  static std::vector<std::string> faulty(const json& list) {
+    std::vector<std::string> names;
+    for (const json& item : list)
+      if (item["is_faulty"]) names.push_back(item["name"]);
+    return names;
+  }
+  static std::vector<std::string> names(const json& list) {
+    std::vector<std::string> result;
+    for (const json& item : list) result.push_back(item["name"]);
+    return result;
+  }
+};
+
+using testing::ElementsAre;
+using testing::UnorderedElementsAre;
+
+TEST_F(Blocks, AnOpenShellIsShownWithItsEdges) {
+  const json data = refused(off(corners, five_sides));
+  EXPECT_THAT(
+      err_,
+      HasSubstr("vertex 0 at (0, 0, 0) m and vertex 3 at (0, 1, 0) m belongs to one face only: face 0"));
+  EXPECT_THAT(faulty(data["faults"]["faces"]),
+              ElementsAre("part: face 0", "part: face 1", "part: face 2", "part: face 4"));
+  EXPECT_EQ(faulty(data["faults"]["lines"]).size(), 4u);
+  EXPECT_EQ(data["summary"]["solids"][0]["faces"], 5);
+  EXPECT_THAT(data["summary"]["solids"][0]["state"].get<std::string>(),
+              HasSubstr("4 edges with one face only"));
+}
+
+TEST_F(Blocks, ANonManifoldEdgeIsShownWithItsFaces) {
+  const json data = refused(off(corners, sides + "4 0 1 6 7\n"));
+  EXPECT_THAT(err_, HasSubstr("belongs to more than two faces: faces 0 and 2 and 6"));
+  EXPECT_THAT(faulty(data["faults"]["faces"]), testing::Contains("part: face 6"));
+  EXPECT_GE(faulty(data["faults"]["lines"]).size(), 2u);
+}
+
+TEST_F(Blocks, AFiveCorneredFaceIsShownWithItsCorners) {
+  const json data = refused(
+      off(corners + "0.5 0 0\n", "5 0 3 2 1 8\n4 4 5 6 7\n5 0 8 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n"));
+  EXPECT_THAT(err_, HasSubstr("face 'face 0' has 5 corners"));
+  EXPECT_THAT(faulty(data["faults"]["faces"]), ElementsAre("part: face 0"));
+  EXPECT_EQ(data["faults"]["faces"][0]["remark"], "5 corners");
+  EXPECT_THAT(names(data["faults"]["places"]),
+              UnorderedElementsAre("vertex 0", "vertex 1", "vertex 2", "vertex 3", "vertex 8"));
+}
+
+TEST_F(Blocks, AnEdgeWithoutLengthIsShown) {
+  std::string same = corners;
+  same.replace(same.find("1 1 1\n"), 6, "0 1 1\n");
+  const json data = refused(off(same, sides));
+  EXPECT_THAT(err_, HasSubstr("edge of face 1 has no length: vertex 6"));
+  EXPECT_THAT(faulty(data["faults"]["faces"]), ElementsAre("part: face 1"));
+  EXPECT_EQ(data["faults"]["places"][0]["point"], json({0.0, 1.0, 1.0}));
+}
+
+TEST_F(Blocks, ASelfIntersectingFaceIsShownWithTheCrossing) {
+  std::string crossed = corners;
+  crossed.replace(crossed.find("1 1 1\n"), 6, "-0.5 0.5 1\n");
+  const json data = refused(off(crossed, sides));
+  EXPECT_THAT(
+      err_, HasSubstr("outline of face 1 with the vertices 4, 5, 6, 7 crosses itself at (0, 0.333333, 1) m"));
+  EXPECT_THAT(faulty(data["faults"]["faces"]), ElementsAre("part: face 1"));
+  EXPECT_NEAR(data["faults"]["places"][0]["point"][1].get<double>(), 1 / 3.0, 1e-12);
+}
+
+TEST_F(Blocks, AWrongPairIsShownInTheReportOfARun) {
+  write_file(file("a.off"), off(corners, sides));
+  write_file(file("b.off"), off(next_corners, sides));
+  write_file(file("pairs.txt"), "a 3 b 3\n");
+  const std::string text = replaced(cube_study, "\"b.off\"]", "\"b.off\"]\npairs = \"pairs.txt\"");
+  EXPECT_EQ(run_text(text), 2);
+  EXPECT_THAT(err_, HasSubstr("pair 0: faces a:face 3 and b:face 3 do not meet"));
+  EXPECT_THAT(err_, HasSubstr("report.html shows where"));
+  ASSERT_TRUE(fs::exists(results() / "report.html"));
+  EXPECT_FALSE(fs::exists(results() / "summary.json"));
+  const json data = page_data(results() / "report.html");
+  EXPECT_THAT(faulty(data["faults"]["faces"]), ElementsAre("a: face 3", "b: face 3"));
+  EXPECT_EQ(data["title"], "two cubes");
+  // No page where none is asked for.
+  fs::remove_all(results());
+  EXPECT_EQ(run_text(text, {"--set", "output.report=false"}), 2);
+  EXPECT_FALSE(fs::exists(results()));
+}
+
+TEST_F(Blocks, TheReportOfARunHasDeviationAndCertificate) {
+  write_file(file("a.off"), off(corners, sides));
+  write_file(file("b.off"), off(next_corners, sides));
+  ASSERT_EQ(run_text(cube_study), 0) << err_;
+  const json data = page_data(results() / "report.html");
+  std::vector<std::string> keys;
+  for (const json& field : data["scene"]["fields"]) keys.push_back(field["key"]);
+  EXPECT_THAT(keys, testing::IsSupersetOf({"scaled_jacobian", "deviation", "determinant_bound"}));
+  const json found = json::parse(read_file(results() / "summary.json"))["parameterization"];
+  EXPECT_EQ(found["certified"], true);
+  EXPECT_EQ(found["patches"].size(), 2u);
+  EXPECT_EQ(found["faces"].size(), 11u);
+  EXPECT_NEAR(found["patches"][1]["determinant_bound"].get<double>(), 1, 1e-9);
+  EXPECT_NEAR(found["patches"][0]["volume"].get<double>(), 1, 1e-12);
+  EXPECT_EQ(found["patches"][0]["histogram"][9].get<int>(), 64);
+  EXPECT_LT(found["largest_deviation"].get<double>(), 1e-12);
+  int shared = 0;
+  for (const json& face : found["faces"]) shared += face["sides"].size() == 2 ? 1 : 0;
+  EXPECT_EQ(shared, 1);
+}
+
+TEST_F(Blocks, ParameterizeWritesPatchesAndTheirPage) {
+  write_file(file("a.off"), off(corners, sides));
+  ASSERT_EQ(run({"parameterize", file("a.off"), "-o", file("a.xml"), "--report", file("a.html")}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("det J > 1"));
+  EXPECT_THAT(out_, HasSubstr("largest deviation  0 m"));
+  EXPECT_THAT(out_, HasSubstr("1 patch, 0 interfaces"));
+  const json data = page_data(file("a.html"));
+  EXPECT_EQ(data["kind"], "model");
+  EXPECT_EQ(data["scene"]["patches"][0]["name"], "a");
+  EXPECT_EQ(data["summary"]["parameterization"]["certified"], true);
+  EXPECT_EQ(run({"info", file("a.xml")}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("1 patch"));
+}
+
+// Its top has a corner of more than 180 degrees.
+TEST_F(Blocks, AFoldIsInTheReportWithItsPlace) {
+  std::string folded = corners;
+  folded.replace(folded.find("1 1 1\n"), 6, "0.25 0.25 1\n");
+  write_file(file("a.off"), off(folded, sides));
+  EXPECT_EQ(run({"parameterize", file("a.off"), "-o", file("a.xml"), "--report", file("a.html")}), 1);
+  EXPECT_THAT(err_, HasSubstr("patch 'a' is"));
+  const json warning = page_data(file("a.html"))["scene"]["warnings"][0];
+  EXPECT_EQ(warning["patch"], 0);
+  EXPECT_NEAR(warning["point"][0].get<double>(), 0.25, 1e-6);
+}
+
+}  // namespace
+}  // namespace isopatch::app
