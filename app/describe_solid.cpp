@@ -70,10 +70,7 @@ std::size_t edge_count(const BrepFace& face) {
 }
 
 std::string colour_text(const BrepFace& face) {
-  if (!face.colour) return "";
-  const auto& c = *face.colour;
-  const auto byte = [](double x) { return static_cast<int>(std::clamp(x, 0.0, 1.0) * 255 + 0.5); };
-  return fmt::format("#{:02x}{:02x}{:02x}", byte(c[0]), byte(c[1]), byte(c[2]));
+  return face.colour ? geometry::hex_text(*face.colour) : "";
 }
 
 std::string faces_text(const Brep& brep, bool all) {

@@ -84,16 +84,18 @@ const Keys<ModelKeys>& model_keys() {
           "paths count from the study's folder; ${NAME} and ${NAME:-default} are environment "
           "variables. Or a file of topological hexahedra, as in `blocks`. Either this, `blocks` or "
           "`generate`."),
-      custom_key<ModelKeys>("blocks", "array of strings",
-                            "Files of solids that are topological hexahedra: STEP (.step, .stp), IGES "
-                            "(.iges, .igs), OpenCASCADE "
-                            "(.brep), G+Smo solids (.xml), polyhedra (.off). [parameterization] says how "
-                            "each becomes a patch; their "
-                            "outer faces are boundaries called \"block:face\".",
-                            [](ModelKeys& target, const ConfigValue& value) {
-                              for (const ConfigValue& item : read_array(value, "blocks"))
-                                target.blocks.push_back(read_text(item, "blocks"));
-                            }),
+      custom_key<ModelKeys>(
+          "blocks", "array of strings",
+          "Files of solids that are topological hexahedra: STEP (.step, .stp), IGES "
+          "(.iges, .igs), OpenCASCADE "
+          "(.brep), G+Smo solids (.xml), polyhedra (.off). [parameterization] says how "
+          "each becomes a patch; their "
+          "outer faces are boundaries called \"block:face\"; all of one colour in STEP files are "
+          "the boundary \"#rrggbb\".",
+          [](ModelKeys& target, const ConfigValue& value) {
+            for (const ConfigValue& item : read_array(value, "blocks"))
+              target.blocks.push_back(read_text(item, "blocks"));
+          }),
       optional_text_key<ModelKeys>("pairs", &ModelKeys::pairs,
                                    "With blocks, a file that says how they meet, a line each: block, number "
                                    "of its face, block, number of its "

@@ -1,4 +1,8 @@
+#include <fmt/format.h>
+
 #include "app/tests/program_fixture.hpp"
+#include "geometry/brep/read_brep.hpp"
+#include "geometry/brep/write_brep.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -113,6 +117,56 @@ TEST_F(Blocks, ASelfIntersectingFaceIsShownWithTheCrossing) {
       err_, HasSubstr("outline of face 1 with the vertices 4, 5, 6, 7 crosses itself at (0, 0.333333, 1) m"));
   EXPECT_THAT(faulty(data["faults"]["faces"]), ElementsAre("part: face 1"));
   EXPECT_NEAR(data["faults"]["places"][0]["point"][1].get<double>(), 1 / 3.0, 1e-12);
+}
+
+/// STEP with its first faces styled: as many as there are colours, each the three numbers of COLOUR_RGB.
+std::string coloured(std::string step, const std::vector<std::string>& colours) {
+  std::string styles;
+  std::size_t at = 0;
+  int id = 900000;
+  for (const std::string& colour : colours) {
+    at = step.find("ADVANCED_FACE(", at + 1);
+    const std::size_t begin = step.rfind('#', at);
+    const std::string face = step.substr(begin, step.find_first_of(" =", begin) - begin);
+    const auto add = [&](const std::string& text) { styles += fmt::format("#{}={};\n", id++, text); };
+    add("COLOUR_RGB(''," + colour + ")");
+    add(fmt::format("FILL_AREA_STYLE_COLOUR('',#{})", id - 1));
+    add(fmt::format("FILL_AREA_STYLE('',(#{}))", id - 1));
+    add(fmt::format("SURFACE_STYLE_FILL_AREA(#{})", id - 1));
+    add(fmt::format("SURFACE_SIDE_STYLE('',(#{}))", id - 1));
+    add(fmt::format("SURFACE_STYLE_USAGE(.BOTH.,#{})", id - 1));
+    add(fmt::format("PRESENTATION_STYLE_ASSIGNMENT((#{}))", id - 1));
+    add(fmt::format("STYLED_ITEM('',(#{}),{})", id - 1, face));
+  }
+  return step.insert(step.rfind("ENDSEC;"), styles);
+}
+
+TEST_F(Blocks, ColoursOfStepFacesSelectBoundaries) {
+  write_file(file("cube.off"), off(corners, sides));
+  geometry::write_brep(file("cube.step"), geometry::read_brep(file("cube.off")).brep);
+  // Faces 0 and 1 of the cube are z = 0 and z = 1, face 2 is y = 0.
+  write_file(file("cube.step"),
+             coloured(read_file(file("cube.step")), {"0.2,0.4,0.6", "0.2,0.4,0.6", "1.,0.,0."}));
+  ASSERT_EQ(run({"info", file("cube.step")}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("#336699"));
+  const std::string text = R"(title = "cube"
+[model]
+blocks = ["cube.step"]
+[[material]]
+young = 1000
+poisson = 0
+[[support]]
+faces = ["#ff0000"]
+displacement = [0, 0, 0]
+[[load]]
+faces = ["#336699"]
+traction = [0, 10, 0]
+)";
+  ASSERT_EQ(run_text(text), 0) << err_;
+  const json summary = json::parse(read_file(results() / "summary.json"));
+  EXPECT_NEAR(summary["loads"][0]["total"][1].get<double>(), 20, 1e-9) << summary["loads"];
+  EXPECT_EQ(run_text(replaced(text, "#336699", "#336698")), 2);
+  EXPECT_THAT(err_, HasSubstr("no boundary is named \"#336698\" (did you mean '#336699'?)"));
 }
 
 TEST_F(Blocks, AWrongPairIsShownInTheReportOfARun) {

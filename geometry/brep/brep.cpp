@@ -50,6 +50,11 @@ std::optional<Eigen::Vector3d> cross_normal(const Eigen::Matrix<double, 3, 2>& d
 
 }  // namespace
 
+std::string hex_text(const Colour& colour) {
+  const auto byte = [](double x) { return static_cast<int>(std::clamp(x, 0.0, 1.0) * 255 + 0.5); };
+  return fmt::format("#{:02x}{:02x}{:02x}", byte(colour[0]), byte(colour[1]), byte(colour[2]));
+}
+
 const char* name(SurfaceKind kind) {
   switch (kind) {
     case SurfaceKind::plane:

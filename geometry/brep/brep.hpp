@@ -23,6 +23,9 @@ const char* name(CurveKind kind);
 /// Red, green and blue, each in [0, 1].
 using Colour = std::array<double, 3>;
 
+/// "#rrggbb", each channel rounded to a byte.
+std::string hex_text(const Colour& colour);
+
 /// A trimmed surface.
 struct BrepFace {
   std::string name;              ///< the file's; "" where it has none

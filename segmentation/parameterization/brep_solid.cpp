@@ -15,6 +15,7 @@ SolidFace solid_face(const Brep& brep, FaceId id, const std::string& solid) {
   const BrepFace& face = brep.face(id);
   SolidFace result;
   result.name = face.name.empty() ? fmt::format("face {}", id.value) : face.name;
+  if (face.colour) result.colour = geometry::hex_text(*face.colour);
   if (face.loops.size() != 1)
     throw geometry::SolidError(
         ErrorCode::unsupported,

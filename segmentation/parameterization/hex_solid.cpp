@@ -224,7 +224,8 @@ QuadFace face_on(const HexSolid& solid, const EdgeFaces& edges, const std::array
             static_cast<int>(f),
             {curve(vertex(0, 0), vertex(1, 0)), curve(vertex(0, 1), vertex(1, 1)),
              curve(vertex(0, 0), vertex(0, 1)), curve(vertex(1, 0), vertex(1, 1))},
-            face.surface};
+            face.surface,
+            face.colour};
   }
   throw Error(ErrorCode::unsupported,
               not_a_cube(solid, edges, fmt::format("no face has the vertices {}", fmt::join(wanted, " "))));

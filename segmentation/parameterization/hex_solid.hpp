@@ -21,6 +21,7 @@ struct SolidFace {
   std::vector<int> corners;         ///< indices of vertices, in the loop's order, either sense
   std::vector<DomainCurve> curves;  ///< as many as corners
   DomainSurface surface;
+  std::string colour = {};  ///< "#rrggbb", "" where the file has none
 };
 
 /// What the parameterization needs to know of a solid, whatever kernel holds it.
@@ -37,6 +38,7 @@ struct QuadFace {
   /// Where t = 0 and t = 1 (over s), then where s = 0 and s = 1 (over t).
   std::array<DomainCurve, 4> sides;
   DomainSurface surface;
+  std::string colour = {};  ///< as in SolidFace
 };
 
 /// A topological hexahedron whose faces lie on the sides of the unit cube, right-handed.

@@ -116,19 +116,29 @@ std::string names_of(const HexComplex& complex, const ComplexFace& face) {
   return name;
 }
 
-/// Outer faces under the names of the solids' faces, with the block's in front where there are several.
+/// Outer faces under the names of the solids' faces, with the block's in front where there are several; then
+/// under their colours.
 std::vector<geometry::Boundary> boundaries(const HexComplex& complex) {
   std::vector<geometry::Boundary> result;
-  for (const ComplexFace& face : complex.faces) {
-    if (face.uses.size() > 1) continue;
-    const BlockSide side = face.uses[0].side;
-    const Hexahedron& block = complex.blocks[static_cast<std::size_t>(side.block)];
-    const std::string name = complex.blocks.size() > 1 ? complex.label(side) : block.face(side.side).name;
+  const auto add = [&](const std::string& name, const geometry::PatchFace& face) {
     auto found = std::find_if(result.begin(), result.end(),
                               [&](const auto& boundary) { return boundary.name == name; });
     if (found == result.end()) found = result.insert(result.end(), {name, {}});
-    found->faces.push_back({PatchId(side.block), side.side});
-  }
+    found->faces.push_back(face);
+  };
+  const auto each_outer = [&](const auto& visit) {
+    for (const ComplexFace& face : complex.faces) {
+      if (face.uses.size() > 1) continue;
+      const BlockSide side = face.uses[0].side;
+      visit(side, complex.blocks[static_cast<std::size_t>(side.block)].face(side.side));
+    }
+  };
+  each_outer([&](const BlockSide& side, const QuadFace& face) {
+    add(complex.blocks.size() > 1 ? complex.label(side) : face.name, {PatchId(side.block), side.side});
+  });
+  each_outer([&](const BlockSide& side, const QuadFace& face) {
+    if (!face.colour.empty() && face.colour != face.name) add(face.colour, {PatchId(side.block), side.side});
+  });
   return result;
 }
 
