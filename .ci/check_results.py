@@ -30,16 +30,18 @@ def problems(folder):
 
     stored = folder / "results.h5"
     expect(stored.is_file() and stored.read_bytes()[:8] == HDF5_SIGNATURE, "results.h5 is no HDF5 file")
-    patches = sorted(folder.rglob("*.vtu"))
-    expect(len(patches) == summary["model"]["patches"], f"{len(patches)} .vtu files of {summary['model']['patches']}")
-    collection = folder / "results.vtm"
-    expect(collection.is_file(), "results.vtm is missing")
-    if collection.is_file():
-        named = [entry.attrib["file"] for entry in xml.etree.ElementTree.parse(collection).iter("DataSet")]
-        expect({folder / name for name in named} == set(patches), f"results.vtm names {named}")
+    parts = set(folder.rglob("*.vtu"))
+    collections = [folder / name for name in ("results.vtm", "results_boundaries.vtm", "results_exact.vtm")]
+    named = set()
+    for collection in collections:
+        expect(collection.is_file(), f"{collection.name} is missing")
+        if collection.is_file():
+            entries = xml.etree.ElementTree.parse(collection).iter("DataSet")
+            named |= {folder / entry.attrib["file"] for entry in entries}
+    expect(named == parts, f"fields named and there differ: {sorted(path.name for path in named ^ parts)}")
     report = folder / "report.html"
     expect(report.is_file() and report.read_text().rstrip().endswith("</html>"), "report.html is missing or cut off")
-    known = {folder / "summary.json", stored, collection, report, *patches}
+    known = {folder / "summary.json", stored, report, *collections, *parts}
     others = [path.name for path in folder.rglob("*") if path.is_file() and path not in known]
     expect(not others, f"unknown files, unfinished perhaps: {others}")
     return found

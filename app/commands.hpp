@@ -51,6 +51,7 @@ ExitCode probe_command(const ProbeCommand& command, const Console& console);
 struct FieldsCommand {
   std::filesystem::path results;
   std::filesystem::path output;
+  int pieces = 0;  ///< as FieldOptions
 };
 /// Writes the fields of stored results for ParaView.
 ExitCode fields_command(const FieldsCommand& command, const Console& console);

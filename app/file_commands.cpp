@@ -7,8 +7,9 @@
 #include "app/output_directory.hpp"
 #include "app/report_page.hpp"
 #include "app/solid_input.hpp"
+#include "app/stored_model.hpp"
 #include "app/stored_results.hpp"
-#include "app/write_results.hpp"
+#include "app/write_fields.hpp"
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/io/read_patches.hpp"
 #include "geometry/io/write_gismo_xml.hpp"
@@ -119,11 +120,15 @@ ExitCode probe_command(const ProbeCommand& command, const Console& console) {
 ExitCode fields_command(const FieldsCommand& command, const Console& console) {
   check_writable(command.output);
   ProgressDisplay display(console);
-  const int files = write_fields(iga::read_result(command.results).field, FieldPrecision::automatic,
-                                 command.output, display.progress());
+  const iga::StoredResult result = iga::read_result(command.results);
+  const StoredModel model = stored_model(result.field.patches, result.summary);
+  const WrittenFields written = write_fields(result.field, model.model, face_groups(model, result.summary),
+                                             {.pieces = command.pieces}, command.output, display.progress());
   display.clear();
+  if (const auto warning = left_out_warning(written.left_out, model.model.size()))
+    console.warn(warning->text);
   if (!console.quiet)
-    console.out << fmt::format("{} files in {}; open results.vtm in ParaView\n", files,
+    console.out << fmt::format("{} files in {}; open results.vtm in ParaView\n", written.files,
                                command.output.string());
   return ExitCode::ok;
 }

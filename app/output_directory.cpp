@@ -38,14 +38,16 @@ std::vector<fs::path> make_directories(const fs::path& directory) {
   return missing;
 }
 
-/// Whether a run could have written it: patch_000.vtu, patch_1234.vtu.
+/// Whether a run could have written it: patch_000.vtu, exact_patches_001.vtu, boundary_1234.vtu.
 bool is_field_file(std::string_view name) {
-  constexpr std::string_view head = "patch_";
   constexpr std::string_view tail = ".vtu";
-  if (!name.starts_with(head) || !name.ends_with(tail) || name.size() < head.size() + tail.size() + 3)
-    return false;
-  const auto number = name.substr(head.size(), name.size() - head.size() - tail.size());
-  return number.find_first_not_of("0123456789") == std::string_view::npos;
+  for (const std::string_view head : {"patch_", "patches_", "exact_patch_", "exact_patches_", "boundary_"}) {
+    if (!name.starts_with(head) || !name.ends_with(tail) || name.size() < head.size() + tail.size() + 3)
+      continue;
+    const auto number = name.substr(head.size(), name.size() - head.size() - tail.size());
+    if (number.find_first_not_of("0123456789") == std::string_view::npos) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -68,7 +70,8 @@ void check_writable(const fs::path& directory) {
 
 void remove_earlier_fields(const fs::path& directory) {
   std::error_code ignored;
-  fs::remove(directory / "results.vtm", ignored);
+  for (const char* collection : {"results.vtm", "results_boundaries.vtm", "results_exact.vtm"})
+    fs::remove(directory / collection, ignored);
   std::vector<fs::path> earlier;
   for (const auto& entry : fs::directory_iterator(directory / "fields", ignored))
     if (is_field_file(entry.path().filename().string())) earlier.push_back(entry.path());
@@ -101,6 +104,14 @@ void write_in(const fs::path& directory, const fs::path& file,
   make_directories((directory / file).parent_path());
   AtomicWriter writer(directory / file);
   content([&](std::string_view bytes) { writer.write(bytes); });
+  writer.finish();
+}
+
+void write_in_places(const fs::path& directory, const fs::path& file,
+                     const std::function<void(const geometry::PlacedByteSink&)>& content) {
+  make_directories((directory / file).parent_path());
+  AtomicWriter writer(directory / file);
+  content([&](std::uint64_t place, std::string_view bytes) { writer.write_at(place, bytes); });
   writer.finish();
 }
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string_view>
 
-#include "geometry/io/vtk_bezier.hpp"
+#include "geometry/io/byte_sink.hpp"
 
 namespace isopatch::app {
 
@@ -12,7 +12,7 @@ namespace isopatch::app {
 /// @throws Error io, naming the directory and the reason
 void check_writable(const std::filesystem::path& directory);
 
-/// Removes the fields that an earlier run wrote, first their collection. Leaves all other files alone.
+/// Removes the fields that an earlier run wrote, first their collections. Leaves all other files alone.
 void remove_earlier_fields(const std::filesystem::path& directory);
 
 /// Removes all that an earlier run wrote, and first of all its summary, which would vouch for files that are
@@ -29,5 +29,8 @@ void write_in(const std::filesystem::path& directory, const std::filesystem::pat
               std::string_view bytes);
 void write_in(const std::filesystem::path& directory, const std::filesystem::path& file,
               const std::function<void(const geometry::ByteSink&)>& content);
+/// The same for bytes in any order.
+void write_in_places(const std::filesystem::path& directory, const std::filesystem::path& file,
+                     const std::function<void(const geometry::PlacedByteSink&)>& content);
 
 }  // namespace isopatch::app

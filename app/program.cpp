@@ -42,7 +42,7 @@ constexpr const char* run_examples = R"(Examples:
   isopatch run study.toml --set load.0.traction='["20 MPa", 0, 0]' --set coupling.method=lagrange
   mpiexec -n 4 isopatch run study.toml               the same figures from four processes
   isopatch run study.toml --quiet && jq .results.internal_energy results/summary.json
-Writes report.html (open it in a browser), summary.json, results.vtm with fields/ (ParaView) and
+Writes report.html (open it in a browser), summary.json, results.vtm and others with fields/ (ParaView) and
 results.h5 (isopatch report, probe, fields, info).
 Files appear whole or not at all, and only after everything has been computed.)";
 
@@ -69,7 +69,10 @@ constexpr const char* probe_examples = R"(Examples:
   isopatch probe results/results.h5 --patch 3 --parameter .5,.5,1)";
 
 constexpr const char* fields_examples = R"(Examples:
-  isopatch fields results/results.h5 --output paraview)";
+  isopatch fields results/results.h5 --output paraview
+  isopatch fields results/results.h5 --output fine --pieces 8
+Writes results.vtm (open it in ParaView; all filters work on it), results_boundaries.vtm and results_exact.vtm
+(the smooth surface), with their parts in fields/.)";
 
 constexpr const char* report_examples = R"(Examples:
   isopatch report results/results.h5                 writes results/report.html
@@ -304,6 +307,11 @@ void add_file_commands(CLI::App& app, CommandLine& line) {
   fields->add_option("-o,--output", line.fields.output, "Directory for results.vtm and fields/")
       ->required()
       ->type_name("DIR");
+  fields
+      ->add_option("--pieces", line.fields.pieces,
+                   "Straight hexahedra per element and direction (default: 4, fewer in large models)")
+      ->check(CLI::Range(1, 32))
+      ->type_name("N");
 
   CLI::App* report = add_command(app, line, "report", "Writes the page about stored results", report_examples,
                                  [&line](const Console& console) {

@@ -25,7 +25,7 @@ namespace isopatch::app {
 /// Where the patches come from: exactly one of file, blocks and generate.
 struct ModelInput {
   std::filesystem::path
-      file;              ///< G+Smo XML, GoTools .g2 or MFEM NURBS mesh; resolved against the study's folder
+      file;  ///< G+Smo XML, GoTools .g2 or MFEM NURBS mesh; resolved against the study's folder
   std::optional<BlocksInput> blocks;  ///< solids to be made patches
   std::string generate;               ///< name of a generated model, or ""
   /// The generated model with the dimensions given, model units; empty for files.
@@ -75,14 +75,23 @@ struct ProbeInput {
   Place place;
 };
 
-/// Digits of the numbers in fields/*.vtu; automatic takes single where full would need more than 1 GB.
+/// Digits of the numbers of results_exact.vtm; automatic takes single where full would need more than 1 GB.
 enum class FieldPrecision { automatic, full, single };
+
+/// What is written of the fields.
+struct FieldOptions {
+  /// Straight hexahedra per element and direction at least, 1 .. 32; 0: 4, of more than 100,000 elements 2,
+  /// of more than a million 1.
+  int pieces = 0;
+  bool exact = true;  ///< whether Bezier cells are written as well
+  FieldPrecision precision = FieldPrecision::automatic;
+};
 
 /// What is written, and where.
 struct OutputInput {
   std::filesystem::path directory = "results";  ///< resolved against the study's folder
   bool fields = true;
-  FieldPrecision precision = FieldPrecision::automatic;
+  FieldOptions field_options;
   bool hdf5 = true;
   bool report = true;
 };

@@ -248,14 +248,29 @@ const Keys<OutputKeys>& output_keys() {
                   "Folder of the results, made where absent; relative paths count from the study's folder. "
                   "The option "
                   "--output DIR replaces it."),
-      flag_key<O>("fields", &O::fields,
-                  "Whether fields are written for ParaView: results.vtm and fields/*.vtu."),
+      flag_key<O>(
+          "fields", &O::fields,
+          "Whether fields are written for ParaView: results.vtm (straight hexahedra, for all filters), "
+          "results_boundaries.vtm and results_exact.vtm, with their parts in fields/."),
+      custom_key<O>(
+          "pieces", "integer, from 1 to 32",
+          "Straight hexahedra of results.vtm per element and direction, at least; more where a line "
+          "would turn by more than 9 degrees in one.",
+          [](O& target, const ConfigValue& value) {
+            target.field_options.pieces = static_cast<int>(read_integer(value, "pieces", 1, 32));
+          })
+          .with_default("4; 2 above 100,000 elements, 1 above 1,000,000"),
+      custom_key<O>(
+          "exact", "true or false",
+          "Whether results_exact.vtm is written: the smooth surface, as rational Bezier cells.",
+          [](O& target, const ConfigValue& value) { target.field_options.exact = read_flag(value, "exact"); })
+          .with_default("true"),
       custom_key<O>(
           "precision", "\"auto\", \"full\" or \"single\"",
-          "Of the numbers in fields/*.vtu: 8 bytes each, or 4 with a relative error of 6e-8. auto takes "
+          "Of the numbers of results_exact.vtm: 8 bytes each, or 4 with a relative error of 6e-8. auto takes "
           "single where full would need more than 1 GB. results.h5 always has all digits.",
           [](O& target, const ConfigValue& value) {
-            target.precision = FieldPrecision(read_choice(value, "precision", precisions));
+            target.field_options.precision = FieldPrecision(read_choice(value, "precision", precisions));
           })
           .with_default("\"auto\""),
       flag_key<O>("hdf5", &O::hdf5,

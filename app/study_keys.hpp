@@ -70,7 +70,7 @@ struct ProbeKeys {
 struct OutputKeys {
   std::string directory = "results";
   bool fields = true;
-  FieldPrecision precision = FieldPrecision::automatic;
+  FieldOptions field_options;
   bool hdf5 = true;
   bool report = true;
 };

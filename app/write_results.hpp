@@ -8,17 +8,10 @@
 
 namespace isopatch::app {
 
-/// Writes the fields for ParaView: fields/patch_000.vtu, ..., each as it is computed, and last their
-/// collection results.vtm. Those of an earlier run are removed before.
-/// @return  number of files
-/// @throws Error io
-int write_fields(const iga::ElasticField& field, FieldPrecision precision,
-                 const std::filesystem::path& directory, const Progress& progress = {});
-
 /// Writes the files that a study asks for into its output directory, summary.json last: where it is, all is
 /// there. What an earlier run wrote is removed before. Memory for the fields stays below some 50 MB;
 /// results.h5 is put together in memory, 56 bytes per control point.
-/// @param run  its timings get the phase "output"
+/// @param run  its timings get the phase "output", its warnings what is wrong with the fields
 /// @return     the files that are not in a folder of their own, in the order in which they were written
 /// @throws Error io
 std::vector<std::string> write_results(const Study& study, StudyRun& run, const Progress& progress = {});

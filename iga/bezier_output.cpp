@@ -2,194 +2,199 @@
 
 #include <omp.h>
 
+#include <Eigen/LU>
+
 #include "geometry/splines/basis.hpp"
-#include "geometry/splines/transfer.hpp"
-#include "iga/internal/element_tensors.hpp"
-#include "iga/internal/parallel_for.hpp"
-#include "iga/internal/point_fields.hpp"
+#include "iga/hexahedra_output.hpp"
+#include "iga/internal/grid_sums.hpp"
+#include "iga/internal/patch_batches.hpp"
+#include "iga/output_grid.hpp"
+#include "iga/plane_fields.hpp"
 
 namespace isopatch::iga {
 namespace {
 
 using geometry::KnotVector;
 using geometry::NurbsVolume;
+using Packets = std::vector<Packet<8>>;
 
-// From the coefficients of the functions of each element of a direction to those of its Bezier piece.
-std::vector<Eigen::MatrixXd> extractions(const KnotVector& knots) {
-  const int p = knots.degree();
-  const Eigen::MatrixXd all = geometry::transfer(knots, geometry::bezier_knots(knots));
-  const std::vector<double> breaks = knots.breaks();
-  std::vector<Eigen::MatrixXd> result;
-  for (std::size_t e = 0; e + 1 < breaks.size(); ++e)
-    result.emplace_back(all.block(static_cast<Eigen::Index>(e) * p, knots.span(breaks[e]) - p, p + 1, p + 1));
-  return result;
-}
-
-// From values at the Gauss points of the unit interval to the Bernstein coefficients of their interpolant.
+// From values at degree + 1 evenly spread parameters to the Bernstein coefficients of their interpolant.
 Eigen::MatrixXd interpolation(int degree) {
-  const geometry::QuadratureRule rule = geometry::gauss_legendre(degree + 1);
   const KnotVector knots = KnotVector::bezier(degree);
   Eigen::MatrixXd values(degree + 1, degree + 1);
-  for (Eigen::Index q = 0; q <= degree; ++q)
-    values.row(q) = geometry::basis(knots, rule.nodes[q]).values.row(0);
+  for (int q = 0; q <= degree; ++q)
+    values.row(q) = geometry::basis(knots, static_cast<double>(q) / degree).values.row(0);
   return values.inverse();
 }
 
-// One matrix along each direction of a tensor, in place.
-void apply(const Eigen::MatrixXd& u, const Eigen::MatrixXd& v, const Eigen::MatrixXd& w,
-           std::vector<Packet<8>>& tensor, std::vector<Packet<8>>& spare) {
-  const Eigen::Index m = u.rows();
-  const Eigen::Index n = v.rows();
-  const Eigen::Index o = w.rows();
-  spare.resize(tensor.size());
-  contract<false, false, 8>(u, 1, n * o, tensor.data(), spare.data());
-  contract<false, false, 8>(v, m, o, spare.data(), tensor.data());
-  contract<false, false, 8>(w, m * n, 1, tensor.data(), spare.data());
-  std::swap(tensor, spare);
+ElementPieces pieces_of_degree(const NurbsVolume& patch) {
+  ElementPieces result;
+  for (int d = 0; d < 3; ++d)
+    result[static_cast<std::size_t>(d)].assign(static_cast<std::size_t>(patch.knots(d).element_count()),
+                                               patch.degree(d));
+  return result;
 }
 
-// Of one cell: place, weight, displacement, stress, von Mises stress and det J at each point.
-std::int64_t numbers_bytes(const NurbsVolume& patch) {
-  std::int64_t bytes = 15 * sizeof(double);
-  for (int d = 0; d < 3; ++d) bytes *= patch.degree(d) + 1;
-  return bytes;
+geometry::VtuGrid vtu_grid(const NurbsVolume& patch) {
+  geometry::VtuGrid grid;
+  for (int d = 0; d < 3; ++d) {
+    const auto i = static_cast<std::size_t>(d);
+    grid.degree[i] = patch.degree(d);
+    grid.points[i] = patch.degree(d) * patch.knots(d).element_count() + 1;
+  }
+  return grid;
 }
 
-struct Scratch {
-  TensorBuffers<8> fields;
-  std::vector<Packet<8>> bezier;
-  std::vector<Packet<8>> results;  // stress, von Mises, det J, times the weight function
-  std::vector<Packet<8>> spare;
+// Control points of a plane, and the coefficients of the fields.
+struct NetPlane {
+  Eigen::Matrix3Xd points, displacement;
+  Eigen::MatrixXd stress;
+  Eigen::RowVectorXd weights;
+};
+
+// One patch's points, weights and fields, a layer of elements after the other.
+class PatchCells {
+ public:
+  PatchCells(const ElasticField& field, int patch)
+      : volume_(field.patches[static_cast<std::size_t>(patch)]),
+        grid_(vtu_grid(volume_)),
+        nodal_(field, patch, grid_of(volume_, pieces_of_degree(volume_))),
+        net_(volume_, field.displacement[static_cast<std::size_t>(patch)],
+             {bezier_line(volume_.knots(0)), bezier_line(volume_.knots(1)), bezier_line(volume_.knots(2))}) {
+    for (int d = 0; d < 3; ++d)
+      to_coefficients_[static_cast<std::size_t>(d)] = interpolation(volume_.degree(d));
+    const std::size_t layer = size() * static_cast<std::size_t>(volume_.degree(2) + 1);
+    nodes_.resize(layer);
+    stress_.resize(layer);
+  }
+
+  // Calls take(plane, number of its first point) for every plane.
+  template <class Take>
+  void for_each(std::int64_t first, const Take& take) {
+    const int p = volume_.degree(2), layers = volume_.knots(2).element_count();
+    for (int layer = 0; layer < layers; ++layer) {
+      evaluate_layer(layer);
+      interpolate_layer();
+      for (int k = 0; k < p + (layer + 1 == layers ? 1 : 0); ++k)
+        take(plane(layer * p + k, k), first + static_cast<std::int64_t>(size()) * (layer * p + k));
+    }
+  }
+
+ private:
+  std::size_t size() const {
+    return static_cast<std::size_t>(grid_.points[0]) * static_cast<std::size_t>(grid_.points[1]);
+  }
+
+  // Stress times the weight function at the nodes of a layer; its first plane is the last one of the layer
+  // before.
+  void evaluate_layer(int layer) {
+    const int p = volume_.degree(2);
+    if (layer > 0)
+      std::copy(nodes_.end() - static_cast<std::ptrdiff_t>(size()), nodes_.end(), nodes_.begin());
+    for (int k = layer > 0 ? 1 : 0; k <= p; ++k) {
+      const FieldPlane& plane = nodal_.plane(layer * p + k);
+      for (std::size_t i = 0; i < size(); ++i) {
+        Packet<8>& packet = nodes_[size() * static_cast<std::size_t>(k) + i];
+        packet.setZero();
+        const auto at = static_cast<Eigen::Index>(i);
+        packet.head<6>() = plane.weights[at] * plane.stress.col(at).array();
+      }
+    }
+  }
+
+  // Coefficients of the interpolants. Neighbours have the same ones on the face between them; the one behind
+  // it writes them.
+  void interpolate_layer() {
+    const auto [p, q, r] = grid_.degree;
+    const int across = volume_.knots(0).element_count(), rows = volume_.knots(1).element_count();
+    std::vector<std::array<Packets, 2>> buffers(static_cast<std::size_t>(omp_get_max_threads()));
+    parallel_for(std::int64_t{across} * rows, [&](std::int64_t element, int thread) {
+      const int e = static_cast<int>(element) % across, f = static_cast<int>(element) / across;
+      auto& [values, spare] = buffers[static_cast<std::size_t>(thread)];
+      values.resize(static_cast<std::size_t>((p + 1) * (q + 1) * (r + 1)));
+      spare.resize(values.size());
+      const auto for_each = [&](int last_i, int last_j, auto visit) {
+        for (int k = 0; k <= r; ++k)
+          for (int j = 0; j <= last_j; ++j)
+            for (int i = 0; i <= last_i; ++i)
+              visit(static_cast<std::size_t>(i + (p + 1) * (j + (q + 1) * k)),
+                    static_cast<std::size_t>(e * p + i) +
+                        static_cast<std::size_t>(grid_.points[0]) * static_cast<std::size_t>(f * q + j) +
+                        size() * static_cast<std::size_t>(k));
+      };
+      for_each(p, q, [&](std::size_t own, std::size_t at) { values[own] = nodes_[at]; });
+      contract<false, false, 8>(to_coefficients_[0], 1, (q + 1) * (r + 1), values.data(), spare.data());
+      contract<false, false, 8>(to_coefficients_[1], p + 1, r + 1, spare.data(), values.data());
+      contract<false, false, 8>(to_coefficients_[2], (p + 1) * (q + 1), 1, values.data(), spare.data());
+      for_each(e + 1 == across ? p : p - 1, f + 1 == rows ? q : q - 1,
+               [&](std::size_t own, std::size_t at) { stress_[at] = spare[own]; });
+    });
+  }
+
+  NetPlane plane(int k, int in_layer) {
+    const auto count = static_cast<Eigen::Index>(size());
+    const Eigen::Index across = grid_.points[0];
+    NetPlane result{Eigen::Matrix3Xd(3, count), Eigen::Matrix3Xd(3, count), Eigen::MatrixXd(6, count),
+                    Eigen::RowVectorXd(count)};
+    net_.plane(k, plane_);
+    std::vector<GridSums::Row> rows(static_cast<std::size_t>(omp_get_max_threads()));
+    parallel_for(grid_.points[1], [&](std::int64_t j, int thread) {
+      GridSums::Row& row = rows[static_cast<std::size_t>(thread)];
+      net_.row(static_cast<int>(j), plane_, row);
+      for (Eigen::Index i = 0; i < across; ++i) {
+        const Packet<8> sums = net_.point(static_cast<int>(i), row).value;
+        const Eigen::Index at = i + across * j;
+        const auto coefficient = size() * static_cast<std::size_t>(in_layer) + static_cast<std::size_t>(at);
+        result.weights[at] = sums[3];
+        result.points.col(at) = sums.head<3>().matrix() / sums[3];
+        result.displacement.col(at) = sums.segment<3>(4).matrix() / sums[3];
+        result.stress.col(at) = stress_[coefficient].head<6>().matrix() / sums[3];
+      }
+    });
+    return result;
+  }
+
+  const NurbsVolume& volume_;
+  geometry::VtuGrid grid_;
+  PlaneFields nodal_;
+  GridSums net_;
+  std::array<Eigen::MatrixXd, 3> to_coefficients_;
+  Packets nodes_, stress_;  // of the planes of one layer
+  GridSums::Plane plane_;
 };
 
 }  // namespace
 
-struct BezierOutput::State {
-  State(const ElasticField& field, int patch)
-      : index(patch),
-        patch(field.patches[static_cast<std::size_t>(patch)]),
-        material(field.materials[static_cast<std::size_t>(patch)]),
-        displacement(field.displacement[static_cast<std::size_t>(patch)]),
-        tensors(this->patch, 0) {
-    for (int d = 0; d < 3; ++d) {
-      extraction[static_cast<std::size_t>(d)] = extractions(this->patch.knots(d));
-      to_coefficients[static_cast<std::size_t>(d)] = interpolation(this->patch.degree(d));
-    }
+void write_bezier_cells(const ElasticField& field, const std::vector<int>& patches,
+                        const geometry::PlacedByteSink& sink, geometry::Precision precision) {
+  const std::vector<int> all = material_numbers(field);
+  std::vector<geometry::VtuGrid> grids;
+  std::vector<int> materials;
+  std::vector<std::int64_t> first = {0};
+  for (const int p : patches) {
+    grids.push_back(vtu_grid(field.patches[static_cast<std::size_t>(p)]));
+    first.push_back(first.back() + grids.back().point_count());
+    materials.push_back(all[static_cast<std::size_t>(p)]);
   }
-
-  // The element's Bezier coefficients, and the fields' interpolants, both times the weights.
-  void compute(std::int64_t element, Scratch& s) const {
-    gather(tensors, element, patch, displacement.data(), s.fields.coefficients);
-    tensors.gradients(element, s.fields);
-    s.results.resize(static_cast<std::size_t>(tensors.point_count()));
-    for (std::size_t q = 0; q < s.results.size(); ++q) {
-      const RationalPoint place = rational_point(s.fields, q);
-      const Eigen::Matrix3d gradient =
-          rational_point(s.fields, q, 4).derivatives * place.derivatives.inverse();
-      const Eigen::Matrix3d t = stress_of_gradient(gradient, material);
-      s.results[q] << t(0, 0), t(1, 1), t(2, 2), t(0, 1), t(1, 2), t(0, 2), von_mises(t),
-          place.derivatives.determinant();
-      s.results[q] *= s.fields.at[0][q][3];
-    }
-    apply(to_coefficients[0], to_coefficients[1], to_coefficients[2], s.results, s.spare);
-    s.bezier = s.fields.coefficients;
-    const auto of_direction = [&](std::size_t d) -> const Eigen::MatrixXd& {
-      const auto count = static_cast<std::int64_t>(extraction[d].size());
-      const Eigen::MatrixXd& matrix = extraction[d][static_cast<std::size_t>(element % count)];
-      element /= count;
-      return matrix;
-    };
-    const Eigen::MatrixXd& u = of_direction(0);
-    const Eigen::MatrixXd& v = of_direction(1);
-    apply(u, v, of_direction(2), s.bezier, s.spare);
-  }
-
-  int index;
-  const NurbsVolume& patch;
-  const Material& material;
-  const Eigen::Matrix3Xd& displacement;
-  ElementTensors tensors;
-  std::array<std::vector<Eigen::MatrixXd>, 3> extraction;
-  std::array<Eigen::MatrixXd, 3> to_coefficients;
-};
-
-BezierOutput::BezierOutput(const ElasticField& field, int patch)
-    : state_(std::make_unique<State>(field, patch)) {}
-BezierOutput::~BezierOutput() = default;
-BezierOutput::BezierOutput(BezierOutput&&) noexcept = default;
-
-int BezierOutput::cell_count() const {
-  return static_cast<int>(state_->tensors.element_count());
-}
-
-geometry::BezierCells BezierOutput::cells(int first, int last) const {
-  const NurbsVolume& patch = state_->patch;
-  const Eigen::Index per_cell = state_->tensors.function_count();
-  const Eigen::Index total = per_cell * (last - first);
-  geometry::BezierCells cells;
-  cells.degree = {patch.degree(0), patch.degree(1), patch.degree(2)};
-  cells.cell_count = last - first;
-  cells.points.resize(3, total);
-  if (patch.is_rational()) cells.weights.resize(total);
-  cells.point_fields = {{"displacement", Eigen::MatrixXd(3, total)},
-                        {"stress", Eigen::MatrixXd(6, total)},
-                        {"von_mises", Eigen::MatrixXd(1, total)},
-                        {"jacobian", Eigen::MatrixXd(1, total)}};
-  cells.cell_fields = {{"patch", Eigen::MatrixXd::Constant(1, cells.cell_count, state_->index)}};
-  std::vector<Scratch> scratch(static_cast<std::size_t>(omp_get_max_threads()));
-  constexpr int per_task = 8;
-  parallel_for((cells.cell_count + per_task - 1) / per_task, [&](std::int64_t task, int thread) {
-    Scratch& s = scratch[static_cast<std::size_t>(thread)];
-    const int end = std::min(cells.cell_count, static_cast<int>(task + 1) * per_task);
-    for (int cell = static_cast<int>(task) * per_task; cell < end; ++cell) {
-      state_->compute(first + cell, s);
-      for (Eigen::Index a = 0; a < per_cell; ++a) {
-        const Eigen::Index at = per_cell * cell + a;
-        const Packet<8>& place = s.bezier[static_cast<std::size_t>(a)];
-        const double inverse = 1 / place[3];
-        const Packet<8> results = inverse * s.results[static_cast<std::size_t>(a)];
-        cells.points.col(at) = inverse * place.head<3>().matrix();
-        if (cells.weights.size() > 0) cells.weights[at] = place[3];
-        cells.point_fields[0].values.col(at) = inverse * place.segment<3>(4).matrix();
-        cells.point_fields[1].values.col(at) = results.head<6>().matrix();
-        cells.point_fields[2].values(0, at) = results[6];
-        cells.point_fields[3].values(0, at) = results[7];
-      }
-    }
-  });
-  return cells;
-}
-
-geometry::BezierCells bezier_cells(const ElasticField& field, int patch) {
-  const BezierOutput output(field, patch);
-  return output.cells(0, output.cell_count());
+  geometry::VtuFile file(
+      geometry::VtuCell::bezier_hexahedron, grids,
+      {{"RationalWeights", 1, precision}, {"displacement", 3, precision}, {"stress", 6, precision}},
+      {{"patch", patches}, {"material", materials}}, sink, precision);
+  for_each_plane<NetPlane>(
+      first, [&](std::size_t i, const auto& take) { PatchCells(field, patches[i]).for_each(first[i], take); },
+      [&](const NetPlane& plane, std::int64_t at) {
+        file.points(at, plane.points);
+        file.field(0, at, plane.weights);
+        file.field(1, at, plane.displacement);
+        file.field(2, at, plane.stress);
+      });
+  file.finish();
 }
 
 std::int64_t bezier_bytes(const ElasticField& field) {
-  std::int64_t bytes = 0;
-  for (const NurbsVolume& patch : field.patches) {
-    std::int64_t cells = 1;
-    for (int d = 0; d < 3; ++d) cells *= patch.knots(d).element_count();
-    bytes += cells * numbers_bytes(patch);
-  }
-  return bytes;
-}
-
-void write_bezier_cells(const ElasticField& field, int patch, const geometry::ByteSink& sink,
-                        geometry::Precision precision) {
-  const BezierOutput output(field, patch);
-  const std::int64_t bytes_per_cell = numbers_bytes(field.patches[static_cast<std::size_t>(patch)]);
-  const auto piece = static_cast<int>(std::max<std::int64_t>(1, (std::int64_t{16} << 20) / bytes_per_cell));
-  std::vector<int> sizes;
-  for (int start = 0; start < output.cell_count(); start += piece)
-    sizes.push_back(std::min(piece, output.cell_count() - start));
-  geometry::write_vtu(
-      sizes,
-      [&](std::size_t i) {
-        const int start = static_cast<int>(i) * piece;
-        return output.cells(start, start + sizes[i]);
-      },
-      sink, precision);
+  std::int64_t points = 0;
+  for (const NurbsVolume& patch : field.patches) points += vtu_grid(patch).point_count();
+  return 13 * static_cast<std::int64_t>(sizeof(double)) * points;
 }
 
 }  // namespace isopatch::iga

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "geometry/io/vtk_bezier.hpp"
+#include "geometry/io/byte_sink.hpp"
 #include "iga/solve_elasticity.hpp"
 
 namespace isopatch::iga {

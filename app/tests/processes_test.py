@@ -156,7 +156,8 @@ class Processes(unittest.TestCase):
         self.assertIn("in 3 processes", run.stdout)
         self.assertEqual(run.stderr.count("isopatch: assembly"), 1)
         self.assertEqual({path.name for path in (self.folder / "results").iterdir()},
-                         {"summary.json", "results.h5", "results.vtm", "report.html", "fields"})
+                         {"summary.json", "results.h5", "results.vtm", "results_boundaries.vtm", "results_exact.vtm",
+                          "report.html", "fields"})
 
     def expect_failure(self, code, message, *arguments, counts=(2, 3)):
         for count in counts:

@@ -41,7 +41,8 @@ TEST_F(Program, TheUserChoosesTheCoreOfTheBlas) {
 TEST_F(Program, ChoosesACoreThatSuitsTheCpuByItself) {
   if (solvers::blas_core().empty()) GTEST_SKIP() << "the BLAS is not OpenBLAS";
   const fs::path said = folder_ / "version.txt";
-  ASSERT_EQ(shell(fmt::format("env -u OPENBLAS_CORETYPE {} --version > {}", ISOPATCH_PROGRAM, said.string())), 0);
+  ASSERT_EQ(shell(fmt::format("env -u OPENBLAS_CORETYPE {} --version > {}", ISOPATCH_PROGRAM, said.string())),
+            0);
   const std::string text = read_file(said), before = "BLAS: OpenBLAS for ";
   const auto start = text.find(before);
   ASSERT_NE(start, text.npos) << text;
@@ -58,10 +59,15 @@ TEST_F(Program, ASecondRunReplacesTheFirstWholly) {
   write_file(results() / "fields/patch_mine.vtu", "mine");
   // One patch instead of two: a field file of the first run would be left beside the new ones.
   ASSERT_EQ(run({"run", study(), "-q", "--set", "model.patches=[1,1,1]"}), 0) << err_;
-  EXPECT_THAT(files_below(results()),
-              testing::UnorderedElementsAre("summary.json", "results.h5", "results.vtm", "report.html",
-                                            "compare.json", "compare.html", "notes.txt",
-                                            "fields/patch_mine.vtu", "fields/patch_000.vtu"));
+  // The support, the load and the six sides of the box.
+  std::vector<std::string> expected = {"summary.json",         "results.h5",
+                                       "report.html",          "compare.json",
+                                       "compare.html",         "notes.txt",
+                                       "results.vtm",          "results_boundaries.vtm",
+                                       "results_exact.vtm",    "fields/patch_mine.vtu",
+                                       "fields/patch_000.vtu", "fields/exact_patch_000.vtu"};
+  for (int i = 0; i < 8; ++i) expected.push_back(fmt::format("fields/boundary_{:03d}.vtu", i));
+  EXPECT_THAT(files_below(results()), testing::UnorderedElementsAreArray(expected));
   EXPECT_EQ(json::parse(read_file(results() / "summary.json"))["model"]["patches"], 1);
   ASSERT_EQ(run({"run", study(), "-q", "--set", "output.fields=false", "--set", "output.hdf5=false", "--set",
                  "output.report=false"}),
@@ -81,23 +87,38 @@ TEST_F(Program, AFailedRunLeavesEarlierResultsAlone) {
 
 TEST_F(Program, AFullDiskInTheMiddleLeavesNothingOfAnEarlierRun) {
   ASSERT_EQ(run({"run", study(), "-q", "--set", "model.patches=[3,1,1]"}), 0) << err_;
-  // Single precision fits the shell's limit, 8 blocks of 512 bytes, results.h5 does not.
-  EXPECT_EQ(shell(fmt::format("(ulimit -f 8; exec {} run {} -q --set output.precision=single) 2>/dev/null",
+  // Cells of one piece fit the shell's limit, 8 blocks of 512 bytes, results.h5 does not.
+  EXPECT_EQ(shell(fmt::format("(ulimit -f 8; exec {} run {} -q --set output.pieces=1) 2>/dev/null",
                               ISOPATCH_PROGRAM, study())),
             3);
-  EXPECT_THAT(files_below(results()),
-              testing::UnorderedElementsAre("fields/patch_000.vtu", "fields/patch_001.vtu", "results.vtm"));
+  EXPECT_THAT(files_below(results()), testing::Contains("fields/exact_patch_001.vtu"));
+  EXPECT_THAT(files_below(results()), testing::Not(testing::Contains("fields/exact_patch_002.vtu")));
+  for (const char* file : {"results.h5", "report.html", "summary.json"})
+    EXPECT_FALSE(fs::exists(results() / file)) << file;
 }
 
-TEST_F(Program, FieldsInSinglePrecisionAreSmaller) {
-  ASSERT_EQ(run({"run", study(), "-q", "--set", "discretization.refine=2"}), 0) << err_;
-  const auto full = fs::file_size(results() / "fields/patch_000.vtu");
-  ASSERT_EQ(
-      run({"run", study(), "-q", "--set", "discretization.refine=2", "--set", "output.precision=single"}), 0);
-  EXPECT_LT(static_cast<double>(fs::file_size(results() / "fields/patch_000.vtu")),
-            0.65 * static_cast<double>(full));
+TEST_F(Program, TheStudySaysHowFineAndHowExactFieldsAre) {
+  const std::string hexahedra = "fields/patch_000.vtu", exact = "fields/exact_patch_000.vtu";
+  const auto sizes = [&](const std::string& assignment) {
+    EXPECT_EQ(run({"run", study(), "-q", "--set", "discretization.refine=2", "--set", assignment}), 0)
+        << err_;
+    return std::array{static_cast<double>(fs::file_size(results() / hexahedra)),
+                      static_cast<double>(fs::file_size(results() / exact))};
+  };
+  const auto usual = sizes("output.fields=true"), single = sizes("output.precision=single"),
+             coarse = sizes("output.pieces=2");
+  EXPECT_EQ(single[0], usual[0]);
+  EXPECT_LT(single[1], 0.75 * usual[1]);
+  EXPECT_LT(coarse[0], 0.25 * usual[0]);
+  EXPECT_EQ(coarse[1], usual[1]);
+  ASSERT_EQ(run({"run", study(), "-q", "--set", "output.exact=false"}), 0);
+  EXPECT_TRUE(fs::exists(results() / hexahedra));
+  EXPECT_FALSE(fs::exists(results() / exact));
+  EXPECT_FALSE(fs::exists(results() / "results_exact.vtm"));
   EXPECT_EQ(run({"run", study(), "-q", "--set", "output.precision=singel"}), 2);
   EXPECT_THAT(err_, HasSubstr("single"));
+  EXPECT_EQ(run({"run", study(), "-q", "--set", "output.pieces=0"}), 2);
+  EXPECT_THAT(err_, HasSubstr("pieces"));
 }
 
 TEST_F(Program, ReadsStudiesWrittenByWindowsEditors) {

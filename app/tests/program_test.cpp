@@ -82,8 +82,9 @@ TEST_F(Program, QuietSaysNothing) {
 
 TEST_F(Program, RunWritesAllFilesOrOnlyThoseAskedFor) {
   ASSERT_EQ(run({"run", study()}), 0);
-  for (const char* file : {"summary.json", "results.h5", "results.vtm", "report.html", "fields/patch_000.vtu",
-                           "fields/patch_001.vtu"})
+  for (const char* file : {"summary.json", "results.h5", "results.vtm", "results_boundaries.vtm",
+                           "results_exact.vtm", "report.html", "fields/patch_000.vtu", "fields/patch_001.vtu",
+                           "fields/boundary_000.vtu", "fields/exact_patch_001.vtu"})
     EXPECT_TRUE(fs::exists(results() / file)) << file;
   const fs::path other = folder_ / "a/b";
   ASSERT_EQ(run({"run", study(), "-o", other.string(), "--set", "output.fields=false", "--set",
@@ -214,7 +215,8 @@ TEST_F(Program, ProbeAndFieldsWorkFromStoredResults) {
   EXPECT_EQ(run({"probe", file}), 2);
   EXPECT_EQ(run({"probe", file, "--patch", "7", "--parameter", "0,0,0"}), 2);
   ASSERT_EQ(run({"fields", file, "-o", (folder_ / "again").string()}), 0) << err_;
-  for (const char* name : {"results.vtm", "fields/patch_000.vtu", "fields/patch_001.vtu"})
+  for (const char* name : {"results.vtm", "results_exact.vtm", "fields/patch_000.vtu", "fields/patch_001.vtu",
+                           "fields/exact_patch_000.vtu", "fields/boundary_000.vtu"})
     EXPECT_EQ(read_file(folder_ / "again" / name), read_file(results() / name)) << name;
 }
 

@@ -70,6 +70,15 @@ class TemporaryFile {
       bytes.remove_prefix(static_cast<std::size_t>(count));
     }
   }
+  void write_at(std::uint64_t place, std::string_view bytes) {
+    while (!bytes.empty()) {
+      const ::ssize_t count = ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<::off_t>(place));
+      if (count < 0 && errno == EINTR) continue;
+      if (count < 0) give_up();
+      bytes.remove_prefix(static_cast<std::size_t>(count));
+      place += static_cast<std::uint64_t>(count);
+    }
+  }
   void finish() {
     if (::fsync(descriptor_) != 0 && errno != EINVAL) give_up();
     const int closed = ::close(descriptor_);
@@ -104,6 +113,10 @@ AtomicWriter::~AtomicWriter() = default;
 
 void AtomicWriter::write(std::string_view bytes) {
   state_->file.write(bytes);
+}
+
+void AtomicWriter::write_at(std::uint64_t place, std::string_view bytes) {
+  state_->file.write_at(place, bytes);
 }
 
 void AtomicWriter::finish() {

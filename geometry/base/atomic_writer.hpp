@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string_view>
@@ -20,6 +21,8 @@ class AtomicWriter {
   AtomicWriter(AtomicWriter&&) = delete;
 
   void write(std::string_view bytes);
+  /// Writes bytes at a place of the file, wherever `write` goes on; what is never written reads as zeros.
+  void write_at(std::uint64_t place, std::string_view bytes);
   void finish();
 
  private:

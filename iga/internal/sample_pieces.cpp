@@ -1,12 +1,10 @@
 #include "iga/internal/sample_pieces.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
-#include "geometry/base/error.hpp"
+#include "iga/internal/element_numbers.hpp"
 
 namespace isopatch::iga {
 namespace {
@@ -14,8 +12,8 @@ namespace {
 using Eigen::Index;
 using geometry::NurbsVolume;
 
-// Per element of each direction, the largest deviation from a straight line, in units of what is allowed.
-using Deviations = std::array<std::vector<double>, 3>;
+// The largest deviation from a straight line, in units of what is allowed.
+using Deviations = ElementNumbers;
 
 // Pieces of equal parameters are not equally curved.
 constexpr double unevenness = 1.2;
@@ -94,38 +92,6 @@ std::array<std::size_t, 3> elements_of(const NurbsVolume& patch) {
           static_cast<std::size_t>(patch.knots(2).element_count())};
 }
 
-// Makes the lists of the two sides of every interface equal, to the larger value of each element, and so on
-// from patch to patch. @throws Error not_conforming
-void share(const geometry::MultiPatch& model, std::vector<Deviations>& all) {
-  bool changed = true;
-  while (changed) {
-    changed = false;
-    for (const geometry::Interface& interface : model.interfaces())
-      for (std::size_t a = 0; a < 2; ++a) {
-        const std::size_t b = interface.orientation.swapped ? 1 - a : a;
-        const bool flip = b == 0 ? interface.orientation.flip_first : interface.orientation.flip_second;
-        const auto side = [&](const geometry::PatchFace& face, std::size_t tangent) -> std::vector<double>& {
-          return all[static_cast<std::size_t>(face.patch.value)]
-                    [static_cast<std::size_t>(tangents(face.side)[tangent])];
-        };
-        std::vector<double>& first = side(interface.first, a);
-        std::vector<double>& second = side(interface.second, b);
-        if (first.size() != second.size())
-          throw Error(
-              ErrorCode::not_conforming,
-              fmt::format(
-                  "{} and {} have {} and {} elements along their interface; discretize the model first",
-                  model.label(interface.first), model.label(interface.second), first.size(), second.size()));
-        for (std::size_t e = 0; e < first.size(); ++e) {
-          double& other = second[flip ? second.size() - 1 - e : e];
-          if (first[e] == other) continue;
-          first[e] = other = std::max(first[e], other);
-          changed = true;
-        }
-      }
-  }
-}
-
 // `elements` parted into about elements / stride intervals, the same seen from either end.
 std::vector<int> chosen_ends(int elements, int stride) {
   int intervals = std::max(1, elements / stride);
@@ -197,7 +163,7 @@ std::vector<PatchPieces> choose_pieces(const geometry::MultiPatch& model,
       needed.push_back({std::vector(n[0], 1.0), std::vector(n[1], 1.0), std::vector(n[2], 1.0)});
     }
   }
-  share(model, needed);
+  share_along_interfaces(model, needed);
   const auto with = [&](int stride, double factor) {
     std::vector<PatchPieces> result;
     for (const Deviations& patch : needed)

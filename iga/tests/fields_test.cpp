@@ -7,8 +7,6 @@
 #include "geometry/base/error.hpp"
 #include "geometry/measures.hpp"
 #include "geometry/models/elbow.hpp"
-#include "geometry/quadrature.hpp"
-#include "iga/bezier_output.hpp"
 #include "iga/loads.hpp"
 #include "iga/result_file.hpp"
 #include "iga/tests/small_models.hpp"
@@ -65,50 +63,6 @@ TEST(ElasticField, HasFiniteStressOnACollapsedEdge) {
   const FieldValues at = evaluate(field, 0, {0, 0.5, 0.5});
   EXPECT_NEAR(at.stress(0, 0), 1, 1e-9);
   EXPECT_NEAR(at.jacobian, 0, 1e-15);
-}
-
-TEST(BezierCells, CarryTheFieldsOfTheSolution) {
-  const ElasticField& field = elbow_solution().field;
-  const int patch = 5;
-  const NurbsVolume& volume = field.patches[patch];
-  const geometry::BezierCells cells = bezier_cells(field, patch);
-  ASSERT_EQ(cells.cell_count, volume.knots(0).element_count() * volume.knots(1).element_count() *
-                                  volume.knots(2).element_count());
-  const auto rule = geometry::gauss_legendre(3);
-  const auto n = volume.size() == 0 ? 0 : cells.points.cols() / cells.cell_count;
-  const auto piece_of = [&](const Eigen::MatrixXd& values) {
-    Eigen::Matrix3Xd three = Eigen::Matrix3Xd::Zero(3, n);
-    three.topRows(values.rows()) = values.leftCols(n);
-    std::array<geometry::KnotVector, 3> knots;
-    for (int d = 0; d < 3; ++d)
-      knots[static_cast<std::size_t>(d)] =
-          geometry::KnotVector::bezier(cells.degree[static_cast<std::size_t>(d)]);
-    return NurbsVolume(knots, three, cells.weights.head(n));
-  };
-  const std::array<std::vector<double>, 3> breaks = {volume.knots(0).breaks(), volume.knots(1).breaks(),
-                                                     volume.knots(2).breaks()};
-  const auto in_patch = [&](const Parameter<3>& t) {
-    Parameter<3> result;
-    for (int d = 0; d < 3; ++d) {
-      const auto& b = breaks[static_cast<std::size_t>(d)];
-      result[d] = b[0] + t[d] * (b[1] - b[0]);
-    }
-    return result;
-  };
-  // Place and displacement anywhere, von Mises and the Jacobian at the Gauss points.
-  const Parameter<3> anywhere(0.3, 0.85, 0.4);
-  const FieldValues exact = evaluate(field, patch, in_patch(anywhere));
-  EXPECT_LT((piece_of(cells.points).point(anywhere) - exact.place).norm(), 1e-13 * exact.place.norm());
-  EXPECT_LT((piece_of(cells.point_fields[0].values).point(anywhere) - exact.displacement).norm(),
-            1e-12 * exact.displacement.norm());
-  for (int q = 0; q < 27; ++q) {
-    const Parameter<3> gauss(rule.nodes[q % 3], rule.nodes[q / 3 % 3], rule.nodes[q / 9]);
-    const FieldValues at = evaluate(field, patch, in_patch(gauss));
-    EXPECT_NEAR(piece_of(cells.point_fields[1].values.topRows(3)).point(gauss)[2] / at.von_mises,
-                at.stress(2, 2) / at.von_mises, 1e-10);
-    EXPECT_NEAR(piece_of(cells.point_fields[2].values).point(gauss)[0] / at.von_mises, 1, 1e-10);
-    EXPECT_NEAR(piece_of(cells.point_fields[3].values).point(gauss)[0] / at.jacobian, 1, 1e-10);
-  }
 }
 
 TEST(ResultFile, ComesBackAsItWas) {

@@ -13,7 +13,7 @@
 #include <fstream>
 #include <map>
 
-#include "app/write_results.hpp"
+#include "app/write_fields.hpp"
 #include "geometry/base/atomic_writer.hpp"
 #include "iga/internal_forces.hpp"
 #include "iga/loads.hpp"
@@ -109,7 +109,7 @@ Phases measure(const std::string& path, const std::vector<std::string>& override
   phase("reactions", [&] { return iga::support_reactions(problem, classes, frames, unbalanced); });
   study.output.directory = directory;
   phase("fields", [&] {
-    app::write_fields(run.solution.field, study.output.precision, directory);
+    app::write_fields(run.solution.field, d.model, {}, study.output.field_options, directory);
     return 0;
   });
   phase("results.h5", [&] {

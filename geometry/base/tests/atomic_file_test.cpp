@@ -174,6 +174,16 @@ TEST_F(AtomicFile, WrittenInPiecesAppearsWhenFinished) {
   EXPECT_EQ(files().size(), 1u);
 }
 
+TEST_F(AtomicFile, PiecesMayBeWrittenInAnyOrder) {
+  AtomicWriter writer(path_);
+  writer.write_at(5, "two");
+  writer.write("one");
+  writer.write_at(3, ", ");
+  writer.write("; ");
+  writer.finish();
+  EXPECT_EQ(read_file(path_), "one; two");
+}
+
 TEST_F(AtomicFile, LeftUnfinishedChangesNothing) {
   write_file(path_, "before");
   try {
