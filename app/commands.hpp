@@ -74,6 +74,7 @@ struct ParameterizeCommand {
   std::vector<std::filesystem::path> blocks;
   std::string pairs;        ///< a file, or "" to find them from the geometry
   std::string length_unit;  ///< as of InputFile
+  CadReading reading;
   std::string method = "shared";
   BlocksInput input;             ///< the options; files are filled in
   std::filesystem::path output;  ///< .xml

@@ -225,10 +225,11 @@ std::string solid_text(const SolidReport& solid, bool all) {
   return text + findings_text(report) + faces_text(brep, all) + edges_text(brep, report, all);
 }
 
-std::string solids_json_text(const std::vector<SolidReport>& solids) {
+std::string solids_json_text(const std::vector<SolidReport>& solids, const std::string& unit,
+                             const std::vector<std::string>& warnings) {
   Json result = Json::array();
   for (const SolidReport& solid : solids) result.push_back(solid_json(solid));
-  return file_text({{"solids", result}});
+  return file_text({{"bodies", solids.size()}, {"unit", unit}, {"warnings", warnings}, {"solids", result}});
 }
 
 }  // namespace isopatch::app

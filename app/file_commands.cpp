@@ -63,20 +63,24 @@ std::string values_json(const StoredValues& found) {
 /// Prints the report of each solid; fails after that if one is none.
 ExitCode solid_info(const InfoCommand& command, const Console& console) {
   ProgressDisplay display(console);
-  display.progress()("reading and checking", 0);
-  const std::vector<SolidReport> solids = load_solids(command.input);
+  const LoadedSolids loaded = load_solids(command.input, display.progress());
+  const std::vector<SolidReport>& solids = loaded.bodies;
   display.clear();
-  if (command.json) console.out << solids_json_text(solids);
+  for (const std::string& warning : loaded.warnings)
+    console.warn(fmt::format("{}: {}", command.input.path.string(), warning));
+  if (command.json) console.out << solids_json_text(solids, loaded.unit, loaded.warnings);
+  if (!command.json)
+    console.out << fmt::format("{}: {} {}, unit of length: {}\n", command.input.path.string(), solids.size(),
+                               solids.size() == 1 ? "body" : "bodies", loaded.unit);
   ExitCode code = ExitCode::ok;
   for (std::size_t i = 0; i < solids.size(); ++i) {
     const SolidReport& solid = solids[i];
-    const std::string number = solids.size() > 1 ? fmt::format(", solid {}", i) : "";
-    const std::string name = solid.file.name.empty() ? "" : fmt::format(" '{}'", solid.file.name);
+    const std::string body = fmt::format("body {} '{}'", i, solid.file.name);
     if (!command.json)
-      console.out << fmt::format("{}{}{}{}\n", i > 0 ? "\n" : "", command.input.path.string(), number, name)
-                  << solid_text(solid, command.all);
+      console.out << (solids.size() > 1 ? "\n" : "") << body << ": " << solid_text(solid, command.all);
     if (solid.report.stage != geometry::BrepStage::repair) continue;
-    console.fail(fmt::format("{}{}: {}", command.input.path.string(), number, solid.report.findings.front()));
+    console.fail(fmt::format("{}: {}{}", command.input.path.string(), solids.size() > 1 ? body + ": " : "",
+                             solid.report.findings.front()));
     code = ExitCode::wrong_input;
   }
   return code;

@@ -197,6 +197,21 @@ void add_study_commands(CLI::App& app, CommandLine& line) {
       "Estimates the condition of systems that are factorized, which takes some thirty solutions more");
 }
 
+void add_reading(CLI::App* command, CadReading& reading) {
+  command->add_flag("--allow-partial", reading.allow_partial,
+                    "Bodies and faces of CAD files that cannot be read are a warning and left out");
+  command
+      ->add_option("--cad-time-limit", reading.time_limit,
+                   "Seconds that a CAD file may take to be read; default: 60, and 10 for each MB")
+      ->check(CLI::PositiveNumber)
+      ->type_name("S");
+  command
+      ->add_option("--cad-memory-limit", reading.memory_limit,
+                   "Bytes that a CAD file may take to be read; default: three quarters of the memory")
+      ->check(CLI::PositiveNumber)
+      ->type_name("BYTES");
+}
+
 void add_input(CLI::App* command, InputFile& input) {
   command
       ->add_option(
@@ -210,6 +225,7 @@ void add_input(CLI::App* command, InputFile& input) {
       ->type_name("KEY=VALUE");
   command->add_option("--length-unit", input.length_unit,
                       "What one unit of the file measures [m]; STEP and IGES files say it themselves");
+  add_reading(command, input.reading);
 }
 
 void add_render_command(CLI::App& app, CommandLine& line) {
@@ -253,7 +269,8 @@ void add_parameterize_command(CLI::App& app, CommandLine& line) {
                   parameterize_examples,
                   [&command](const Console& console) { return parameterize_command(command, console); });
   parameterize
-      ->add_option("blocks", command.blocks, "Solids: .step, .stp, .iges, .igs, .brep, .xml (G+Smo), .off")
+      ->add_option("blocks", command.blocks,
+                   "Solids: .step, .stp, .p21, .iges, .igs, .brep, .brp, .xml (G+Smo), .off")
       ->required();
   parameterize->add_option("-o,--output", command.output, "The patches (.xml)")
       ->required()
@@ -266,6 +283,7 @@ void add_parameterize_command(CLI::App& app, CommandLine& line) {
       ->type_name("FILE");
   parameterize->add_option("--length-unit", command.length_unit,
                            "What one unit measures, in formats that do not say it; default: m");
+  add_reading(parameterize, command.reading);
   parameterize
       ->add_option("--tolerance", command.input.options.fit.tolerance, "Largest deviation, share of the size")
       ->capture_default_str();

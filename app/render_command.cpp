@@ -30,8 +30,8 @@ ExitCode render_solid(const RenderCommand& command, const Console& console) {
   const PictureOptions options = parse_picture_options(command.words, false);
   ProgressDisplay display(console);
   const Progress progress = display.progress();
-  progress("reading and checking", 0);
-  const std::vector<SolidReport> solids = load_solids(command.input);
+  const LoadedSolids loaded = load_solids(command.input, progress);
+  const std::vector<SolidReport>& solids = loaded.bodies;
   if (solids.size() > 1)
     throw Error(ErrorCode::unsupported, fmt::format("{} holds {} solids; draw them one by one",
                                                     command.input.path.string(), solids.size()));
@@ -47,6 +47,8 @@ ExitCode render_solid(const RenderCommand& command, const Console& console) {
         fmt::format("{} x {} pixels, {}", options.size.width, options.size.height, composed.description);
   }
   display.clear();
+  for (const std::string& warning : loaded.warnings)
+    console.warn(fmt::format("{}: {}", command.input.path.string(), warning));
   if (!console.quiet) console.out << fmt::format("{}: {}\n", command.output.string(), description);
   return ExitCode::ok;
 }

@@ -86,9 +86,9 @@ const Keys<ModelKeys>& model_keys() {
           "`generate`."),
       custom_key<ModelKeys>(
           "blocks", "array of strings",
-          "Files of solids that are topological hexahedra: STEP (.step, .stp), IGES "
+          "Files of solids that are topological hexahedra: STEP (.step, .stp, .p21), IGES "
           "(.iges, .igs), OpenCASCADE "
-          "(.brep), G+Smo solids (.xml), polyhedra (.off). [parameterization] says how "
+          "(.brep, .brp), G+Smo solids (.xml), polyhedra (.off). [parameterization] says how "
           "each becomes a patch; their "
           "outer faces are boundaries called \"block:face\"; all of one colour in STEP files are "
           "the boundary \"#rrggbb\".",
@@ -109,8 +109,27 @@ const Keys<ModelKeys>& model_keys() {
           "length_unit", "length (m), with or without a number",
           "What one unit of the file's (or the generated model's) coordinates measures: \"mm\", "
           "\"225 mm\", 0.0254. All other lengths of the study are in m or have a unit.",
-          [](ModelKeys& target, const ConfigValue& value) { target.length_unit = read_length_unit(value); })
-          .with_default("\"m\""),
+          [](ModelKeys& target, const ConfigValue& value) {
+            target.length_unit = read_length_unit(value);
+            target.gives_length_unit = true;
+          })
+          .with_default("\"m\"; STEP and IGES files say it themselves"),
+      custom_key<ModelKeys>("allow_partial", "true or false",
+                            "Whether bodies and faces of CAD files that cannot be read, and bodies that are "
+                            "not closed, are left out with "
+                            "a warning. Otherwise they are an error.",
+                            [](ModelKeys& target, const ConfigValue& value) {
+                              target.allow_partial = read_flag(value, "allow_partial");
+                            })
+          .with_default("false"),
+      quantity_key<ModelKeys>(
+          "cad_time_limit", &ModelKeys::cad_time_limit, dim::none, {0, 1e7},
+          "Seconds of computing that a STEP, IGES or .brep file may take to be read; 0 means 60 "
+          "seconds and 10 for each megabyte."),
+      quantity_key<ModelKeys>(
+          "cad_memory_limit", &ModelKeys::cad_memory_limit, dim::none, {0, 1e15},
+          "Bytes of memory that a STEP, IGES or .brep file may take to be read; 0 means three "
+          "quarters of the machine's."),
       quantity_key<ModelKeys>(
           "same_point", &ModelKeys::same_point, dim::none, {0, 1e-2, false, false},
           "Points closer than this share of the model's size are one point: faces that agree so well "

@@ -47,6 +47,10 @@ function(isopatch_tests name)
   endif()
   add_executable(test_${name} ${sources})
   target_link_libraries(test_${name} PRIVATE ${arg_UNPARSED_ARGUMENTS} GTest::gtest GTest::gmock GTest::gtest_main)
+  # Nothing links the program that reads CAD files, but what reads them starts it.
+  if(TARGET isopatch_cad_reader)
+    add_dependencies(test_${name} isopatch_cad_reader)
+  endif()
   # Tests spend their time in the libraries; compiling them lightly saves half the build.
   target_compile_options(test_${name} PRIVATE ${ISOPATCH_WARNINGS} -O1)
   target_compile_definitions(test_${name} PRIVATE ISOPATCH_SOURCE_DIR="${PROJECT_SOURCE_DIR}")

@@ -112,7 +112,8 @@ struct Prepared {
   ::sigset_t none;
   ::sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
-  for (const int signal : {SIGINT, SIGTERM, SIGPIPE, SIGSEGV, SIGFPE, SIGABRT, SIGBUS, SIGXCPU}) ::signal(signal, SIG_DFL);
+  for (const int signal : {SIGINT, SIGTERM, SIGPIPE, SIGSEGV, SIGFPE, SIGABRT, SIGBUS, SIGXCPU})
+    ::signal(signal, SIG_DFL);
   ::execv(prepared.arguments[0], const_cast<char* const*>(prepared.arguments.data()));
   const int why = errno;
   [[maybe_unused]] const auto written = ::write(result_descriptor, &why, sizeof why);
@@ -178,7 +179,8 @@ class Child {
 };
 
 /// Listens until the process is over or the time is up; whether it was over by itself.
-bool listen(Child& child, Pipe& output, Pipe& errors, const GuardedCommand& command, std::string& error_text) {
+bool listen(Child& child, Pipe& output, Pipe& errors, const GuardedCommand& command,
+            std::string& error_text) {
   Lines lines(command.on_line);
   const auto until = Clock::now() + std::chrono::duration<double>(patience * command.limits.seconds);
   const auto add_errors = [&](std::string_view bytes) {
@@ -233,8 +235,8 @@ GuardedOutcome run_guarded(const GuardedCommand& command) {
   prepared.arguments.push_back(nullptr);
   prepared.descriptors = {input.number(), output.in.number(), errors.in.number(), result.number()};
   prepared.processor = limit(std::ceil(command.limits.seconds), 5);
-  prepared.memory = command.limits.bytes > 0 ? limit(double(command.limits.bytes))
-                                             : ::rlimit{RLIM_INFINITY, RLIM_INFINITY};
+  prepared.memory =
+      command.limits.bytes > 0 ? limit(double(command.limits.bytes)) : ::rlimit{RLIM_INFINITY, RLIM_INFINITY};
   prepared.core = limit(0);
   prepared.parent = ::getpid();
   const ::pid_t id = ::fork();

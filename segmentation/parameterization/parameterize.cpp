@@ -253,7 +253,7 @@ bool ParameterizationReport::usable() const {
 }
 
 std::vector<std::string> ParameterizationReport::complaints() const {
-  std::vector<std::string> result;
+  std::vector<std::string> result = warnings;
   for (const PatchReport& patch : patches)
     if (!patch.certificate.accepted()) result.push_back(complaint(patch));
   for (const FaceReport& face : faces)

@@ -61,6 +61,7 @@ struct ParameterizationReport {
   double tolerance = 0;  ///< allowed deviation, model units
   std::vector<PatchReport> patches;
   std::vector<FaceReport> faces;
+  std::vector<std::string> warnings;  ///< that reading the blocks gave cause to
   double largest_gap = 0;  ///< between outlines of faces along an edge, as given, model units
   std::string gap_at;      ///< the edge's block and vertices' places
   int rounds = 0;          ///< of knot insertion

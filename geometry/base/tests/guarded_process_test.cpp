@@ -53,7 +53,8 @@ TEST(GuardedProcess, StopsWhatComputesTooLong) {
 }
 
 TEST(GuardedProcess, StopsWhatOnlyWaits) {
-  const GuardedOutcome outcome = run_guarded({.program = "/bin/sleep", .arguments = {"600"}, .limits = {.seconds = 0.05}});
+  const GuardedOutcome outcome =
+      run_guarded({.program = "/bin/sleep", .arguments = {"600"}, .limits = {.seconds = 0.05}});
   EXPECT_EQ(outcome.end, End::timed_out);
 }
 
@@ -70,7 +71,8 @@ TEST(GuardedProcess, MemoryIsLimited) {
 }
 
 TEST(GuardedProcess, KeepsOnlyTheEndOfManyErrors) {
-  const GuardedOutcome outcome = run_guarded(shell("for i in 1 2 3 4 5 6 7 8 9; do printf %01000d $i >&2; done"));
+  const GuardedOutcome outcome =
+      run_guarded(shell("for i in 1 2 3 4 5 6 7 8 9; do printf %01000d $i >&2; done"));
   EXPECT_EQ(outcome.errors.size(), 4000u);
   EXPECT_THAT(outcome.errors, testing::EndsWith("09"));
 }
@@ -90,7 +92,8 @@ TEST(GuardedProcess, SeveralThreadsMayGuardAtOnce) {
   std::vector<std::thread> threads;
   std::array<std::string, 4> results;
   for (std::size_t i = 0; i < results.size(); ++i)
-    threads.emplace_back([&results, i] { results[i] = run_guarded(shell("echo " + std::to_string(i) + " >&3")).result; });
+    threads.emplace_back(
+        [&results, i] { results[i] = run_guarded(shell("echo " + std::to_string(i) + " >&3")).result; });
   for (std::thread& thread : threads) thread.join();
   EXPECT_THAT(results, ElementsAre("0\n", "1\n", "2\n", "3\n"));
 }
