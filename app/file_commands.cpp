@@ -83,6 +83,10 @@ ExitCode solid_info(const InfoCommand& command, const Console& console) {
                              solid.report.findings.front()));
     code = ExitCode::wrong_input;
   }
+  for (const std::string& missing : loaded.missing) {
+    console.fail(fmt::format("{}: could not be read: {}", command.input.path.string(), missing));
+    code = ExitCode::wrong_input;
+  }
   return code;
 }
 

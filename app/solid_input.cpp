@@ -17,7 +17,7 @@ LoadedSolids load_solids(const InputFile& input, const Progress& progress) {
   options.progress = progress;
   set_reading(input.reading, options);
   geometry::BrepSet set = geometry::read_breps(input.path, options);
-  LoadedSolids result{{}, std::move(set.warnings), std::move(set.unit)};
+  LoadedSolids result{{}, std::move(set.missing), std::move(set.warnings), std::move(set.unit)};
   for (std::size_t i = 0; i < set.bodies.size(); ++i) {
     progress("describing the bodies", double(i) / double(set.bodies.size()));
     geometry::BrepReport report = geometry::check(set.bodies[i].brep);

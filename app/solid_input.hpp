@@ -16,6 +16,7 @@ bool is_solid_file(const std::filesystem::path& path);
 /// The bodies of a file and what reading it gave cause to say.
 struct LoadedSolids {
   std::vector<SolidReport> bodies;
+  std::vector<std::string> missing;  ///< what of the file could not be read
   std::vector<std::string> warnings;
   std::string unit;  ///< of the file, as of `geometry::BrepSet`
 };

@@ -9,6 +9,7 @@
 #include "geometry/base/error.hpp"
 #include "geometry/brep/internal/cad_file.hpp"
 #include "geometry/brep/internal/file_format.hpp"
+#include "geometry/brep/internal/sentences.hpp"
 #include "geometry/brep/make_brep.hpp"
 #include "geometry/brep/require_solid.hpp"
 #include "geometry/brep/solid_error.hpp"
@@ -29,7 +30,7 @@ void check(const ReadBrepOptions& options) {
 
 BrepSet from_module(const fs::path& path, BrepFormat format, const ReadBrepOptions& options) {
   CadFile file = read_cad_file_guarded(path, format, options);
-  BrepSet result{{}, std::move(file.warnings), std::move(file.unit)};
+  BrepSet result{{}, std::move(file.missing), std::move(file.warnings), std::move(file.unit)};
   for (KernelSolid& solid : file.bodies)
     result.bodies.push_back({Brep(std::move(solid.kernel)), std::move(solid.name), solid.largest_correction});
   return result;
@@ -68,7 +69,7 @@ BrepFile from_boundary(const SolidBoundary& boundary, const std::string& source,
 }
 
 BrepSet from_gismo(const fs::path& path, const ReadBrepOptions& options) {
-  BrepSet result{{}, {}, unit_taken(options)};
+  BrepSet result{{}, {}, {}, unit_taken(options)};
   const std::string text = read_file(path);
   if (!is_gismo_solid(text))
     throw Error(ErrorCode::unsupported,
@@ -82,7 +83,7 @@ BrepSet from_gismo(const fs::path& path, const ReadBrepOptions& options) {
 BrepSet from_off(const fs::path& path, const ReadBrepOptions& options) {
   Polyhedron polyhedron = read_off(read_file(path), path.string());
   polyhedron.vertices *= options.length_unit.value_or(1);
-  return {{{make_brep(polyhedron, options.sew), "", 0}}, {}, unit_taken(options)};
+  return {{{make_brep(polyhedron, options.sew), "", 0}}, {}, {}, unit_taken(options)};
 }
 
 // Errors of the making of solids get the file's name in front, if they lack it.
@@ -120,6 +121,19 @@ void set_names(std::vector<BrepFile>& bodies, const std::string& fallback) {
   }
 }
 
+/// What could not be read is a warning or an error.
+void require_all(BrepSet& set, const ReadBrepOptions& options) {
+  if (set.missing.empty()) return;
+  const std::string what = fmt::format("not all of the file could be read: {}", listed(set.missing));
+  if (!options.allow_partial)
+    throw Error(ErrorCode::bad_format,
+                fmt::format("{}. Mend the file, or take what is left: --allow-partial (in a study, "
+                            "[model] allow_partial = true)",
+                            what));
+  set.warnings.push_back(what);
+  set.missing.clear();
+}
+
 /// Bodies that are not closed are left out with a warning, or refused.
 void require_solids(BrepSet& set, const ReadBrepOptions& options) {
   std::vector<BrepFile> solids;
@@ -150,6 +164,7 @@ BrepSet read_breps(const fs::path& path, const ReadBrepOptions& options) {
   return named(path, [&] {
     BrepSet set = read(path, options);
     set_names(set.bodies, path.stem().string());
+    if (options.allow_partial || !options.sew.accept_open) require_all(set, options);
     if (!options.sew.accept_open) require_solids(set, options);
     return set;
   });

@@ -41,6 +41,8 @@ struct BrepFile {
 /// What was read of a file.
 struct BrepSet {
   std::vector<BrepFile> bodies;
+  std::vector<std::string>
+      missing;  ///< sentences about what could not be read; only where `accept_open` is set
   std::vector<std::string> warnings;  ///< sentences, without the file's name
   std::string unit;                   ///< of the file: "mm", "as given", "m, since the format states none"
 };

@@ -9,6 +9,7 @@
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/error.hpp"
 #include "geometry/brep/iges_header.hpp"
+#include "geometry/brep/internal/sentences.hpp"
 #include "geometry/brep/internal/step_text.hpp"
 #include "geometry/brep/part21.hpp"
 #include "geometry/brep/step_products.hpp"
@@ -19,27 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t shown_at_most = 4;
-
-std::string listed(const std::vector<std::string>& sentences) {
-  const std::size_t shown = std::min(shown_at_most, sentences.size());
-  const std::string text = fmt::format(
-      "{}", fmt::join(sentences.begin(), sentences.begin() + static_cast<std::ptrdiff_t>(shown), "; "));
-  return shown < sentences.size() ? fmt::format("{}; and {} more", text, sentences.size() - shown) : text;
-}
-
-/// What a file lacks: an error, or a warning if parts of it are enough.
-void judge(const std::vector<std::string>& missing, const std::string& source, const ReadBrepOptions& options,
-           CadFile& result) {
-  if (missing.empty()) return;
-  const std::string what = fmt::format("not all of the file could be read: {}", listed(missing));
-  if (!options.allow_partial)
-    throw Error(
-        ErrorCode::bad_format,
-        fmt::format("{}: {}. Mend the file, or take what is left: --allow-partial (in a study, [model] "
-                    "allow_partial = true)",
-                    source, what));
-  result.warnings.push_back(what);
+void add(const std::vector<std::string>& sentences, std::vector<std::string>& result) {
+  result.insert(result.end(), sentences.begin(), sentences.end());
 }
 
 void require_no_length_unit(const fs::path& path, const ReadBrepOptions& options) {
@@ -96,7 +78,7 @@ CadFile read_step_file(const fs::path& path, const ReadBrepOptions& options) {
   options.progress("checking the text", 0);
   const Part21File file(text, path.string());
   CadFile result;
-  judge(file.unknown_references(), path.string(), options, result);
+  result.missing = file.unknown_references();
   require_coordinates(file);
   const StepUnits units = step_units(file);
   if (units.stated) require_no_length_unit(path, options);
@@ -112,7 +94,7 @@ CadFile read_step_file(const fs::path& path, const ReadBrepOptions& options) {
   if (!units.stated) source.metres = options.length_unit.value_or(1e-3);
   KernelFile made = brep_module().read(source, options.sew);
   const StepWords words(file, products);
-  judge(losses(made, file, products), path.string(), options, result);
+  add(losses(made, file, products), result.missing);
   if (!made.remarks.empty())
     result.warnings.push_back(
         fmt::format("the CAD library stumbled: {}", listed(words.sentences(made.remarks))));
@@ -128,8 +110,8 @@ std::vector<std::string> iges_sentences(const std::vector<EntityRemark>& remarks
   return result;
 }
 
-void take(KernelFile made, const std::string& source, const ReadBrepOptions& options, CadFile& result) {
-  judge(iges_sentences(made.lost), source, options, result);
+void take(KernelFile made, CadFile& result) {
+  add(iges_sentences(made.lost), result.missing);
   if (!made.remarks.empty())
     result.warnings.push_back(
         fmt::format("the CAD library stumbled: {}", listed(iges_sentences(made.remarks))));
@@ -146,8 +128,7 @@ CadFile read_iges_file(const fs::path& path, const ReadBrepOptions& options) {
                                       : "mm, since the file states none";
   options.progress("reading", 0.1);
   const double metres = header.has_unit ? 1e-3 : options.length_unit.value_or(1e-3);
-  take(brep_module().read({path, BrepFormat::iges, {}, metres / header.scale}, options.sew), path.string(),
-       options, result);
+  take(brep_module().read({path, BrepFormat::iges, {}, metres / header.scale}, options.sew), result);
   return result;
 }
 
@@ -160,7 +141,7 @@ CadFile read_native_file(const fs::path& path, const ReadBrepOptions& options) {
     result.warnings.emplace_back(
         "OpenCASCADE files do not state their unit of length; m is taken; give length_unit if it is another");
   take(brep_module().read({path, BrepFormat::brep, {}, options.length_unit.value_or(1)}, options.sew),
-       path.string(), options, result);
+       result);
   return result;
 }
 
@@ -173,7 +154,7 @@ CadFile read_cad_file(const fs::path& path, BrepFormat format, const ReadBrepOpt
   if (result.bodies.empty())
     throw Error(ErrorCode::unsupported,
                 fmt::format("{}: there is no solid in the file, nor a face of one{}", path.string(),
-                            result.warnings.empty() ? "" : fmt::format(" ({})", result.warnings.front())));
+                            result.missing.empty() ? "" : fmt::format(": {}", listed(result.missing))));
   return result;
 }
 

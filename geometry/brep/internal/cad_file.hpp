@@ -13,6 +13,7 @@ namespace isopatch::geometry {
 /// What came of a CAD file.
 struct CadFile {
   std::vector<KernelSolid> bodies;
+  std::vector<std::string> missing;  ///< bodies and faces that could not be made, references into nothing
   std::vector<std::string> warnings;
   std::string unit;  ///< "mm", or what was taken and why
 };

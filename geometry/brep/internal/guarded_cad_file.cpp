@@ -112,7 +112,7 @@ std::string answer_of(const fs::path& path, BrepFormat format, const ReadBrepOpt
   try {
     const CadFile file = read_cad_file(path, format, options);
     try_out(file.bodies, options.progress);
-    const Json said = {{"warnings", file.warnings}, {"unit", file.unit}};
+    const Json said = {{"missing", file.missing}, {"warnings", file.warnings}, {"unit", file.unit}};
     return said.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n" +
            brep_module().to_bytes(file.bodies);
   } catch (const Error& error) {
@@ -132,7 +132,8 @@ CadFile file_of(const std::string& answer) {
     if (said.contains("fault")) throw SolidError(code, message, fault_of(said.at("fault")));
     throw Error(code, message);
   }
-  return {brep_module().from_bytes(answer.substr(line + 1)), said.at("warnings"), said.at("unit")};
+  return {brep_module().from_bytes(answer.substr(line + 1)), said.at("missing"), said.at("warnings"),
+          said.at("unit")};
 }
 
 /// Sixty seconds, and ten for each megabyte: some fifty times what a sound file takes.

@@ -8,6 +8,7 @@
 #include <TransferBRep.hxx>
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
+#include <algorithm>
 #include <cstdlib>
 #include <map>
 
@@ -29,14 +30,17 @@ std::int64_t number_of(const Interface_InterfaceModel& model, const Handle(Stand
 // nothing.
 bool is_of_shapes(const Standard_Transient& entity) {
   const std::string type = entity.DynamicType()->Name();
+  if (type.find("Representation") != type.npos) return false;
   for (const char* room : {"StepGeom_", "StepShape_", "IGESGeom_", "IGESSolid_", "IGESBasic_"})
     if (type.rfind(room, 0) == 0) return true;
   return false;
 }
 
 void add_fails(const Interface_Check& check, std::string& text) {
-  for (int i = 1; i <= check.NbFails(); ++i)
-    text += (text.empty() ? "" : "; ") + std::string(check.CFail(i, false));
+  for (int i = 1; i <= check.NbFails(); ++i) {
+    const std::string fail = check.CFail(i, true);
+    text += (text.empty() ? "" : "; ") + fail.substr(std::min(fail.size(), fail.find_first_not_of(" ")));
+  }
 }
 
 }  // namespace
