@@ -14,6 +14,11 @@ using Kind = Part21Token::Kind;
 
 constexpr int deepest = 200;
 
+bool is_irregular(std::string_view number) {
+  return number.find('e') != number.npos ||
+         (number.find('E') != number.npos && number.find('.') == number.npos);
+}
+
 /// The values up to the bracket that closes; the one that opens has been read.
 /// @param visit  gets each token that is a value or a bracket
 template <class Visit>
@@ -158,6 +163,7 @@ void Part21File::add_entity(Part21Scanner& scanner, std::int64_t id, const Part2
   if (!scanner.next().is('(')) scanner.fail(type.line, "'(' is missing");
   pass_values(scanner, [&](const Part21Token& seen) {
     if (seen.kind == Kind::reference) references_.push_back(seen.reference);
+    if (seen.kind == Kind::number && is_irregular(seen.bytes)) irregular_numbers_.push_back(seen.bytes);
   });
 }
 

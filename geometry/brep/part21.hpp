@@ -66,6 +66,8 @@ class Part21File {
   std::string place(const Part21Instance& instance) const;
   /// Where the last data section ends: in front of its ENDSEC.
   std::size_t end_of_data() const { return end_of_data_; }
+  /// Numbers that CAD libraries do not take for numbers, though they are: "1e-3" for 1.E-3, "1E5" for 1.E5.
+  const std::vector<std::string_view>& irregular_numbers() const { return irregular_numbers_; }
   /// All texts in quotes, without these, as views of `text()`.
   std::vector<std::string_view> texts() const;
   /// The largest number of an instance.
@@ -79,6 +81,7 @@ class Part21File {
   std::string source_;
   std::vector<Part21Instance> instances_;
   std::vector<std::int64_t> references_;
+  std::vector<std::string_view> irregular_numbers_;
   std::unordered_map<std::int64_t, std::size_t> by_id_;
   std::size_t end_of_data_ = 0;
   std::int64_t largest_id_ = 0;

@@ -19,6 +19,8 @@ class StepProducts {
   int placed_bodies() const { return placed_bodies_; }
   /// The name of the product that an entity belongs to, as the file has it; "" if it belongs to none.
   std::string product_of(std::int64_t entity) const;
+  /// Whether anything in the file refers to an entity.
+  bool is_used(std::int64_t entity) const { return users_.contains(entity); }
   /// Entities that are solids of kinds which are not made of faces with boundaries (CSG, swept, tessellated).
   const std::vector<const Part21Instance*>& other_solids() const { return other_solids_; }
 

@@ -58,6 +58,8 @@ class StepWords {
 std::vector<std::string> losses(const KernelFile& made, const Part21File& file,
                                 const StepProducts& products) {
   std::vector<EntityRemark> lost = made.lost;
+  for (EntityRemark& remark : lost)
+    if (remark.entity > 0 && !products.is_used(remark.entity)) remark.text = "nothing in the file uses it";
   for (const Part21Instance* other : products.other_solids()) {
     const bool triangles = other->type.find("TESSELLATED") != other->type.npos ||
                            other->type.find("TRIANGULATED") != other->type.npos;

@@ -108,8 +108,21 @@ void try_out(const std::vector<KernelSolid>& bodies, const Progress& progress) {
   }
 }
 
+/// @throws std::bad_alloc  the memory that the library itself needs is not there
+void load_module() {
+  try {
+    brep_module();
+  } catch (const Error& error) {
+    const std::string_view why = error.what();
+    for (const char* words : {"failed to map", "annot allocate", "annot create shared object"})
+      if (why.find(words) != why.npos) throw std::bad_alloc();
+    throw;
+  }
+}
+
 std::string answer_of(const fs::path& path, BrepFormat format, const ReadBrepOptions& options) {
   try {
+    load_module();
     const CadFile file = read_cad_file(path, format, options);
     try_out(file.bodies, options.progress);
     const Json said = {{"missing", file.missing}, {"warnings", file.warnings}, {"unit", file.unit}};

@@ -82,7 +82,7 @@ Part21Token Part21Scanner::number_token(Part21Token token) {
   while (!ends_value(at(end)) && at(end) != '(') ++end;
   std::string_view digits = text_.substr(place_, end - place_);
   const std::string_view whole = digits;
-  if (!digits.empty() && digits.front() == '+') digits.remove_prefix(1);
+  if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
   const bool plain = digits.find_first_not_of("+-.0123456789eE") == digits.npos;
   const auto [stop, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), token.number);
   if (problem == std::errc::result_out_of_range && plain && stop == digits.data() + digits.size())

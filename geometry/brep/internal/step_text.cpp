@@ -55,6 +55,14 @@ void append_utf8(std::string& text, int code) {
   }
 }
 
+/// "1e-3" as "1.E-3".
+std::string regular(std::string_view number) {
+  const std::size_t exponent = number.find_first_of("eE");
+  std::string result(number.substr(0, exponent));
+  if (result.find('.') == result.npos) result += '.';
+  return result + "E" + std::string(number.substr(exponent + 1));
+}
+
 std::string edited(std::string_view text, std::vector<Edit> edits) {
   std::sort(edits.begin(), edits.end(), [](const Edit& a, const Edit& b) { return a.begin < b.begin; });
   std::string result;
@@ -108,6 +116,8 @@ std::string kernel_text(const Part21File& file, const StepUnits& units) {
     edits.push_back({place(body), place(body) + body.size(), said});
   }
   if (!units.added.empty()) edits.push_back({file.end_of_data(), file.end_of_data(), units.added});
+  for (const std::string_view number : file.irregular_numbers())
+    edits.push_back({place(number), place(number) + number.size(), regular(number)});
   if (!is_ascii(text))
     for (const std::string_view name : file.texts())
       if (!is_utf8(name)) edits.push_back({place(name), place(name) + name.size(), utf8_name(name)});

@@ -43,12 +43,6 @@ double size_of(const std::vector<TopoDS_Face>& faces) {
   return box.IsVoid() ? 0 : std::sqrt(box.SquareExtent());
 }
 
-std::size_t shell_count(const TopoDS_Shape& shape) {
-  std::size_t count = 0;
-  for (TopExp_Explorer it(shape, TopAbs_SHELL); it.More(); it.Next()) ++count;
-  return count;
-}
-
 /// Faces with what the file says of each.
 struct DescribedFaces {
   std::vector<TopoDS_Face> faces;
@@ -143,9 +137,7 @@ std::vector<KernelSolid> bodies_of(const TopoDS_Shape& shape, const FileShape& f
   const DescribedFaces all = described(shape, file);
   if (!is_closed(shape)) return sewn(all, metres, options);
   const TopoDS_Shape solid = shape.ShapeType() == TopAbs_SHELL ? solid_of(shape) : shape;
-  std::size_t shells = 0;
-  for (const FaceBody& body : face_bodies(all.faces)) shells += body.size();
-  if (shells <= shell_count(solid)) return {whole_solid(solid, all, metres)};
+  if (face_bodies(all.faces).size() < 2) return {whole_solid(solid, all, metres)};
   return separated(all, metres, 0);
 }
 

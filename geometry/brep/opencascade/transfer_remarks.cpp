@@ -59,13 +59,21 @@ void add_remarks(const XSControl_WorkSession& session, bool (*is_body_or_face)(c
     add_fails(*checks.Value(), text);
     if (!text.empty()) fails[number_of(*model, entity)] = text;
   }
+  const Handle(Interface_Check) whole = model->GlobalCheck(true);
+  for (int i = 1; i <= whole->NbFails(); ++i)
+    if (const std::string fail = whole->CFail(i, true); fail.find("Unresolved Reference") == fail.npos)
+      result.lost.push_back({0, fail});
   for (int i = 1; i <= model->NbEntities(); ++i) {
     const Handle(Standard_Transient) entity = model->Value(i);
     const std::int64_t number = number_of(*model, entity);
     if (is_of_shapes(*entity)) {
       std::string text;
       add_fails(*model->Check(i, true), text);
-      if (!text.empty()) fails.emplace(number, text);
+      // A value that was passed over leaves an entity that looks whole.
+      if (text.find("not a ") != text.npos)
+        result.lost.push_back({number, text});
+      else if (!text.empty())
+        fails.emplace(number, text);
     }
     if (!is_body_or_face(*entity)) continue;
     const TopoDS_Shape made = TransferBRep::ShapeResult(process, entity);
