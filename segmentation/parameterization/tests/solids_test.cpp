@@ -63,7 +63,7 @@ TEST(Solids, PolyhedraAndStepFilesComeOutExactly) {
     ISOPATCH_NEEDS(path);
     BlockFiles files;
     files.files = {path};
-    const Parameterization made = parameterize(read_blocks(files));
+    const Parameterization made = parameterize(read_blocks(files).complex);
     expect_usable(made);
     EXPECT_LT(made.report.worst_face().deviation, 1e-12 * made.report.size);
     EXPECT_NEAR(made.report.patches[0].volume, geometry::read_brep(path).brep.volume(),
