@@ -19,10 +19,11 @@ geometry::PatchSet scaled(geometry::PatchSet set, double factor) {
   return set;
 }
 
-std::vector<iga::Material> assign_materials(const Study& study, int patch_count) {
+std::vector<iga::Material> assign_materials(const Study& study, const MultiPatch& model) {
+  const int patch_count = model.patch_count();
   std::vector<const MaterialInput*> owner(static_cast<std::size_t>(patch_count), nullptr);
   for (const MaterialInput& input : study.materials)
-    for (const PatchId id : select_patches(patch_count, input.patches)) {
+    for (const PatchId id : select_patches(model, input.patches)) {
       const MaterialInput*& slot = owner[static_cast<std::size_t>(id.value)];
       if (slot)
         throw error_at(input.place,
@@ -54,7 +55,7 @@ std::vector<geometry::PatchFace> caught_faces(const FaceSelection& selection, co
 
 void add_volume_load(const LoadInput& load, BuiltProblem& built) {
   iga::ElasticityProblem& problem = built.problem;
-  const auto patches = select_patches(problem.discretization.model.patch_count(), load.patches);
+  const auto patches = select_patches(problem.discretization.model, load.patches);
   built.loads.push_back(region_of(load.name, name(load.kind), patches, built.report));
   const auto volume = [&](PatchId id) {
     return built.report.patches[static_cast<std::size_t>(id.value)].volume;
@@ -145,7 +146,7 @@ BuiltProblem build_problem(const Study& study, const Progress& progress) {
   progress("reading the model", 0);
   const LoadedModel loaded = load_model(study.model, progress);
   const MultiPatch& model = loaded.model;
-  const std::vector<iga::Material> materials = assign_materials(study, model.patch_count());
+  const std::vector<iga::Material> materials = assign_materials(study, model);
   const ModelReport seen = report(model, progress);
   progress("refining", 0);
   BuiltProblem built{{iga::discretize(model, study.discretization), materials, {}, {}, {}},

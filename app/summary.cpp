@@ -69,8 +69,7 @@ Json materials_json(const Study& study, const StudyRun& run) {
   Json result = Json::array();
   for (const MaterialInput& input : study.materials) {
     Json patches = Json::array();
-    for (const PatchId id :
-         select_patches(run.built.problem.discretization.model.patch_count(), input.patches))
+    for (const PatchId id : select_patches(run.built.problem.discretization.model, input.patches))
       patches.push_back(id.value);
     result.push_back({{"name", input.material.name},
                       {"patches", patches},

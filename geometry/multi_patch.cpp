@@ -127,6 +127,11 @@ std::vector<std::vector<PatchId>> MultiPatch::bodies() const {
   return found;
 }
 
+std::string MultiPatch::patch_name(PatchId id) const {
+  const auto i = static_cast<std::size_t>(id.value);
+  return i < names_.size() ? names_[i] : "";
+}
+
 MultiPatch connect(PatchSet set, const Tolerance& tolerance) {
   check_input(set, tolerance);
   MultiPatch model;
@@ -143,6 +148,7 @@ MultiPatch connect(PatchSet set, const Tolerance& tolerance) {
     second = model.renamed(second);
   }
   model.boundaries_ = std::move(set.boundaries);
+  model.names_ = std::move(set.names);
 
   const FaceLabel label = [&](PatchFace face) { return model.label(face); };
   FaceCensus census = find_interfaces(model.patches_, tolerance, model.size_, label);

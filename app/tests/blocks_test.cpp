@@ -169,6 +169,67 @@ traction = [0, 10, 0]
   EXPECT_THAT(err_, HasSubstr("no boundary is named \"#336698\" (did you mean '#336699'?)"));
 }
 
+TEST_F(Blocks, BodiesOfStepFilesHaveOneNameInEveryCommandAndInStudies) {
+  for (const auto& [name, points] : {std::pair("foot", corners), std::pair("leg", next_corners)}) {
+    write_file(file("part.off"), off(points, sides));
+    geometry::write_brep(file(std::string(name) + ".step"), geometry::read_brep(file("part.off")).brep,
+                         {.unit = "m"});
+    std::string text = read_file(file(std::string(name) + ".step"));
+    const std::size_t product = text.find("PRODUCT('");
+    ASSERT_NE(product, text.npos);
+    const std::size_t end = text.find('\'', product + 9), second = text.find('\'', end + 1);
+    text.replace(second + 1, text.find('\'', second + 1) - second - 1, "the " + std::string(name));
+    write_file(file(std::string(name) + ".step"), text);
+  }
+  ASSERT_EQ(run({"info", file("foot.step")}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("1 body, unit of length: m\n"));
+  EXPECT_THAT(out_, HasSubstr("body 0 'the foot'"));
+  const std::string text = R"(title = "stool"
+[model]
+blocks = ["foot.step", "leg.step"]
+[[material]]
+patches = ["the foot"]
+name = "hard"
+young = 2000
+poisson = 0
+[[material]]
+patches = ["the leg"]
+name = "soft"
+young = 1000
+poisson = 0
+[[support]]
+faces = ["the foot:face 0", "the leg:face 0"]
+displacement = [0, 0, 0]
+[[load]]
+faces = ["the foot:face 1"]
+traction = [0, 0, 10]
+)";
+  ASSERT_EQ(run_text(text), 0) << err_;
+  const json summary = json::parse(read_file(results() / "summary.json"));
+  EXPECT_EQ(summary["materials"][0]["patches"], json({0}));
+  EXPECT_EQ(summary["materials"][1]["patches"], json({1}));
+  EXPECT_EQ(run_text(replaced(text, "[\"the leg\"]", "[\"the lag\"]")), 2);
+  EXPECT_THAT(err_, HasSubstr("no patch is called \"the lag\" (did you mean 'the leg'?)"));
+}
+
+TEST_F(Blocks, WhatOfAFileCannotBeReadIsAnErrorUnlessTheStudyAllowsIt) {
+  write_file(file("cube.off"), off(corners, sides));
+  geometry::write_brep(file("cube.step"), geometry::read_brep(file("cube.off")).brep);
+  std::string step = read_file(file("cube.step"));
+  step.insert(step.rfind("ENDSEC;"), "#9000 = OFFSET_SURFACE('',#9999,1.,.F.);\n");
+  write_file(file("cube.step"), step);
+  EXPECT_EQ(run({"info", file("cube.step")}), 2);
+  EXPECT_THAT(out_, HasSubstr("ready for parameterization"));
+  EXPECT_THAT(err_, HasSubstr("#9000 = OFFSET_SURFACE refers to #9999, which is not in the file"));
+  EXPECT_EQ(run({"info", file("cube.step"), "--allow-partial"}), 0) << err_;
+  EXPECT_THAT(err_, HasSubstr("warning"));
+  const fs::path patches = folder_ / "patches.xml";
+  EXPECT_EQ(run({"parameterize", file("cube.step"), "-o", patches.string()}), 2);
+  EXPECT_THAT(err_, HasSubstr("--allow-partial"));
+  EXPECT_EQ(run({"parameterize", file("cube.step"), "-o", patches.string(), "--allow-partial"}), 0) << err_;
+  EXPECT_THAT(err_, HasSubstr("refers to #9999"));
+}
+
 TEST_F(Blocks, AWrongPairIsShownInTheReportOfARun) {
   write_file(file("a.off"), off(corners, sides));
   write_file(file("b.off"), off(next_corners, sides));

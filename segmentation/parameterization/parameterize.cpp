@@ -146,6 +146,7 @@ geometry::PatchSet patch_set(const HexComplex& complex, std::vector<geometry::Nu
   geometry::PatchSet set;
   set.patches = std::move(patches);
   set.boundaries = boundaries(complex);
+  for (const Hexahedron& block : complex.blocks) set.names.push_back(block.name);
   for (const ComplexFace& face : complex.faces)
     if (face.uses.size() > 1)
       set.listed_interfaces.emplace_back(
