@@ -109,6 +109,8 @@ iga::ElasticityOptions options_of(const Study& study, iga::Coupling coupling) {
     method = can_iterate ? Method::minres : Method::automatic;
   else if (coupling == iga::Coupling::lagrange && method == Method::cholmod)
     method = Method::mumps;
+  // Minimal residuals are made without a matrix only.
+  if (method == Method::minres) options.solver.form = solvers::Operator::automatic;
   return options;
 }
 
@@ -128,7 +130,9 @@ bool CouplingComparison::agree() const {
 ComparedStudy compare_couplings(const Study& study, bool condition, const Progress& progress) {
   if (condition && study.options.processes.count() > 1)
     throw Error(ErrorCode::invalid_argument, "--condition works on one process only");
-  ComparedStudy result{{}, {build_problem(study, progress), {}, {}, {}, 0}, {}};
+  Study forecast = study;
+  forecast.options = options_of(study, study.options.coupling);
+  ComparedStudy result{{}, {build_problem(forecast, progress), {}, {}, {}, 0}, {}};
   const iga::ElasticityProblem& problem = result.run.built.problem;
   const iga::ElasticitySolution eliminated =
       iga::solve_elasticity(problem, options_of(study, iga::Coupling::elimination), progress);

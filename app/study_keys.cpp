@@ -197,10 +197,9 @@ const Keys<solvers::SolverOptions>& solver_keys() {
   static const Keys<O> keys = {
       custom_key<O>(
           "method", "\"auto\", \"direct\", \"cholmod\", \"mumps\", \"umfpack\", \"cg\" or \"minres\"",
-          "auto factorizes small problems (CHOLMOD for elimination, MUMPS for lagrange or several processes) "
-          "and "
-          "iterates on large ones and those whose factors would not fit (cg for elimination, minres for "
-          "lagrange); the summary says why. direct is another word for auto.",
+          "auto factorizes where that costs little (CHOLMOD for elimination, MUMPS for lagrange or several "
+          "processes) and iterates where factors would cost more or not fit (cg for elimination, minres for "
+          "lagrange); if the one fails it tries the other; the summary says why. direct is another word for auto.",
           [](O& target, const ConfigValue& value) {
             std::vector<std::string> names;
             for (const auto& method : methods) names.push_back(method.first);
@@ -215,8 +214,8 @@ const Keys<solvers::SolverOptions>& solver_keys() {
                      "Most iterations of an iterative method."),
       custom_key<O>(
           "preconditioner", "\"multigrid\" or \"block_jacobi\"",
-          "Of cg. A multigrid needs some ten iterations more or less whatever the size and the degree; "
-          "block_jacobi needs many more and is there for comparison.",
+          "Of cg and minres. A multigrid needs some ten iterations more or less whatever the size and the degree; "
+          "block_jacobi, for cg on one process, needs many more and is there for comparison.",
           [](O& target, const ConfigValue& value) {
             target.preconditioner =
                 solvers::Preconditioner(read_choice(value, "preconditioner", preconditioners));
@@ -237,9 +236,9 @@ const Keys<solvers::SolverOptions>& solver_keys() {
                     })
           .with_default("4"),
       quantity_key<O>(
-          "memory_limit", &O::memory_limit, dim::none, {0, 1e15},
-          "Bytes that the run may take; 0 means what the machine has to spare. Runs that are expected "
-          "to take more are refused before they begin."),
+          "memory_limit", &O::memory_limit, dim::data, {0, 1e15},
+          "What the run may take, of each process; 0 means what the machine, a control group or a batch job has to "
+          "spare. Runs that are expected to take more are refused before the model is refined."),
   };
   return keys;
 }

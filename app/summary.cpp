@@ -213,14 +213,19 @@ std::string probes_text(const StudyRun& run) {
 }
 
 std::string solver_text(const solvers::SolveReport& report) {
+  // What was asked for by name and did as it was told needs no explanation.
+  const std::string why =
+      report.reason == "asked for by name" ? "" : fmt::format("  chosen            {}\n", report.reason);
   if (report.levels == 0)
     return fmt::format("  solver            {}, relative residual {:.2g}\n", solvers::name(report.method),
-                       report.relative_residual);
+                       report.relative_residual) +
+           why;
   return fmt::format(
-      "  solver            {} with {} multigrid levels, {}: {} iterations to {:.2g} in energy\n",
-      solvers::name(report.method), report.levels,
-      report.form == solvers::Operator::assembled ? "matrix stored" : "matrix-free", report.iterations,
-      report.energy_error);
+             "  solver            {} with {} multigrid levels, {}: {} iterations to {:.2g} in energy\n",
+             solvers::name(report.method), report.levels,
+             report.form == solvers::Operator::assembled ? "matrix stored" : "matrix-free", report.iterations,
+             report.energy_error) +
+         why;
 }
 
 }  // namespace

@@ -89,8 +89,8 @@ class SymmetricFactorization {
     if (zero > 0)
       throw Error(
           ErrorCode::singular_system,
-          fmt::format("the matrix of {} rows is singular: {} of its pivots are zero to working precision; a "
-                      "part can move as a rigid body, or constraints depend on each other",
+          fmt::format("the matrix of {} rows is singular: {} of its pivots are zero to working "
+                      "precision",
                       rows_, zero));
     if (found != negative)
       throw Error(

@@ -17,12 +17,14 @@ void check_reason(KSPConvergedReason reason, int iterations) {
     throw Error(
         ErrorCode::singular_system,
         fmt::format("the iteration met a direction without positive energy in step {}: the matrix is "
-                    "singular or indefinite; look for a part that can move freely and for folded patches",
+                    "singular or indefinite",
                     iterations));
 }
 
+// Round-off may leave a square a little below 0; what is no number stays none.
 double error_of(const OperatorSystem& system, const Eigen::VectorXd& residual) {
-  return std::sqrt(std::max(0.0, system.rows.dot(residual, system.preconditioner(residual))));
+  const double square = system.rows.dot(residual, system.preconditioner(residual));
+  return square <= 0 ? 0 : std::sqrt(square);
 }
 
 LinearSolution solve(const OperatorSystem& system, const SolverOptions& options, Krylov method,
@@ -36,6 +38,11 @@ LinearSolution solve(const OperatorSystem& system, const SolverOptions& options,
   solution.x = Eigen::VectorXd::Zero(system.load.size());
   const double first = error_of(system, system.load);
   Eigen::VectorXd residual = system.load;
+  if (!std::isfinite(first))
+    throw Error(ErrorCode::not_converged,
+                fmt::format("the load is {} in the norm of the preconditioner: a value that is not a number in the "
+                            "load, the matrix or the preconditioner",
+                            first));
   double relative = first > 0 ? 1 : 0;
   report.residual_history.push_back(relative);
   for (int restart = 0; restart <= most_restarts && relative > options.tolerance; ++restart) {
@@ -60,12 +67,11 @@ LinearSolution solve(const OperatorSystem& system, const SolverOptions& options,
       first > 0 ? std::sqrt(system.rows.dot(residual, residual) / system.rows.dot(system.load, system.load))
                 : 0;
   report.solve_seconds = watch.lap();
-  if (!(relative <= options.tolerance))
+  if (!(relative <= options.tolerance) || !std::isfinite(report.relative_residual))
     throw Error(
         ErrorCode::not_converged,
         fmt::format("method '{}' reached a relative error of {:.3e} instead of {:.3e} after {} iterations; "
-                    "raise max_iterations, loosen the tolerance, or use a direct method; look for parts "
-                    "that are hardly held and for badly shaped patches",
+                    "raise max_iterations, loosen the tolerance, or use a direct method",
                     name(report.method), relative, options.tolerance, report.iterations));
   return solution;
 }

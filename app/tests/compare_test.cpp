@@ -7,6 +7,7 @@
 #include "app/comparison_plots.hpp"
 #include "app/comparison_report.hpp"
 #include "app/tests/program_fixture.hpp"
+#include "solvers/memory.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -86,7 +87,8 @@ TEST_F(Program, CompareEstimatesConditionsWhereItFactorizes) {
 }
 
 TEST_F(Program, CompareKeepsWhatIsFinishedWhenMemoryEnds) {
-  EXPECT_EQ(run({"compare", study(), "--levels", "6", "--set", "solver.memory_limit=5e5"}), 1);
+  const std::string memory_limit = fmt::format("solver.memory_limit={}", 120e6 + solvers::resident_memory());
+  EXPECT_EQ(run({"compare", study(), "--levels", "6", "--set", memory_limit}), 1);
   EXPECT_THAT(err_, HasSubstr("isopatch: error: no memory for refine = "));
   const std::size_t finished = compared(results())["levels"].size();
   EXPECT_GE(finished, 1);
