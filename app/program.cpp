@@ -4,6 +4,7 @@
 #include <omp.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdlib>
 #include <functional>
 #include <memory>
@@ -15,6 +16,7 @@
 #include "geometry/base/nearest_name.hpp"
 #include "solvers/blas_core.hpp"
 #include "solvers/blas_threads.hpp"
+#include "solvers/cores.hpp"
 #include "solvers/process_failure.hpp"
 
 namespace isopatch::app {
@@ -33,7 +35,8 @@ A study is one file (TOML): where the patches come from, materials, supports, lo
 
 constexpr const char* exit_codes =
     R"(Exit codes: 0 done; 1 the run failed (supports, solver, memory, couplings that disagree);
-2 wrong input or usage; 3 a file cannot be read or written; 130 interrupted.
+2 wrong input or usage; 3 a file cannot be read or written; 130 interrupted (Ctrl-C),
+143 terminated (kill, the end of a batch job's time).
 Results go to standard output, progress and messages to standard error.)";
 
 constexpr const char* run_examples = R"(Examples:
@@ -41,6 +44,7 @@ constexpr const char* run_examples = R"(Examples:
   isopatch run study.toml --output /tmp/fine --set discretization.refine=2
   isopatch run study.toml --set load.0.traction='["20 MPa", 0, 0]' --set coupling.method=lagrange
   mpiexec -n 4 isopatch run study.toml               the same figures from four processes
+  srun --mpi=pmix -n 4 -c 8 isopatch run study.toml  with Slurm, 8 threads each
   isopatch run study.toml --quiet && jq .results.internal_energy results/summary.json
 Writes report.html (open it in a browser), summary.json, results.vtm with fields/ (ParaView) and
 results.h5 (isopatch report, probe, fields, info).
@@ -154,7 +158,9 @@ CLI::App* add_command(CLI::App& app, CommandLine& line, const std::string& name,
   CLI::App* command = app.add_subcommand(name, meaning);
   command->footer(examples);
   command->add_flag("-q,--quiet", line.quiet, "No progress, no summary; only warnings and errors");
-  command->add_option("--threads", line.threads, "Number of threads; 0: all cores")
+  command
+      ->add_option("--threads", line.threads,
+                   "Number of threads of each process; 0: all cores that it may use")
       ->check(CLI::Range(0, 4096));
   command->callback([&line, action = std::move(action)] { line.action = action; });
   return command;
@@ -409,14 +415,32 @@ ExitCode act(const CommandLine& line, const Console& console, const Console& lou
   }
 }
 
-/// As many as were asked for, else as the environment says, else an even share of the computer's cores.
-void set_threads(int asked, const solvers::Processes& processes) {
+/// What to say of threads that outnumber the cores; empty if they do not.
+std::string crowd_warning(const solvers::Crowd& crowd) {
+  if (!crowd.is_too_large()) return "";
+  const int fair = std::max(1, crowd.cores / crowd.processes);
+  const std::string cores = fmt::format("{} core{}", crowd.cores, crowd.cores == 1 ? "" : "s");
+  if (crowd.processes == 1)
+    return fmt::format("{} threads on {}: they take turns, which is slower than --threads {}", crowd.threads,
+                       cores, fair);
+  return fmt::format(
+      "{} processes with {} threads in all on {} of one computer: they take turns, which is slower than "
+      "fewer; give "
+      "them more cores (mpiexec --bind-to none, srun -c THREADS) or use --threads {}",
+      crowd.processes, crowd.threads, cores, fair);
+}
+
+/// As many as were asked for, else as the environment says, else an even share of the cores that this and the
+/// other processes on the computer may use. All processes must call it.
+void set_threads(int asked, const solvers::Processes& processes, const Console& console) {
   if (asked > 0)
     omp_set_num_threads(asked);
   else if (processes.count() > 1 && !std::getenv("OMP_NUM_THREADS"))
     omp_set_num_threads(processes.fair_threads(omp_get_max_threads()));
   // Threads of OpenMP regions would otherwise multiply with those of the BLAS; factorizations raise it again.
   solvers::set_blas_threads(1);
+  const std::string warning = crowd_warning(solvers::largest_crowd(processes, omp_get_max_threads()));
+  if (!warning.empty() && processes.is_first()) console.warn(warning);
 }
 
 /// The whole program on one of the launched processes.
@@ -453,7 +477,7 @@ int run_on_process(const std::vector<std::string>& arguments, const Console& con
     console.fail(error.what());
     return static_cast<int>(exit_code(error.code()));
   }
-  set_threads(line.threads, line.study.processes);
+  set_threads(line.threads, line.study.processes, console);
   Console chosen = console;
   chosen.quiet = chosen.quiet || line.quiet;
   return static_cast<int>(act(line, chosen, loud));

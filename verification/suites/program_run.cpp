@@ -33,27 +33,40 @@ const std::string at_the_start = [] {
   return result;
 }();
 
+// Open MPI refuses root, who only runs this program and its own studies here.
+std::string launcher(int processes) {
+  return fmt::format("{}{} --oversubscribe --bind-to none -n {} ",
+                     ::geteuid() == 0 ? "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 " : "",
+                     quoted(ISOPATCH_MPIEXEC), processes);
+}
+
 std::string command_line(const ClaimStudy& study, const Launch& launch, const fs::path& output) {
-  std::string line =
-      fmt::format("{} OMP_NUM_THREADS={} OMP_WAIT_POLICY=passive ", at_the_start, launch.threads);
-  if (launch.processes > 1)
-    line +=
-        fmt::format("{} --oversubscribe --bind-to none -n {} ", quoted(ISOPATCH_MPIEXEC), launch.processes);
+  std::string line = fmt::format("{} OMP_NUM_THREADS={} ", at_the_start, launch.threads);
+  if (launch.processes > 1) line += launcher(launch.processes);
   line += fmt::format("{} run {} --quiet --output {}", quoted(ISOPATCH_PROGRAM),
                       quoted((fs::path(ISOPATCH_SOURCE_DIR) / study.file).string()), quoted(output.string()));
   for (const char* setting : {"output.fields=false", "output.report=false"})
     line += fmt::format(" --set {}", setting);
   for (const std::string& setting : study.overrides) line += " --set " + quoted(setting);
-  return line + " 2>&1 </dev/null";
+  return line;
 }
 
 // @param what  for the message: the command has the whole environment
 void run(const std::string& command, const std::string& what) {
-  std::FILE* pipe = ::popen(command.c_str(), "r");
+  std::FILE* pipe = ::popen((command + " 2>&1 </dev/null").c_str(), "r");
   if (pipe == nullptr) throw std::runtime_error("cannot start " + what);
   std::string said;
   for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) said += static_cast<char>(c);
   if (::pclose(pipe) != 0) throw std::runtime_error(what + " fails and says: " + said);
+}
+
+// Without the rules between which Open MPI sets its messages.
+std::string in_one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  std::string result;
+  for (const char c : text)
+    if (result.empty() || (c != ' ' && c != '-') || c != result.back()) result += c;
+  return result;
 }
 
 class TemporaryFolder {
@@ -82,6 +95,15 @@ std::string words(const Launch& launch) {
     return fmt::format("{} {}", n, n == 1 ? one : several);
   };
   return many(launch.processes, "process", "processes") + " of " + many(launch.threads, "thread", "threads");
+}
+
+std::string launcher_fault() {
+  try {
+    run(fmt::format("{} {} true", at_the_start, launcher(2)), "no processes can be started: mpiexec");
+    return "";
+  } catch (const std::runtime_error& error) {
+    return in_one_line(error.what());
+  }
 }
 
 ProgramRun run_program(const ClaimStudy& study, const Launch& launch) {
