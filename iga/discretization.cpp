@@ -9,6 +9,7 @@
 #include "geometry/base/error.hpp"
 #include "geometry/splines/refine.hpp"
 #include "geometry/splines/transfer.hpp"
+#include "iga/internal/parallel_for.hpp"
 #include "iga/matching_spaces.hpp"
 
 namespace isopatch::iga {
@@ -63,7 +64,7 @@ double longest_element(const NurbsVolume& patch, int direction) {
 // Parts per span, equal for all directions that interfaces tie together.
 std::vector<int> parts_per_span(const geometry::MultiPatch& model, const DirectionKnots& knots,
                                 const DiscretizationOptions& options) {
-  std::vector<int> parts(knots.size(), 1 << options.refine);
+  std::vector<int> parts(knots.size(), 1);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::size_t d = i % 3;
     const int elements = knots[i].element_count();
@@ -80,7 +81,8 @@ std::vector<int> parts_per_span(const geometry::MultiPatch& model, const Directi
     int& of_class = most[static_cast<std::size_t>(classes[i])];
     of_class = std::max(of_class, parts[i]);
   }
-  for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = most[static_cast<std::size_t>(classes[i])];
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    parts[i] = most[static_cast<std::size_t>(classes[i])] << options.refine;
   return parts;
 }
 
@@ -119,7 +121,7 @@ Discretization discretize(const geometry::MultiPatch& model, const Discretizatio
     knots[i] = subdivided(knots[i], parts[i], knots[i].degree() - smoothness);
   }
 
-  Discretization result{model, {}, {0}};
+  Discretization result{model, {}, {0}, {}};
   for (std::size_t i = 0; i < model.patches().size(); ++i) {
     const double nodes = result.first_node.back() +
                          1.0 * knots[3 * i].size() * knots[3 * i + 1].size() * knots[3 * i + 2].size();
@@ -134,6 +136,11 @@ Discretization discretize(const geometry::MultiPatch& model, const Discretizatio
   for (std::size_t i = 0; i < model.patches().size(); ++i)
     result.patches.push_back(
         geometry::refined(model.patches()[i], {knots[3 * i], knots[3 * i + 1], knots[3 * i + 2]}));
+  result.gauss_points.resize(result.patches.size());
+  parallel_for(static_cast<std::int64_t>(result.patches.size()), [&](std::int64_t i, int) {
+    const auto patch = static_cast<std::size_t>(i);
+    result.gauss_points[patch] = gauss_points(result.patches[patch]);
+  });
   check_traces(model, result.patches);
   return result;
 }
