@@ -4,6 +4,8 @@
 
 #include "app/edge_selection.hpp"
 #include "app/engineering_units.hpp"
+#include "app/loose_bodies.hpp"
+#include "app/plausibility.hpp"
 #include "geometry/io/read_patches.hpp"
 #include "iga/loads.hpp"
 #include "iga/solution_knots.hpp"
@@ -103,6 +105,14 @@ void add_load(const LoadInput& load, BuiltProblem& built) {
   built.loads.back().total = total_of(loads.back(), built.problem.discretization);
 }
 
+// The names of the blocks that the patches were, if they were any.
+std::vector<std::string> patch_names(const std::optional<segmentation::ParameterizationReport>& solids) {
+  std::vector<std::string> names;
+  if (solids)
+    for (const auto& patch : solids->patches) names.push_back(patch.name);
+  return names;
+}
+
 LocatedProbe locate_probe(const ProbeInput& probe, const iga::ElasticityProblem& problem) {
   const MultiPatch& model = problem.discretization.model;
   if (probe.patch) {
@@ -163,6 +173,10 @@ BuiltProblem build_problem(const Study& study, const Progress& progress) {
   if (built.parameterization)
     for (const std::string& complaint : built.parameterization->complaints())
       built.warnings.push_back({complaint});
+  progress("looking for loose bodies", 0);
+  for (Warning& warning : loose_body_warnings(model, patch_names(built.parameterization)))
+    built.warnings.push_back(std::move(warning));
+  for (Warning& warning : input_warnings(study)) built.warnings.push_back(std::move(warning));
   for (const SupportInput& support : study.supports) {
     auto faces = caught_faces(support.selection, support.name, name(support.kind), built, built.supports);
     std::vector<iga::SupportedEdge> edges;
@@ -173,9 +187,13 @@ BuiltProblem build_problem(const Study& study, const Progress& progress) {
           region_of(support.name, name(support.kind), edges, built.problem.discretization.model);
       faces.clear();
     }
+    built.supports.back().key = support.key;
     built.problem.supports.push_back({support.name, std::move(faces), support.condition, std::move(edges)});
   }
-  for (const LoadInput& load : study.loads) add_load(load, built);
+  for (const LoadInput& load : study.loads) {
+    add_load(load, built);
+    built.loads.back().key = load.key;
+  }
   for (const ProbeInput& probe : study.probes) built.probes.push_back(locate_probe(probe, built.problem));
   if (study.loads.empty())
     built.warnings.push_back({"the study has no load; only prescribed displacements can move the part"});

@@ -2,7 +2,9 @@
 
 #include <map>
 
+#include "app/plausibility.hpp"
 #include "iga/condition.hpp"
+#include "iga/face_stresses.hpp"
 #include "iga/internal_forces.hpp"
 #include "iga/results.hpp"
 
@@ -59,7 +61,8 @@ void find_largest_differences(const iga::ElasticityProblem& problem, const iga::
   }
   comparison.largest_displacement_difference = iga::max_displacement(difference);
   comparison.largest_stress_difference =
-      iga::internal_forces(problem.discretization, problem.materials, nodal).max_von_mises;
+      iga::larger(iga::internal_forces(problem.discretization, problem.materials, nodal).max_von_mises,
+                  iga::stresses_on_faces(difference).max_von_mises);
   for (iga::Extremum* extremum :
        {&comparison.largest_displacement_difference, &comparison.largest_stress_difference})
     if (extremum->patch >= 0)
@@ -150,6 +153,8 @@ ComparedStudy compare_couplings(const Study& study, bool condition, const Progre
   comparison.displacement_difference = displacement_difference(eliminated.field, tied.field);
   comparison.energy_difference = energy_difference(eliminated.results, tied.results);
   comparison.multiplier_difference = multiplier_difference(eliminated.multipliers, tied.multipliers);
+  for (Warning& warning : result_warnings(result.run.built, tied))
+    result.run.built.warnings.push_back(std::move(warning));
   comparison.warnings = result.run.built.warnings;
   find_largest_differences(problem, eliminated.field, tied.field, comparison);
   result.tractions = iga::interface_tractions(problem, tied.multipliers);

@@ -4,6 +4,7 @@
 #include "app/describe_model.hpp"
 #include "app/engineering_units.hpp"
 #include "app/internal/json_values.hpp"
+#include "app/loose_bodies.hpp"
 #include "app/output_directory.hpp"
 #include "app/report_page.hpp"
 #include "app/solid_input.hpp"
@@ -107,6 +108,7 @@ ExitCode info_command(const InfoCommand& command, const Console& console) {
   for (const auto& face : model.degenerate_faces())
     console.out << "collapsed face " << model.label(face) << "\n";
   for (const Warning& warning : certificate_warnings(model, seen)) console.warn(warning.text);
+  for (const Warning& warning : loose_body_warnings(model)) console.warn(warning.text);
   return ExitCode::ok;
 }
 

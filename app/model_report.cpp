@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/engineering_units.hpp"
+#include "geometry/part_box.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -55,7 +56,7 @@ ModelReport report(const MultiPatch& model, const Progress& progress) {
   for (const auto& interface : model.interfaces())
     result.largest_gap = std::max(result.largest_gap, interface.gap);
   result.bodies = model.bodies();
-  result.box = geometry::box(model);
+  result.box = geometry::part_box(model);
   progress("checking the patches", 1);
   return result;
 }

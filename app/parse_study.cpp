@@ -196,6 +196,7 @@ SupportInput read_support(const Section& input, std::size_t index) {
                    "has no normal; give displacement components");
   SupportInput result;
   result.name = fmt::format("support {}{}", index + 1, keys.name.empty() ? "" : " (" + keys.name + ")");
+  result.key = keys.name.empty() ? result.name : keys.name;
   result.selection = {keys.faces, keys.where, input.place};
   result.edges = keys.edges;
   if (plane) {
@@ -214,6 +215,7 @@ LoadInput read_load(const Section& input, std::size_t index) {
   const auto keys = read_table<LoadKeys>(input.table, input.place, "[[load]]", load_keys());
   LoadInput result;
   result.name = fmt::format("load {}{}", index + 1, keys.name.empty() ? "" : " (" + keys.name + ")");
+  result.key = keys.name.empty() ? result.name : keys.name;
   result.selection = {keys.faces, keys.where, input.place};
   result.patches = keys.patches.value_or(PatchSelection{{}, input.place});
   int kinds = 0;

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/engineering_units.hpp"
+#include "app/largest_values.hpp"
 #include "app/pictures/annotations.hpp"
 #include "geometry/base/error.hpp"
 
@@ -53,7 +55,16 @@ struct Colouring {
   bool is_length_of_vector = false;  ///< never negative, so the scale begins at 0
 };
 
-Colouring colouring(const Surface& surface, const PictureOptions& options) {
+/// The run's own largest value of the field, if it is one that runs look for.
+std::optional<double> largest_of(const LoadedInput& input, const PictureOptions& options) {
+  if (!input.result) return std::nullopt;
+  const LargestValues found = largest_values(input.result->summary);
+  if (options.field == PictureField::von_mises) return found.von_mises;
+  if (options.field == PictureField::displacement && !options.component) return found.displacement;
+  return std::nullopt;
+}
+
+Colouring colouring(const Surface& surface, const PictureOptions& options, std::optional<double> largest) {
   Colouring result;
   result.is_length_of_vector = options.field == PictureField::von_mises ||
                                (options.field == PictureField::displacement && !options.component);
@@ -61,6 +72,10 @@ Colouring colouring(const Surface& surface, const PictureOptions& options) {
   ValueRange range = options.range.value_or(
       options.field == PictureField::jacobian ? result.full : range_of_area(surface, options.percentile));
   if (result.is_length_of_vector && !options.range) range.low = 0;
+  if (largest) {
+    result.full.high = *largest;
+    if (!options.range) range.high = std::min(range.high, *largest);
+  }
   result.unit = unit_for(std::max(std::abs(range.low), std::abs(range.high)), si_unit(options.field));
   result.scale =
       options.range ? exact_scale(range, result.unit.factor) : round_scale(range, result.unit.factor);
@@ -161,7 +176,7 @@ PartPicture part_picture(const LoadedInput& input, const PictureOptions& options
   picture.line_width = 0.06 * places.font;
 
   if (has_scale(options.field)) {
-    const Colouring colours = colouring(picture.surface, options);
+    const Colouring colours = colouring(picture.surface, options, largest_of(input, options));
     picture.palette = viridis();
     picture.surface.values = scaled(picture.surface.values, colours.scale.range);
     if (bar) add_colour_bar(picture, places, bar_of(colours, options));

@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 #include "app/engineering_units.hpp"
 #include "app/internal/json_values.hpp"
+#include "app/largest_values.hpp"
+#include "iga/stress_points.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -46,7 +50,22 @@ double usual_stress(const iga::PartSamples& samples) {
   return *high;
 }
 
-std::vector<SceneField> fields_of(const iga::PartSamples& samples) {
+// The stresses of a patch as the run counts them: none where the map is folded, and none above its largest
+// one, which finer samples may exceed by a little.
+Eigen::RowVectorXd counted_stresses(const iga::PatchSamples& patch, std::optional<double> largest) {
+  Eigen::RowVectorXd result = patch.von_mises.transpose();
+  if (!largest) return result;
+  for (Eigen::Index i = 0; i < result.size(); ++i) {
+    const double jacobian = patch.scaled_jacobian[i];
+    const bool collapsed = jacobian == 0;
+    result[i] = jacobian >= iga::least_scaled_jacobian || collapsed
+                    ? std::min(result[i], *largest)
+                    : std::numeric_limits<double>::quiet_NaN();
+  }
+  return result;
+}
+
+std::vector<SceneField> fields_of(const iga::PartSamples& samples, std::optional<double> largest) {
   double displacement = 0;
   SceneField u{"displacement", "Displacement", {}, "", {}};
   SceneField mises{"von_mises", "Von Mises stress", {}, "", {}};
@@ -54,7 +73,7 @@ std::vector<SceneField> fields_of(const iga::PartSamples& samples) {
   for (const iga::PatchSamples& patch : samples.patches) {
     displacement = std::max(displacement, patch.displacements.colwise().norm().maxCoeff());
     u.values.emplace_back(patch.displacements);
-    mises.values.emplace_back(patch.von_mises.transpose());
+    mises.values.emplace_back(counted_stresses(patch, largest));
     quality.values.emplace_back(patch.scaled_jacobian.transpose());
   }
   u.unit = display_unit(displacement, "m");
@@ -130,7 +149,7 @@ Scene report_scene(const iga::ElasticField& field, const StoredModel& model, con
   scene.samples = iga::sample_part(model.model, field, sampling);
   scene.patches = patches_of(model, scene.samples);
   scene.length = model_length_unit(model.model.size());
-  scene.fields = fields_of(scene.samples);
+  scene.fields = fields_of(scene.samples, largest_values(summary).von_mises);
   if (json.is_discarded()) return scene;
   scene.supports = regions_of(at(json, "/supports"));
   add_reactions(scene.supports, at(json, "/results/reactions"));

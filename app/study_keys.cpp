@@ -148,23 +148,26 @@ const Keys<DiscretizationKeys>& discretization_keys() {
   using Options = iga::DiscretizationOptions;
   static const Keys<DiscretizationKeys> keys = {
       per_direction_key(
-          "degree", &Options::degree, 1, 10, "the geometry's",
+          "degree", &Options::degree, 1, 10, "2",
           "Degree of the splines, raised where the geometry's is lower and never lowered; the continuity "
-          "of the geometry stays."),
-      option_key("refine", &Options::refine, 0, 10, "0", "How often every knot span is halved."),
-      per_direction_key("elements_per_direction", &Options::elements_per_direction, 1, 10000,
-                        "as the geometry has",
-                        "Least number of elements along each direction of each patch."),
+          "of the geometry stays. 1 keeps the geometry's everywhere; elements of degree 1 hardly bend."),
+      option_key("refine", &Options::refine, 0, 10, "0",
+                 "How often every element is halved, after all that the other keys ask for."),
+      per_direction_key(
+          "elements_per_direction", &Options::elements_per_direction, 1, 10000, "as the geometry has",
+          "Least number of elements along each direction of each patch, before refine halves them."),
       custom_key<DiscretizationKeys>(
-          "max_size", type_name(dim::length), "Largest length of an element's edge.",
+          "max_size", type_name(dim::length), "Largest length of an element's edge, before refine halves it.",
           [](DiscretizationKeys& target, const ConfigValue& value) {
             target.options.max_size = read_quantity(value, "max_size", dim::length, positive);
           })
           .with_default("no limit"),
       option_key("continuity", &Options::continuity, 0, 9, "as smooth as degree and geometry allow",
                  "Highest continuity C^k across the knots inside a patch."),
-      integer_key<DiscretizationKeys>("points", &DiscretizationKeys::points, 0, 20,
-                                      "Gauss points per element and direction; 0 means degree + 1."),
+      integer_key<DiscretizationKeys>(
+          "points", &DiscretizationKeys::points, 0, 20,
+          "Gauss points per element and direction; 0 means degree + 1, and more in "
+          "directions in which the map of a patch is so curved that it needs them."),
   };
   return keys;
 }

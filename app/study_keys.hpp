@@ -59,8 +59,9 @@ struct LoadKeys {
   std::optional<Eigen::Vector3d> gravity;
 };
 
+/// Degree 1 does not bend, so that it has to be asked for.
 struct DiscretizationKeys {
-  iga::DiscretizationOptions options;
+  iga::DiscretizationOptions options = {.degree = {2, 2, 2}};
   int points = 0;
 };
 

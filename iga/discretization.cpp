@@ -4,6 +4,7 @@
 
 #include "geometry/base/error.hpp"
 #include "geometry/splines/refine.hpp"
+#include "iga/internal/parallel_for.hpp"
 #include "iga/matching_spaces.hpp"
 #include "iga/solution_knots.hpp"
 
@@ -40,7 +41,7 @@ std::int64_t Discretization::element_count() const {
 
 Discretization discretize(const geometry::MultiPatch& model, const DiscretizationOptions& options) {
   const DirectionKnots knots = solution_knots(model, options);
-  Discretization result{model, {}, {0}};
+  Discretization result{model, {}, {0}, {}};
   for (std::size_t i = 0; i < model.patches().size(); ++i) {
     const double nodes = result.first_node.back() +
                          1.0 * knots[3 * i].size() * knots[3 * i + 1].size() * knots[3 * i + 2].size();
@@ -55,6 +56,11 @@ Discretization discretize(const geometry::MultiPatch& model, const Discretizatio
   for (std::size_t i = 0; i < model.patches().size(); ++i)
     result.patches.push_back(
         geometry::refined(model.patches()[i], {knots[3 * i], knots[3 * i + 1], knots[3 * i + 2]}));
+  result.gauss_points.resize(result.patches.size());
+  parallel_for(static_cast<std::int64_t>(result.patches.size()), [&](std::int64_t i, int) {
+    const auto patch = static_cast<std::size_t>(i);
+    result.gauss_points[patch] = gauss_points(result.patches[patch]);
+  });
   check_traces(model, result.patches);
   return result;
 }

@@ -52,7 +52,7 @@ double longest_element(const NurbsVolume& patch, int direction) {
 // Parts per span, equal for all directions that interfaces tie together.
 std::vector<int> parts_per_span(const geometry::MultiPatch& model, const DirectionKnots& knots,
                                 const DiscretizationOptions& options) {
-  std::vector<int> parts(knots.size(), 1 << options.refine);
+  std::vector<int> parts(knots.size(), 1);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::size_t d = i % 3;
     const int elements = knots[i].element_count();
@@ -69,7 +69,8 @@ std::vector<int> parts_per_span(const geometry::MultiPatch& model, const Directi
     int& of_class = most[static_cast<std::size_t>(classes[i])];
     of_class = std::max(of_class, parts[i]);
   }
-  for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = most[static_cast<std::size_t>(classes[i])];
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    parts[i] = most[static_cast<std::size_t>(classes[i])] << options.refine;
   return parts;
 }
 

@@ -8,6 +8,8 @@
 
 #include "geometry/base/error.hpp"
 #include "iga/distribution.hpp"
+#include "iga/face_stresses.hpp"
+#include "iga/idle_loads.hpp"
 #include "iga/internal_forces.hpp"
 #include "iga/loads.hpp"
 #include "iga/planned_solution.hpp"
@@ -147,6 +149,10 @@ ElasticitySolution solve_elasticity(const ElasticityProblem& problem, const Elas
   solution.solver = nodal.report;
   watch.lap("solve", nodal.report.assembly_seconds, "assembly");
   const Eigen::Matrix3Xd& displacement = nodal.displacement;
+  if (!displacement.allFinite())
+    throw Error(ErrorCode::singular_system,
+                "the displacements are not finite numbers: the equations have no solution; look at the "
+                "supports and at the materials' constants");
   solution.field = field_of(problem, displacement);
 
   const InternalForces internal =
@@ -159,7 +165,12 @@ ElasticitySolution solve_elasticity(const ElasticityProblem& problem, const Elas
   solution.multipliers = multipliers_in_space(rows, frames, multipliers);
   ElasticityResults& results = solution.results;
   results.max_displacement = largest(max_displacement(solution.field, parts), processes);
-  results.max_von_mises = internal.max_von_mises;
+  const FaceStresses on_faces = summed(stresses_on_faces(solution.field, parts), processes);
+  results.max_von_mises = larger(internal.max_von_mises, on_faces.max_von_mises);
+  results.max_strain = internal.max_strain;
+  results.left_out = together(internal.left_out, on_faces.left_out);
+  results.unresolved = internal.unresolved;
+  results.idle_loads = idle_loads(problem, classes, frames);
   results.internal_energy = internal.energy;
   results.reactions = support_reactions(problem, classes, frames, unbalanced);
   results.total_load = load.rowwise().sum();

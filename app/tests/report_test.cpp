@@ -45,7 +45,7 @@ TEST_F(Program, MarksPlacesOfTheReportWithTheSummarysValues) {
     return std::hypot(v[0].get<double>(), v[1].get<double>(), v[2].get<double>());
   };
   EXPECT_NEAR(length(markers[0]["displacement"]), summary["results"]["max_displacement"], 1e-15);
-  EXPECT_NEAR(markers[1]["von_mises"].get<double>(), summary["results"]["max_von_mises"], 1e-9);
+  EXPECT_NEAR(markers[1]["von_mises"].get<double>(), summary["results"]["max_von_mises"], 1e-2);
   EXPECT_EQ(markers[2]["name"], summary["probes"][0]["name"]);
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_NEAR(markers[2]["displacement"][i].get<double>(), summary["probes"][0]["displacement"][i], 1e-15);
@@ -61,8 +61,8 @@ TEST_F(Program, MarksPlacesOfTheReportWithTheSummarysValues) {
       }
   EXPECT_THAT(held, testing::UnorderedElementsAreArray(
                         summary["supports"][0]["faces"].get<std::vector<std::string>>()));
-  EXPECT_NEAR(data["scene"]["loads"][0]["total"][0].get<double>(), 10, 1e-12);
-  EXPECT_NEAR(data["scene"]["supports"][0]["reaction"][0].get<double>(), -10, 1e-9);
+  EXPECT_NEAR(data["scene"]["loads"][0]["total"][0].get<double>(), 1e7, 1e-5);
+  EXPECT_NEAR(data["scene"]["supports"][0]["reaction"][0].get<double>(), -1e7, 1e-2);
 }
 
 TEST_F(Program, SaysWhatIsWrongWithResultsForAReport) {

@@ -39,7 +39,7 @@ template <class Visit>
 void for_each_table(const Discretization& d, Visit visit) {
   ElementValues values;
   for (std::size_t p = 0; p < d.patches.size(); ++p) {
-    const ElementEvaluator evaluator(d.patches[p], 0);
+    const ElementEvaluator evaluator(d.patches[p], gauss_rules(d.gauss_points[p]));
     for (std::int64_t e = 0; e < evaluator.element_count(); ++e) {
       evaluator.evaluate(e, values);
       visit(p, values);
