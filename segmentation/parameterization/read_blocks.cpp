@@ -10,6 +10,7 @@
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/error.hpp"
 #include "geometry/base/nearest_name.hpp"
+#include "geometry/brep/contradictions.hpp"
 #include "geometry/brep/read_brep.hpp"
 #include "geometry/brep/solid_error.hpp"
 #include "segmentation/parameterization/brep_solid.hpp"
@@ -24,12 +25,25 @@ std::string small_ending(const std::filesystem::path& path) {
   return text;
 }
 
-std::vector<geometry::BrepFile> solids_of(const std::filesystem::path& path, double length_unit) {
+// With the name of the block in its faces, and the file's in front of the message if it lacks it.
+template <class Work>
+auto named(const std::filesystem::path& path, int solid, Work work) {
   try {
-    return geometry::read_breps(path, block_reading(path, length_unit));
+    return work();
   } catch (const geometry::SolidError& error) {
-    throw geometry::SolidError(error.code(), error.what(), of_solid(error.fault(), block_name(path, 0)));
+    const std::string message = error.what();
+    const bool has_file = message.find(path.string()) != message.npos;
+    throw geometry::SolidError(error.code(), has_file ? message : path.string() + ": " + message,
+                               of_solid(error.fault(), block_name(path, solid)));
   }
+}
+
+std::vector<geometry::BrepFile> solids_of(const std::filesystem::path& path, double length_unit) {
+  std::vector<geometry::BrepFile> solids =
+      named(path, 0, [&] { return geometry::read_breps(path, block_reading(path, length_unit)); });
+  for (std::size_t i = 0; i < solids.size(); ++i)
+    named(path, static_cast<int>(i), [&] { geometry::require_sound(solids[i].brep); });
+  return solids;
 }
 
 int block_named(const std::string& name, const std::vector<Hexahedron>& blocks, const std::string& where) {
