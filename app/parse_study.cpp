@@ -172,7 +172,7 @@ iga::Material read_constants(const MaterialKeys& keys, const Place& place) {
 
 MaterialInput read_material(const Section& input) {
   const auto keys = read_table<MaterialKeys>(input.table, input.place, "[[material]]", material_keys());
-  return {keys.patches.value_or(PatchSelection{{}, input.place}), read_constants(keys, input.place),
+  return {keys.patches.value_or(PatchSelection{{}, {}, input.place}), read_constants(keys, input.place),
           input.place};
 }
 
@@ -217,7 +217,7 @@ LoadInput read_load(const Section& input, std::size_t index) {
   result.name = fmt::format("load {}{}", index + 1, keys.name.empty() ? "" : " (" + keys.name + ")");
   result.key = keys.name.empty() ? result.name : keys.name;
   result.selection = {keys.faces, keys.where, input.place};
-  result.patches = keys.patches.value_or(PatchSelection{{}, input.place});
+  result.patches = keys.patches.value_or(PatchSelection{{}, {}, input.place});
   int kinds = 0;
   const auto take = [&](const std::optional<Eigen::Vector3d>& vector, LoadKind kind) {
     if (!vector) return;

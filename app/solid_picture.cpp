@@ -28,11 +28,12 @@ struct EdgeKind {
   Colour colour;
   double width;  ///< in lines of the picture
 };
-constexpr std::array<EdgeKind, 5> edge_kinds = {{{Convexity::convex, {0, 82, 148}, 1.2},
+constexpr std::array<EdgeKind, 6> edge_kinds = {{{Convexity::convex, {0, 82, 148}, 1.2},
                                                  {Convexity::non_convex, {213, 60, 0}, 2.2},
                                                  {Convexity::flat, {120, 130, 120}, 1},
                                                  {Convexity::seam, {200, 140, 170}, 1},
-                                                 {Convexity::free, {240, 0, 240}, 3}}};
+                                                 {Convexity::free, {240, 0, 240}, 3},
+                                                 {Convexity::overused, {150, 0, 200}, 3}}};
 
 std::size_t kind_index(Convexity convexity) {
   const auto* found = std::find_if(edge_kinds.begin(), edge_kinds.end(),

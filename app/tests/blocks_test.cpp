@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <regex>
+
 #include "app/tests/program_fixture.hpp"
 #include "geometry/brep/read_brep.hpp"
 #include "geometry/brep/write_brep.hpp"
@@ -88,6 +90,39 @@ TEST_F(Blocks, ANonManifoldEdgeIsShownWithItsFaces) {
   EXPECT_THAT(err_, HasSubstr("belongs to more than two faces: faces 0 and 2 and 6"));
   EXPECT_THAT(faulty(data["faults"]["faces"]), testing::Contains("part: face 6"));
   EXPECT_GE(faulty(data["faults"]["lines"]).size(), 2u);
+}
+
+/// A STEP file whose last plane lies elsewhere: all coordinates of the point that it goes through grow.
+std::string with_last_plane_moved(const std::string& step, double distance) {
+  const auto find = [&](const std::string& pattern) {
+    std::smatch found, last;
+    for (auto from = step.begin(); std::regex_search(from, step.end(), found, std::regex(pattern));
+         from = found.suffix().first)
+      last = found;
+    return last;
+  };
+  const std::string frame = find(R"(PLANE\('',#(\d+)\))")[1];
+  const std::string origin = find("#" + frame + R"( = AXIS2_PLACEMENT_3D\('',#(\d+))")[1];
+  const std::smatch point = find("#" + origin + R"( = CARTESIAN_POINT\('',\(([^,]+),([^,]+),([^)]+)\)\))");
+  const auto moved = [&](std::size_t i) { return fmt::format("{:#.15g}", std::stod(point[i]) + distance); };
+  const std::string now =
+      fmt::format("#{} = CARTESIAN_POINT('',({},{},{}))", origin, moved(1), moved(2), moved(3));
+  return std::string(step.begin(), point[0].first) + now + std::string(point[0].second, step.end());
+}
+
+TEST_F(Blocks, AFaceOffItsEdgesIsShownAndRefused) {
+  write_file(file("part.off"), off(corners, sides));
+  geometry::write_brep(file("part.step"), geometry::read_brep(file("part.off")).brep, {.unit = "m"});
+  write_file(file("part.step"), with_last_plane_moved(read_file(file("part.step")), 0.125));
+  EXPECT_EQ(run({"info", file("part.step")}), 2);
+  EXPECT_THAT(out_, HasSubstr("ready for repair"));
+  EXPECT_THAT(out_, HasSubstr("largest gap between an edge and its face 125 mm (edge "));
+  EXPECT_THAT(err_, HasSubstr("lies 0.125 m (0.072 of the size) off its edge"));
+  EXPECT_EQ(run({"parameterize", file("part.step"), "-o", file("p.xml"), "--report", file("p.html")}), 2);
+  EXPECT_FALSE(fs::exists(file("p.xml")));
+  EXPECT_THAT(err_, HasSubstr("part.step: the geometry contradicts itself: face "));
+  const json data = page_data(file("p.html"));
+  EXPECT_EQ(faulty(data["faults"]["faces"]).size(), 1u);
 }
 
 TEST_F(Blocks, AFiveCorneredFaceIsShownWithItsCorners) {

@@ -100,6 +100,49 @@ TEST_F(SolidFiles, AnOpenBoundaryIsDescribedAndRefused) {
   EXPECT_THAT(err_, HasSubstr("vertex 5 at (0, 2, 0) m"));
 }
 
+// Two cubes along a common edge.
+TEST_F(SolidFiles, AnEdgeOfFourFacesIsCountedAsSuchAndIsNotFree) {
+  write_file(folder_ / "two.off", R"(OFF
+14 12 23
+0 0 0
+1 0 0
+1 1 0
+0 1 0
+0 0 1
+1 0 1
+1 1 1
+0 1 1
+2 1 0
+2 2 0
+1 2 0
+2 1 1
+2 2 1
+1 2 1
+4 0 3 2 1
+4 4 5 6 7
+4 0 1 5 4
+4 1 2 6 5
+4 2 3 7 6
+4 3 0 4 7
+4 2 10 9 8
+4 6 11 12 13
+4 2 8 11 6
+4 8 9 12 11
+4 9 10 13 12
+4 10 2 6 13
+)");
+  EXPECT_EQ(run({"info", (folder_ / "two.off").string(), "--all"}), 2);
+  EXPECT_THAT(out_, HasSubstr("edges 22 convex, 1 with four faces; inner angles 90 to 90 degrees"));
+  EXPECT_THAT(out_, HasSubstr(" four faces\n"));
+  EXPECT_THAT(out_, testing::Not(HasSubstr("free")));
+  EXPECT_THAT(err_, HasSubstr("of faces 3, 4, 8 and 11"));
+  ASSERT_EQ(run({"info", (folder_ / "two.off").string(), "--json"}), 2);
+  const json solid = json::parse(out_)["solids"][0];
+  int overused = 0;
+  for (const json& edge : solid["edges"]) overused += edge["convexity"] == "overused";
+  EXPECT_EQ(overused, 1);
+}
+
 TEST_F(SolidFiles, TheEdgeGraphIsDrawnInThePlane) {
   const fs::path graph = folder_ / "graph.svg";
   ASSERT_EQ(run({"render", solid(), "-o", graph.string()}), 0) << err_;

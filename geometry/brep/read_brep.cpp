@@ -143,7 +143,7 @@ void require_solids(BrepSet& set, const ReadBrepOptions& options) {
     } catch (const SolidError& error) {
       const std::string message =
           set.bodies.size() > 1 ? fmt::format("body '{}': {}", body.name, error.what()) : error.what();
-      if (!options.allow_partial) throw SolidError(error.code(), message, error.fault());
+      if (!options.allow_partial) throw SolidError(error.code(), message, of_solid(error.fault(), body.name));
       set.warnings.push_back(message + "; it is left out");
     }
   if (solids.empty())

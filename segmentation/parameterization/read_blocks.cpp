@@ -9,6 +9,7 @@
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/error.hpp"
 #include "geometry/base/nearest_name.hpp"
+#include "geometry/brep/contradictions.hpp"
 #include "geometry/brep/read_brep.hpp"
 #include "geometry/brep/solid_error.hpp"
 #include "segmentation/parameterization/brep_solid.hpp"
@@ -16,12 +17,25 @@
 namespace isopatch::segmentation {
 namespace {
 
-geometry::BrepSet bodies_of(const std::filesystem::path& path, const geometry::ReadBrepOptions& options) {
+// With the name of the block in its faces, and the file's in front of the message if it lacks it.
+template <class Work>
+auto named(const std::filesystem::path& path, const std::string& block, Work work) {
   try {
-    return geometry::read_breps(path, options);
+    return work();
   } catch (const geometry::SolidError& error) {
-    throw geometry::SolidError(error.code(), error.what(), of_solid(error.fault(), path.stem().string()));
+    const std::string message = error.what();
+    const bool has_file = message.find(path.string()) != message.npos;
+    throw geometry::SolidError(error.code(), has_file ? message : path.string() + ": " + message,
+                               of_solid(error.fault(), block));
   }
+}
+
+geometry::BrepSet bodies_of(const std::filesystem::path& path, const geometry::ReadBrepOptions& options) {
+  geometry::BrepSet set =
+      named(path, path.stem().string(), [&] { return geometry::read_breps(path, options); });
+  for (const geometry::BrepFile& body : set.bodies)
+    named(path, body.name, [&] { geometry::require_sound(body.brep); });
+  return set;
 }
 
 int block_named(const std::string& name, const std::vector<Hexahedron>& blocks, const std::string& where) {

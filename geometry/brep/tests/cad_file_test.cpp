@@ -9,7 +9,7 @@
 #include "geometry/brep/make_brep.hpp"
 #include "geometry/brep/read_brep.hpp"
 #include "geometry/brep/tests/sample_solids.hpp"
-#include "geometry/brep/tests/step_text.hpp"
+#include "geometry/brep/tests/step_assembly.hpp"
 #include "geometry/brep/write_brep.hpp"
 
 namespace isopatch::geometry {
@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::block;
-using test::StepText;
+using test::StepAssembly;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -39,7 +39,7 @@ class CadFile : public testing::Test {
     write_file(folder_ / name, text);
     return folder_ / name;
   }
-  BrepSet read(const StepText& step, const ReadBrepOptions& options = {}) const {
+  BrepSet read(const StepAssembly& step, const ReadBrepOptions& options = {}) const {
     return read_breps(file("part.step", step.text()), options);
   }
   fs::path folder_;
@@ -68,7 +68,7 @@ std::vector<double> volumes(const BrepSet& set) {
 }
 
 TEST_F(CadFile, AClosedShellBesideASolidIsABody) {
-  StepText step;
+  StepAssembly step;
   const int solid = step.body(block(1, 2, 3)).item,
             shell = step.body(moved(block(2, 2, 2), 5), "", "shell").item;
   step.product("part", {solid, shell});
@@ -79,16 +79,16 @@ TEST_F(CadFile, AClosedShellBesideASolidIsABody) {
 }
 
 TEST_F(CadFile, TwoBlocksInOneShellAreTwoBodiesAndACavityIsNone) {
-  StepText apart;
+  StepAssembly apart;
   apart.product("part", {apart.body({block(1, 1, 1), moved(block(2, 1, 1), 3)}).item});
   EXPECT_THAT(volumes(read(apart)), ElementsAre(1, 2));
   // The inner one's faces are listed as a body's, so that only their place shows that they bound a cavity.
-  StepText hollow;
+  StepAssembly hollow;
   hollow.product("part", {hollow.body({block(4, 4, 4), moved(block(1, 1, 1), 1, 1, 1)}).item});
   const BrepSet set = read(hollow);
   ASSERT_THAT(volumes(set), ElementsAre(63));
   EXPECT_EQ(check(set.bodies[0].brep).boundary.shells, 2);
-  StepText nested;
+  StepAssembly nested;
   nested.product(
       "part",
       {nested.body({block(8, 8, 8), moved(block(6, 6, 6), 1, 1, 1), moved(block(2, 2, 2), 3, 3, 3)}).item});
@@ -97,7 +97,7 @@ TEST_F(CadFile, TwoBlocksInOneShellAreTwoBodiesAndACavityIsNone) {
 
 TEST_F(CadFile, LooseFacesOfTouchingBlocksAreTwoBodies) {
   // IGES files of FreeCAD have nothing but the faces.
-  StepText loose;
+  StepAssembly loose;
   std::vector<int> faces;
   for (const Polyhedron& piece : {block(1, 1, 1), moved(block(2, 1, 1), 1), moved(block(3, 1, 1), 3)})
     for (const int face : loose.faces(piece)) faces.push_back(face);
@@ -109,8 +109,8 @@ TEST_F(CadFile, LooseFacesOfTouchingBlocksAreTwoBodies) {
 }
 
 TEST_F(CadFile, PartsOfAnAssemblyKeepNamesAndColoursWhereverTheyArePlaced) {
-  StepText step;
-  const StepText::Body left = step.body(block(1, 1, 1)), right = step.body(block(1, 2, 1));
+  StepAssembly step;
+  const StepAssembly::Body left = step.body(block(1, 1, 1)), right = step.body(block(1, 2, 1));
   step.colour(left.faces[2], {1, 0, 0});
   step.colour(right.item, {0, 0, 1});
   step.colour(right.faces[0], {0, 1, 0});
@@ -136,11 +136,11 @@ TEST_F(CadFile, PartsOfAnAssemblyKeepNamesAndColoursWhereverTheyArePlaced) {
 
 TEST_F(CadFile, NamesThatSayNothingAreNoneAndBytesOfWindowsAreLetters) {
   for (const char* placeholder : {"Open CASCADE STEP translator 7.6 1", "NONE", "SOLID", " "}) {
-    StepText step;
+    StepAssembly step;
     step.product(placeholder, {step.body(block(1, 1, 1)).item});
     EXPECT_THAT(names(read(step)), ElementsAre("part")) << placeholder;
   }
-  StepText latin, utf8;
+  StepAssembly latin, utf8;
   latin.product(
       "Tr\xe4ger \xd8"
       "8",
@@ -152,7 +152,7 @@ TEST_F(CadFile, NamesThatSayNothingAreNoneAndBytesOfWindowsAreLetters) {
 
 TEST_F(CadFile, UnitsMadeOfUnitsAreHonoured) {
   const std::string metre = "(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT($,.METRE.))";
-  StepText plain(metre);
+  StepAssembly plain(metre);
   plain.product("part", {plain.body(block(1, 2, 3)).item});
   // The seventh entity is the metre: an ell of it, and a rod of five ells.
   const std::string text = plain.text();
@@ -170,7 +170,7 @@ TEST_F(CadFile, UnitsMadeOfUnitsAreHonoured) {
 }
 
 TEST_F(CadFile, AMissingUnitIsAWarningAndMayBeGiven) {
-  StepText step("$");
+  StepAssembly step("$");
   step.product("part", {step.body(block(1, 2, 3)).item});
   const BrepSet set = read(step);
   EXPECT_THAT(volumes(set), ElementsAre(6));
@@ -179,7 +179,7 @@ TEST_F(CadFile, AMissingUnitIsAWarningAndMayBeGiven) {
   const BrepSet given = read(step, {.length_unit = 0.0254});
   EXPECT_NEAR(given.bodies[0].brep.volume(), 6 * std::pow(0.0254, 3), 1e-12);
   EXPECT_THAT(given.warnings, IsEmpty());
-  StepText stated;
+  StepAssembly stated;
   stated.product("part", {stated.body(block(1, 2, 3)).item});
   EXPECT_THAT(message_of([&] { read(stated, {.length_unit = 0.0254}); }), HasSubstr("leave length_unit out"));
 }
@@ -197,8 +197,8 @@ TEST_F(CadFile, TheScaleOfAnIgesModelCounts) {
 }
 
 TEST_F(CadFile, WhatCannotBeReadIsNamedOrLeftOut) {
-  StepText step;
-  const StepText::Body good = step.body(block(1, 2, 3)), bad = step.body(moved(block(1, 1, 1), 5));
+  StepAssembly step;
+  const StepAssembly::Body good = step.body(block(1, 2, 3)), bad = step.body(moved(block(1, 1, 1), 5));
   const auto first = step.product("first", {good.item}), second = step.product("second", {bad.item}),
              all = step.product("all", {});
   step.place(all, first, {0, 0, 0});
@@ -222,7 +222,7 @@ TEST_F(CadFile, WhatCannotBeReadIsNamedOrLeftOut) {
 }
 
 TEST_F(CadFile, TokensAreCheckedBeforeTheLibrarySeesThem) {
-  StepText step;
+  StepAssembly step;
   step.product("part", {step.body(block(1, 2, 3)).item});
   std::string text = step.text();
   const std::size_t at = text.find("(1.0000000000000000,");
@@ -240,7 +240,7 @@ TEST_F(CadFile, TokensAreCheckedBeforeTheLibrarySeesThem) {
 }
 
 TEST_F(CadFile, AFileThatTakesTooLongOrTooMuchIsAnError) {
-  StepText step;
+  StepAssembly step;
   for (int i = 0; i < 4; ++i) step.product("part", {step.body(test::prism(200)).item});
   const fs::path path = file("part.step", step.text());
   const auto limited = [&](GuardLimits limits) {
@@ -275,7 +275,7 @@ TEST_F(CadFile, BodiesComeBackBitForBitAndPhasesAreHeard) {
 }
 
 TEST_F(CadFile, OtherEndingsAreReadToo) {
-  StepText step;
+  StepAssembly step;
   step.product("part", {step.body(block(1, 2, 3)).item});
   EXPECT_EQ(read_breps(file("a.p21", step.text())).bodies.size(), 1u);
   write_brep(folder_ / "b.brep", make_brep(block(1, 2, 3)), {.unit = "m"});

@@ -9,12 +9,12 @@
 #include "geometry/brep/step_products.hpp"
 #include "geometry/brep/step_units.hpp"
 #include "geometry/brep/tests/sample_solids.hpp"
-#include "geometry/brep/tests/step_text.hpp"
+#include "geometry/brep/tests/step_assembly.hpp"
 
 namespace isopatch::geometry {
 namespace {
 
-using test::StepText;
+using test::StepAssembly;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -84,7 +84,7 @@ TEST(Part21, RefusesFilesThatAreNoneOrCutShort) {
 }
 
 TEST(Part21, NothingButAnErrorComesOfDamagedFiles) {
-  StepText step;
+  StepAssembly step;
   step.product("part", {step.body(test::block(1, 2, 3)).item});
   const std::string sound = step.text();
   std::mt19937 random(1);
@@ -108,7 +108,7 @@ TEST(Part21, FindsReferencesIntoNothing) {
 }
 
 StepUnits units_of(const std::string& unit) {
-  StepText step(unit);
+  StepAssembly step(unit);
   if (unit.find("#100") != unit.npos) {  // for units made of others
     while (step.add("LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(0.3048),#102)") < 99) {
     }
@@ -152,7 +152,7 @@ TEST(StepUnits, AreNeverGuessedInSilence) {
 }
 
 TEST(StepProducts, CountsBodiesWhereverTheyArePlaced) {
-  StepText step;
+  StepAssembly step;
   const auto bolt = step.product("bolt", {step.body(test::block(1, 1, 1)).item});
   const auto pair = step.product("pair", {});
   const auto whole = step.product(

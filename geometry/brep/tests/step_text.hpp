@@ -1,55 +1,66 @@
 #pragma once
 
-#include <array>
+#include <Eigen/Core>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "geometry/polyhedron.hpp"
+#include "geometry/splines/nurbs.hpp"
 
 namespace isopatch::geometry::test {
 
-/// Writes STEP files entity by entity, as programs do and as they should not.
+/// A STEP file as text, entity by entity; each function gives the entity's number. Faces carry no curves in
+/// their domains, so that the reader makes them.
 class StepText {
  public:
-  /// @param unit  an entity of a unit of length, "$" for a context without one
-  explicit StepText(const std::string& unit = "(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))");
+  /// Metres per unit are the reader's; everything is moved by `offset`.
+  explicit StepText(Eigen::Vector3d offset = Eigen::Vector3d::Zero()) : offset_(std::move(offset)) {}
 
-  /// Adds an entity and returns its number.
+  /// An entity as it stands in the file, without number and semicolon.
   int add(const std::string& entity);
-  /// A solid or a shell of planar faces.
-  struct Body {
-    int item = 0;  ///< MANIFOLD_SOLID_BREP or SHELL_BASED_SURFACE_MODEL
-    int shell = 0;
-    std::vector<int> faces;
-  };
-  /// @param kind  "solid", or "shell" for a surface model
-  Body body(const Polyhedron& polyhedron, const std::string& name = "", const std::string& kind = "solid");
-  /// Both in one closed shell.
-  Body body(const std::vector<Polyhedron>& pieces);
-  /// A product with these items as its shape.
-  struct Product {
-    int definition = 0, shape = 0;
-  };
-  Product product(const std::string& name, const std::vector<int>& items);
-  /// Places a part in an assembly, moved by (x, y, z).
-  void place(const Product& assembly, const Product& part, const std::array<double, 3>& by,
-             const std::string& name = "");
-  /// Gives an item a colour.
-  void colour(int item, const std::array<double, 3>& red_green_blue);
-  std::vector<int> faces(const Polyhedron& polyhedron);
-  std::string text() const;
+  int point(const Eigen::Vector3d& at);
+  int direction(const Eigen::Vector3d& along);
+  int frame(const Eigen::Vector3d& origin, const Eigen::Vector3d& axis = {0, 0, 1},
+            const Eigen::Vector3d& x = {1, 0, 0});
+  int vertex(const Eigen::Vector3d& at);
+  int line(const Eigen::Vector3d& from, const Eigen::Vector3d& along);
+  /// Not rational.
+  int spline(const NurbsCurve& curve, const Eigen::Vector3d& shift = Eigen::Vector3d::Zero());
+  int plane(const Eigen::Vector3d& origin, const Eigen::Vector3d& normal);
+  int edge(int start, int end, int curve);
+  /// @param uses  numbers of edges, negative where they are walked backwards
+  int loop(const std::vector<int>& uses);
+  /// @param agrees  whether the outward normal is the surface's
+  int face(int surface, const std::vector<int>& loops, bool agrees = true);
+
+  /// The file. @param unit  "m" or "mm"
+  std::string file(const std::vector<int>& faces, const std::string& unit) const;
 
  private:
-  int placement(const std::array<double, 3>& at);
-
-  std::string data_;
-  int last_ = 0;
-  int context_ = 0, application_ = 0, product_context_ = 0, definition_context_ = 0;
-  std::vector<int> styled_;
+  Eigen::Vector3d offset_;
+  std::string text_;
+  int count_ = 0;
 };
 
-/// "#3,#4,#5".
-std::string references(const std::vector<int>& ids);
+/// Over a closed curve in the plane z = 0, counter-clockwise seen from above, of height h along z.
+struct ClosedCurve {
+  int bottom, top;        ///< the curve's entity at z = 0 and at z = h
+  Eigen::Vector3d start;  ///< where it starts and ends
+};
+std::vector<int> prism_faces(StepText& step, const ClosedCurve& curve, double h);
+std::vector<int> elliptic_prism(StepText& step, double a, double b, double h);
+std::vector<int> spline_prism(StepText& step, const NurbsCurve& curve, double h);
+/// Around the z axis; the sphere's and the torus's centre is the origin, the cone's apex is at z = h.
+std::vector<int> cylinder(StepText& step, double r, double h);
+std::vector<int> cone(StepText& step, double r, double h);
+std::vector<int> sphere(StepText& step, double r);
+std::vector<int> torus(StepText& step, double large, double small);
+/// The volume under a curve (x, z) of the half plane x > 0 with both ends on the axis, turned around z.
+std::vector<int> revolved(StepText& step, const NurbsCurve& profile);
+/// [0, sides]; the plane of the face at high x lies `off` outside of its edges.
+std::vector<int> block(StepText& step, const Eigen::Vector3d& sides, double off = 0);
+
+/// A closed B-spline of the degree in the plane z = 0 around the origin, clamped: `points` control points at
+/// radii between 0.6 and 1.4, counter-clockwise. Seeded.
+NurbsCurve random_closed_spline(int degree, int points, unsigned seed);
 
 }  // namespace isopatch::geometry::test
