@@ -10,6 +10,7 @@
 
 #include "geometry/base/error.hpp"
 #include "geometry/element_bounds.hpp"
+#include "geometry/base/larger.hpp"
 #include "geometry/splines/refine.hpp"
 #include "geometry/tests/test_patches.hpp"
 
@@ -94,7 +95,7 @@ TEST(JacobianCertificate, HasTheRightSizeForRationalPatches) {
     for (const double u : {0.0, 1.0}) {
       const double d = ring.jacobian(Parameter<3>(u, i / 100.0, 0)).determinant();
       lowest = std::min(lowest, d);
-      highest = std::max(highest, d);
+      highest = larger(highest, d);
     }
   EXPECT_LE(c.lower, lowest);
   EXPECT_GE(c.upper, highest);
