@@ -143,7 +143,8 @@ def read_damaged(options, converter):
         path.write_bytes(text)
         code, answer, said = run(options.program, path, [*case.options, "--cad-time-limit", str(SECONDS)], 20 * SECONDS)
         word, why = verdict(sound[case.name], code, answer, said)
-        path.unlink()
+        if not (options.keep and word.isupper()):
+            path.unlink()
         return number, case.name, way, word, why
 
     counts, bad = {}, 0
