@@ -53,6 +53,22 @@ class StepWords {
   const StepProducts& products_;
 };
 
+/// Remarks about entities are one warning; those about shapes are sentences of their own, each said once.
+template <class Sentences>
+void add_remarks(const std::vector<EntityRemark>& remarks, const Sentences& sentences,
+                 std::vector<std::string>& warnings) {
+  std::vector<EntityRemark> of_entities;
+  std::vector<std::string> others;
+  for (const EntityRemark& remark : remarks)
+    if (remark.entity > 0)
+      of_entities.push_back(remark);
+    else if (std::find(others.begin(), others.end(), remark.text) == others.end())
+      others.push_back(remark.text);
+  if (!of_entities.empty())
+    warnings.push_back(fmt::format("the CAD library stumbled: {}", listed(sentences(of_entities))));
+  add(others, warnings);
+}
+
 /// Bodies and faces that the library lost; those it says nothing about are named by the reasons it gives
 /// elsewhere.
 std::vector<std::string> losses(const KernelFile& made, const Part21File& file,
@@ -76,7 +92,9 @@ std::vector<std::string> losses(const KernelFile& made, const Part21File& file,
 }
 
 CadFile read_step_file(const fs::path& path, const ReadBrepOptions& options) {
-  const std::string text = read_file(path);
+  const std::string bytes = read_file(path);
+  std::string_view text = bytes;
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // editors of Windows put it there
   options.progress("checking the text", 0);
   const Part21File file(text, path.string());
   CadFile result;
@@ -97,9 +115,7 @@ CadFile read_step_file(const fs::path& path, const ReadBrepOptions& options) {
   KernelFile made = brep_module().read(source, options.sew);
   const StepWords words(file, products);
   add(losses(made, file, products), result.missing);
-  if (!made.remarks.empty())
-    result.warnings.push_back(
-        fmt::format("the CAD library stumbled: {}", listed(words.sentences(made.remarks))));
+  add_remarks(made.remarks, [&](const auto& remarks) { return words.sentences(remarks); }, result.warnings);
   result.bodies = std::move(made.bodies);
   return result;
 }
@@ -114,9 +130,7 @@ std::vector<std::string> iges_sentences(const std::vector<EntityRemark>& remarks
 
 void take(KernelFile made, CadFile& result) {
   add(iges_sentences(made.lost), result.missing);
-  if (!made.remarks.empty())
-    result.warnings.push_back(
-        fmt::format("the CAD library stumbled: {}", listed(iges_sentences(made.remarks))));
+  add_remarks(made.remarks, iges_sentences, result.warnings);
   result.bodies = std::move(made.bodies);
 }
 
