@@ -75,7 +75,8 @@ PlannedSolution solve_as_planned(const SolutionTask& task, const std::vector<Sol
       if (may_go_on(error, task) && &plan != &plans.back()) continue;
       const std::string cause =
           is_numerical(error.code()) ? "; " + likely_cause(task.problem, task.points) : "";
-      throw Error(error.code(), (failures.size() == 1 ? std::string(error.what()) : joined(failures)) + cause);
+      throw Error(error.code(),
+                  (failures.size() == 1 ? std::string(error.what()) : joined(failures)) + cause);
     }
   }
   throw Error(ErrorCode::internal, "there is no plan to solve by");
