@@ -15,7 +15,7 @@ using solvers::Method;
 using solvers::Preconditioner;
 
 // Iterations that stand in for factors have this many at most: what needs more is hopeless.
-constexpr int most_iterations_instead = 2000;
+constexpr int most_iterations_instead = 500;
 
 NodalSolution solve_by(const SolverPlan& plan, const SolutionTask& task, solvers::SolverOptions options,
                        const Progress& progress) {

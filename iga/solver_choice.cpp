@@ -130,7 +130,7 @@ SolverPlan iterative_plan(const SizeForecast& size, const solvers::SolverOptions
 
 // Flops as "3.2 Gflop".
 std::string flops_text(double flops) {
-  return flops < 1e9 ? fmt::format("{:.2g} Mflop", 1e-6 * flops) : fmt::format("{:.3g} Gflop", 1e-9 * flops);
+  return flops < 1e9 ? fmt::format("{:.3g} Mflop", 1e-6 * flops) : fmt::format("{:.3g} Gflop", 1e-9 * flops);
 }
 
 std::vector<SolverPlan> automatic_plans(const SizeForecast& size, const solvers::SolverOptions& options,
