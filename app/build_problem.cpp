@@ -161,8 +161,8 @@ BuiltProblem build_problem(const Study& study, const Progress& progress) {
   const std::vector<iga::Material> materials = assign_materials(study, model);
   const ModelReport seen = report(model, progress);
   progress("refining", 0);
-  iga::require_memory(model, iga::solution_knots(model, study.discretization), materials, study.options.coupling,
-                      study.options.solver, study.options.processes);
+  iga::require_memory(model, iga::solution_knots(model, study.discretization), materials,
+                      study.options.coupling, study.options.solver, study.options.processes);
   BuiltProblem built{{iga::discretize(model, study.discretization), materials, {}, {}, {}},
                      seen,
                      {},

@@ -202,7 +202,8 @@ const Keys<solvers::SolverOptions>& solver_keys() {
           "method", "\"auto\", \"direct\", \"cholmod\", \"mumps\", \"umfpack\", \"cg\" or \"minres\"",
           "auto factorizes where that costs little (CHOLMOD for elimination, MUMPS for lagrange or several "
           "processes) and iterates where factors would cost more or not fit (cg for elimination, minres for "
-          "lagrange); if the one fails it tries the other; the summary says why. direct is another word for auto.",
+          "lagrange); if the one fails it tries the other; the summary says why. direct is another word for "
+          "auto.",
           [](O& target, const ConfigValue& value) {
             std::vector<std::string> names;
             for (const auto& method : methods) names.push_back(method.first);
@@ -215,14 +216,14 @@ const Keys<solvers::SolverOptions>& solver_keys() {
           "energy."),
       integer_key<O>("max_iterations", &O::max_iterations, 1, 10000000,
                      "Most iterations of an iterative method."),
-      custom_key<O>(
-          "preconditioner", "\"multigrid\" or \"block_jacobi\"",
-          "Of cg and minres. A multigrid needs some ten iterations more or less whatever the size and the degree; "
-          "block_jacobi, for cg on one process, needs many more and is there for comparison.",
-          [](O& target, const ConfigValue& value) {
-            target.preconditioner =
-                solvers::Preconditioner(read_choice(value, "preconditioner", preconditioners));
-          })
+      custom_key<O>("preconditioner", "\"multigrid\" or \"block_jacobi\"",
+                    "Of cg and minres. A multigrid needs some ten iterations more or less whatever the size "
+                    "and the degree; "
+                    "block_jacobi, for cg on one process, needs many more and is there for comparison.",
+                    [](O& target, const ConfigValue& value) {
+                      target.preconditioner =
+                          solvers::Preconditioner(read_choice(value, "preconditioner", preconditioners));
+                    })
           .with_default("\"multigrid\""),
       custom_key<O>(
           "operator", "\"auto\", \"assembled\" or \"matrix_free\"",
@@ -238,10 +239,10 @@ const Keys<solvers::SolverOptions>& solver_keys() {
                           static_cast<int>(read_integer(value, "smoothing_degree", 1, 20));
                     })
           .with_default("4"),
-      quantity_key<O>(
-          "memory_limit", &O::memory_limit, dim::data, {0, 1e15},
-          "What the run may take, of each process; 0 means what the machine, a control group or a batch job has to "
-          "spare. Runs that are expected to take more are refused before the model is refined."),
+      quantity_key<O>("memory_limit", &O::memory_limit, dim::data, {0, 1e15},
+                      "What the run may take, of each process; 0 means what the machine, a control group or "
+                      "a batch job has to "
+                      "spare. Runs that are expected to take more are refused before the model is refined."),
   };
   return keys;
 }

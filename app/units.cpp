@@ -98,11 +98,10 @@ std::string lower(std::string_view text) {
 }
 
 std::string unknown_unit(std::string_view symbol) {
-  static const std::vector<std::string> known = {"m",   "mm",  "um",  "cm",  "km",  "g",  "kg",  "mg",  "t",
-                                                 "s",   "ms",  "N",   "kN",  "MN",  "Pa", "kPa", "MPa", "GPa",
-                                                 "bar", "J",   "mJ",  "kJ",  "W",   "in", "ft",  "lb",  "lbf",
-                                                 "psi", "ksi", "Msi", "rad", "deg", "%",   "B",   "kB",
-                                                 "MB",  "GB",  "TB",  "KiB", "MiB", "GiB", "TiB"};
+  static const std::vector<std::string> known = {
+      "m",   "mm",  "um",  "cm",  "km",  "g", "kg", "mg", "t",  "s",  "ms",  "N",   "kN",  "MN",
+      "Pa",  "kPa", "MPa", "GPa", "bar", "J", "mJ", "kJ", "W",  "in", "ft",  "lb",  "lbf", "psi",
+      "ksi", "Msi", "rad", "deg", "%",   "B", "kB", "MB", "GB", "TB", "KiB", "MiB", "GiB", "TiB"};
   for (const std::string& name : known)
     if (lower(name) == lower(symbol))
       return fmt::format("unknown unit '{}' (did you mean '{}'? Capitals matter)", symbol, name);

@@ -41,8 +41,8 @@ struct Quantity {
 /// Reads a number with a unit: "20 MPa", "225 mm", "7850 kg/m^3", "9.81 m/s^2", "1 kN", "36 deg", "5 N/mm2".
 ///
 /// Units: m g s N Pa J W t bar in ft lb lbf psi ksi Msi rad deg %, those of the SI with the prefixes n u m c
-/// d k M G; B kB MB GB TB KiB MiB GiB TiB; products by a space, * or a middle dot, quotients by / (from left to right), integer powers by ^
-/// or digits right after the unit, brackets.
+/// d k M G; B kB MB GB TB KiB MiB GiB TiB; products by a space, * or a middle dot, quotients by / (from left
+/// to right), integer powers by ^ or digits right after the unit, brackets.
 ///
 /// @throws Error invalid_argument  saying what could not be read; also for inf, NaN and overflow
 Quantity parse_quantity(std::string_view text);

@@ -19,9 +19,10 @@ int highest_degree(const Discretization& d) {
 std::string of_points(const ElasticityProblem& problem, int points) {
   if (!has_too_few_points(problem.discretization, points)) return {};
   const int degree = highest_degree(problem.discretization);
-  return fmt::format("{} Gauss {} per direction {} too few for degree {}, so that motions may have no energy: use {} or "
-                     "the default, points = 0",
-                     points, points == 1 ? "point" : "points", points == 1 ? "is" : "are", degree, degree + 1);
+  return fmt::format(
+      "{} Gauss {} per direction {} too few for degree {}, so that motions may have no energy: use {} or "
+      "the default, points = 0",
+      points, points == 1 ? "point" : "points", points == 1 ? "is" : "are", degree, degree + 1);
 }
 
 // The stiffness against a change of volume over that against a change of shape is about 1 / (1 - 2 nu).
@@ -30,9 +31,10 @@ std::string of_poisson(const ElasticityProblem& problem) {
   double worst = 0;
   for (const Material& material : problem.materials) worst = std::max(worst, poisson(material));
   if (worst < hard) return {};
-  return fmt::format("a Poisson's ratio of {:.9g} makes a material {:.0e} times as stiff against a change of volume as "
-                     "against one of shape: use at most 0.4999",
-                     worst, 1 / (1 - 2 * worst));
+  return fmt::format(
+      "a Poisson's ratio of {:.9g} makes a material {:.0e} times as stiff against a change of volume as "
+      "against one of shape: use at most 0.4999",
+      worst, 1 / (1 - 2 * worst));
 }
 
 std::string of_materials(const ElasticityProblem& problem) {
@@ -43,8 +45,9 @@ std::string of_materials(const ElasticityProblem& problem) {
     most = std::max(most, young(material));
   }
   if (most < hard * least) return {};
-  return fmt::format("the stiffest material has a Young's modulus {:.0e} times that of the softest: check their units",
-                     most / least);
+  return fmt::format(
+      "the stiffest material has a Young's modulus {:.0e} times that of the softest: check their units",
+      most / least);
 }
 
 // Mean length of a patch's control polygons along a direction.
@@ -73,7 +76,8 @@ std::string of_shape(const ElasticityProblem& problem) {
     thinnest = p;
   }
   if (most < hard) return {};
-  return fmt::format("patch {} is {:.0f} times as long as thick: make it of several patches or elements", thinnest, most);
+  return fmt::format("patch {} is {:.0f} times as long as thick: make it of several patches or elements",
+                     thinnest, most);
 }
 
 }  // namespace
@@ -84,10 +88,12 @@ bool has_too_few_points(const Discretization& discretization, int points) {
 
 std::string likely_cause(const ElasticityProblem& problem, int points) {
   std::vector<std::string> causes;
-  for (std::string cause : {of_points(problem, points), of_poisson(problem), of_materials(problem), of_shape(problem)})
+  for (std::string cause :
+       {of_points(problem, points), of_poisson(problem), of_materials(problem), of_shape(problem)})
     if (!cause.empty()) causes.push_back(std::move(cause));
   if (causes.empty())
-    return "look for parts that are held in few points only, for extreme differences of stiffness and for badly shaped "
+    return "look for parts that are held in few points only, for extreme differences of stiffness and for "
+           "badly shaped "
            "patches";
   return fmt::format("{}", fmt::join(causes, "; "));
 }

@@ -23,8 +23,8 @@ struct LineGroups {
   int count() const { return static_cast<int>(size.size()); }
 };
 
-// First and last function alone, the others in stretches of about `width`; the same from both ends, for neighbours
-// may count the other way round.
+// First and last function alone, the others in stretches of about `width`; the same from both ends, for
+// neighbours may count the other way round.
 std::vector<int> group_sizes(int functions, double width) {
   const int inner = functions - 2;
   if (inner <= 0) return std::vector<int>(static_cast<std::size_t>(functions), 1);
@@ -138,7 +138,8 @@ void unite(std::vector<GroupPair>& pairs) {
   pairs.erase(std::unique(pairs.begin(), pairs.end(), same), pairs.end());
 }
 
-// Multipliers tie the first group of a class to each other one: vertices of their own behind those of the nodes.
+// Multipliers tie the first group of a class to each other one: vertices of their own behind those of the
+// nodes.
 void append_multipliers(const NodeClasses& classes, PatternForecast& result, std::vector<GroupPair>& pairs) {
   for (int c = 0; c < classes.count(); ++c) {
     const auto members = classes.of(c);

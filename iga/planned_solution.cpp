@@ -15,7 +15,7 @@ using solvers::Method;
 using solvers::Preconditioner;
 
 // Iterations that stand in for factors have this many at most: what needs more is hopeless.
-constexpr int most_iterations_instead = 2000;
+constexpr int most_iterations_instead = 500;
 
 NodalSolution solve_by(const SolverPlan& plan, const SolutionTask& task, solvers::SolverOptions options,
                        const Progress& progress) {
@@ -75,7 +75,8 @@ PlannedSolution solve_as_planned(const SolutionTask& task, const std::vector<Sol
       if (may_go_on(error, task) && &plan != &plans.back()) continue;
       const std::string cause =
           is_numerical(error.code()) ? "; " + likely_cause(task.problem, task.points) : "";
-      throw Error(error.code(), (failures.size() == 1 ? std::string(error.what()) : joined(failures)) + cause);
+      throw Error(error.code(),
+                  (failures.size() == 1 ? std::string(error.what()) : joined(failures)) + cause);
     }
   }
   throw Error(ErrorCode::internal, "there is no plan to solve by");

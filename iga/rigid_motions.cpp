@@ -20,8 +20,8 @@ std::string text(const Eigen::Vector3d& v) {
   return fmt::format("({:.4g}, {:.4g}, {:.4g})", clean(v[0]), clean(v[1]), clean(v[2]));
 }
 
-// A direction and its opposite are the same motion; the first clear component is shown positive. Coordinate axes by
-// their names.
+// A direction and its opposite are the same motion; the first clear component is shown positive. Coordinate
+// axes by their names.
 std::string direction_text(const Eigen::Vector3d& unit) {
   for (int d = 0; d < 3; ++d)
     if (std::abs(unit[d]) > 1 - 1e-9) return std::string(1, "xyz"[d]);
@@ -30,8 +30,8 @@ std::string direction_text(const Eigen::Vector3d& unit) {
   return text(unit);
 }
 
-// Orthonormal directions of the space that the given ones span, as near to the coordinate axes as they can be: of a
-// plane that holds y and z these, whatever the given ones are.
+// Orthonormal directions of the space that the given ones span, as near to the coordinate axes as they can
+// be: of a plane that holds y and z these, whatever the given ones are.
 std::vector<Eigen::Vector3d> readable_directions(const std::vector<Eigen::Vector3d>& orthonormal) {
   Eigen::Matrix3d projection = Eigen::Matrix3d::Zero();
   for (const Eigen::Vector3d& direction : orthonormal) projection += direction * direction.transpose();
@@ -70,8 +70,8 @@ std::vector<std::string> described(const Eigen::MatrixXd& null_space, const Eige
     Eigen::Vector3d t = Eigen::Vector3d::Zero();
     for (std::size_t k = 0; k < turns.size(); ++k) t += turns[k].dot(direction) * shifts_of_turns[k];
     const Eigen::Vector3d through = centre + size * direction.cross(t);
-    motions.push_back(
-        fmt::format("rotation about the axis through {} m along {}", text(through), direction_text(direction)));
+    motions.push_back(fmt::format("rotation about the axis through {} m along {}", text(through),
+                                  direction_text(direction)));
   }
   return motions;
 }

@@ -20,10 +20,10 @@ struct SizeForecast {
   int processes = 1;
   bool is_nearly_incompressible = false;  ///< one of the materials: iterations grow
   solvers::FactorForecast factor;         ///< of the whole system
-  double geometry_bytes = 0;  ///< control points of the solution space, while they are made
-  double nodal_bytes = 0;     ///< node classes, frames, loads and results
+  double geometry_bytes = 0;              ///< control points of the solution space, while they are made
+  double nodal_bytes = 0;                 ///< node classes, frames, loads and results
   double matrix_bytes = 0;
-  double system_bytes = 0;  ///< vectors and numberings beside the matrix
+  double system_bytes = 0;     ///< vectors and numberings beside the matrix
   double multigrid_bytes = 0;  ///< iterations with the multigrid, without a matrix
 };
 

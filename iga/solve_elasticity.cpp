@@ -94,19 +94,19 @@ PlannedSolution solved(const SolutionTask& task, const solvers::SolverOptions& o
                        const Progress& progress) {
   const SizeForecast size = forecast_size(task.problem.discretization, task.problem.materials, task.coupling,
                                           task.processes.count());
-  const std::vector<SolverPlan> plans =
-      solver_plans(size, options, available_bytes(options, task.processes));
+  const std::vector<SolverPlan> plans = solver_plans(size, options, available_bytes(options, task.processes));
   return solve_as_planned(task, plans, options, progress);
 }
 
-// What a method that stands in for another one gives must hold by itself: the energy of the stresses is the work.
+// What a method that stands in for another one gives must hold by itself: the energy of the stresses is the
+// work.
 void require_balance(const ElasticityResults& results, const solvers::SolveReport& report) {
   constexpr double most = 1e-6;
   const double scale = std::max(std::abs(results.internal_energy), std::abs(results.external_work));
   if (std::abs(results.internal_energy - results.external_work) <= most * scale) return;
   throw Error(ErrorCode::not_converged,
-              fmt::format("{}; but the energy of its stresses is {:.6g} J and the work of the loads {:.6g} J", report.reason,
-                          results.internal_energy, results.external_work));
+              fmt::format("{}; but the energy of its stresses is {:.6g} J and the work of the loads {:.6g} J",
+                          report.reason, results.internal_energy, results.external_work));
 }
 
 }  // namespace

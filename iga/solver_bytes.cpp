@@ -7,9 +7,9 @@ namespace {
 
 using solvers::Method;
 
-// Of a matrix in blocks of nine numbers and a column: the triangle of single numbers with an index of 4 bytes that
-// CHOLMOD gets, and rows and columns that MUMPS gets beside the values. UMFPACK gets the whole with indices of 8 bytes,
-// and METIS takes several times that for ordering single rows.
+// Of a matrix in blocks of nine numbers and a column: the triangle of single numbers with an index of 4 bytes
+// that CHOLMOD gets, and rows and columns that MUMPS gets beside the values. UMFPACK gets the whole with
+// indices of 8 bytes, and METIS takes several times that for ordering single rows.
 constexpr double permuted_triangle = 9 * 12 / 76.0;
 constexpr double entries_of_mumps = 9 * 16 / 76.0;
 constexpr double whole_and_ordering = 24;

@@ -17,8 +17,8 @@ using solvers::Method;
 using solvers::Operator;
 using solvers::Preconditioner;
 
-// Operations of the factorization, per unknown and in all, up to which it takes less time than iterations with a
-// multigrid or not much more; measured (solvers/README.md, "Factors or iterations").
+// Operations of the factorization, per unknown and in all, up to which it takes less time than iterations
+// with a multigrid or not much more; measured (solvers/README.md, "Factors or iterations").
 constexpr double most_flops_per_unknown = 2e6;
 constexpr double few_flops = 2e10;
 // Iterations grow where a material hardly changes its volume: ten times as many at nu = 0.499.
@@ -40,11 +40,14 @@ double gigabytes(double bytes) {
 
 void check_coupling(Method method, bool tied) {
   if (tied && method == Method::cholmod)
-    refuse("method 'cholmod' cannot treat the multipliers of coupling 'lagrange'; use 'auto', 'mumps', 'umfpack' or "
-           "'minres', or coupling 'elimination'");
+    refuse(
+        "method 'cholmod' cannot treat the multipliers of coupling 'lagrange'; use 'auto', 'mumps', "
+        "'umfpack' or "
+        "'minres', or coupling 'elimination'");
   if (tied && method == Method::cg)
-    refuse("method 'cg' cannot treat the multipliers of coupling 'lagrange'; use 'auto', 'minres', 'mumps' or "
-           "'umfpack', or coupling 'elimination'");
+    refuse(
+        "method 'cg' cannot treat the multipliers of coupling 'lagrange'; use 'auto', 'minres', 'mumps' or "
+        "'umfpack', or coupling 'elimination'");
   if (!tied && method == Method::minres)
     refuse("method 'minres' is for coupling 'lagrange'; use 'auto' or 'cg' with coupling 'elimination'");
 }
@@ -52,38 +55,45 @@ void check_coupling(Method method, bool tied) {
 void check_processes(const solvers::SolverOptions& options, int processes) {
   if (processes == 1) return;
   if (options.method == Method::cholmod || options.method == Method::umfpack)
-    refuse(fmt::format("method '{}' works on one process, and there are {}; use 'auto' or 'mumps', or start one "
-                       "process with more threads",
-                       solvers::name(options.method), processes));
+    refuse(
+        fmt::format("method '{}' works on one process, and there are {}; use 'auto' or 'mumps', or start one "
+                    "process with more threads",
+                    solvers::name(options.method), processes));
   if (options.method == Method::cg && options.preconditioner == Preconditioner::block_jacobi)
-    refuse(fmt::format("preconditioner 'block_jacobi' works on one process, and there are {}; use 'multigrid'",
-                       processes));
+    refuse(fmt::format(
+        "preconditioner 'block_jacobi' works on one process, and there are {}; use 'multigrid'", processes));
 }
 
 void check_parts(const solvers::SolverOptions& options, bool tied) {
   const bool direct = options.method != Method::automatic && !is_iterative(options.method);
   const bool jacobi = options.preconditioner == Preconditioner::block_jacobi;
   if (direct && options.form == Operator::matrix_free)
-    refuse(fmt::format("method '{}' factorizes a matrix, and operator 'matrix_free' makes none; use 'auto', 'cg' or "
-                       "'minres'",
-                       solvers::name(options.method)));
+    refuse(fmt::format(
+        "method '{}' factorizes a matrix, and operator 'matrix_free' makes none; use 'auto', 'cg' or "
+        "'minres'",
+        solvers::name(options.method)));
   if (direct && jacobi)
     refuse(fmt::format("preconditioner 'block_jacobi' is for method 'cg'; method '{}' needs none",
                        solvers::name(options.method)));
   if (jacobi && options.form == Operator::matrix_free)
-    refuse("preconditioner 'block_jacobi' inverts blocks of a matrix, and operator 'matrix_free' makes none; use "
-           "preconditioner 'multigrid' or operator 'assembled'");
+    refuse(
+        "preconditioner 'block_jacobi' inverts blocks of a matrix, and operator 'matrix_free' makes none; "
+        "use "
+        "preconditioner 'multigrid' or operator 'assembled'");
   if (tied && options.method != Method::mumps && options.method != Method::umfpack) {
     if (jacobi && options.method == Method::minres)
-      refuse("preconditioner 'block_jacobi' cannot treat multipliers; use preconditioner 'multigrid' with method "
-             "'minres'");
+      refuse(
+          "preconditioner 'block_jacobi' cannot treat multipliers; use preconditioner 'multigrid' with "
+          "method "
+          "'minres'");
     if (options.form == Operator::assembled && options.method == Method::minres)
       refuse("method 'minres' iterates without a matrix; leave operator = \"auto\"");
   }
 }
 
 SolverPlan direct_plan(const SizeForecast& size, Method method, std::string reason = "") {
-  return {method, Preconditioner::multigrid, Operator::assembled, direct_bytes(size, method), std::move(reason)};
+  return {method, Preconditioner::multigrid, Operator::assembled, direct_bytes(size, method),
+          std::move(reason)};
 }
 
 Method direct_method(const SizeForecast& size) {
@@ -111,7 +121,8 @@ SolverPlan iterative_plan(const SizeForecast& size, const solvers::SolverOptions
     if (!cheap)
       plan.reason += "; without a matrix, whose product would be slower at this degree";
     else if (with_matrix > available)
-      plan.reason += fmt::format("; without a matrix, which would take {:.2g} GB", gigabytes(size.matrix_bytes));
+      plan.reason +=
+          fmt::format("; without a matrix, which would take {:.2g} GB", gigabytes(size.matrix_bytes));
   }
   plan.predicted_bytes = multigrid_bytes(size, plan.form);
   return plan;
@@ -119,7 +130,7 @@ SolverPlan iterative_plan(const SizeForecast& size, const solvers::SolverOptions
 
 // Flops as "3.2 Gflop".
 std::string flops_text(double flops) {
-  return flops < 1e9 ? fmt::format("{:.2g} Mflop", 1e-6 * flops) : fmt::format("{:.3g} Gflop", 1e-9 * flops);
+  return flops < 1e9 ? fmt::format("{:.3g} Mflop", 1e-6 * flops) : fmt::format("{:.3g} Gflop", 1e-9 * flops);
 }
 
 std::vector<SolverPlan> automatic_plans(const SizeForecast& size, const solvers::SolverOptions& options,
@@ -132,13 +143,13 @@ std::vector<SolverPlan> automatic_plans(const SizeForecast& size, const solvers:
                                                  (size.is_nearly_incompressible ? more_if_incompressible : 1);
   std::vector<SolverPlan> direct, iterative;
   if (options.form != Operator::matrix_free) direct.push_back(direct_plan(size, direct_method(size)));
-  const bool can_iterate = tied ? !jacobi && options.form != Operator::assembled : !jacobi || size.processes == 1;
+  const bool can_iterate =
+      tied ? !jacobi && options.form != Operator::assembled : !jacobi || size.processes == 1;
   if (can_iterate) iterative.push_back(iterative_plan(size, options, available));
   if (direct.empty() && iterative.empty()) refuse("operator 'matrix_free' and these options leave no method");
-  const std::string factor = fmt::format("factors take about {}, {} an unknown", flops_text(size.factor.flops),
-                                         flops_text(per_unknown));
-  for (SolverPlan& plan : direct)
-    plan.reason = is_cheap ? factor + ", which is little" : factor;
+  const std::string factor = fmt::format("factors take about {}, {} an unknown",
+                                         flops_text(size.factor.flops), flops_text(per_unknown));
+  for (SolverPlan& plan : direct) plan.reason = is_cheap ? factor + ", which is little" : factor;
   for (SolverPlan& plan : iterative) {
     const bool fits = direct.empty() || direct.front().predicted_bytes <= available;
     plan.reason = (!fits ? fmt::format("factors would take about {:.2g} GB of the {:.2g} GB available: ",
@@ -170,10 +181,12 @@ std::string described(const SolverPlan& plan) {
 }
 
 std::string advice(const SizeForecast& size, const solvers::SolverOptions& options, const SolverPlan& plan) {
-  const char* const less = size.processes > 1 ? "or use more computers" : "or use more processes on more computers";
+  const char* const less =
+      size.processes > 1 ? "or use more computers" : "or use more processes on more computers";
   if (options.method != Method::automatic && !is_iterative(options.method))
     return fmt::format("let method = \"auto\" choose, refine less, {}", less);
-  if (is_iterative(plan) && plan.form == Operator::assembled && plan.preconditioner == Preconditioner::multigrid)
+  if (is_iterative(plan) && plan.form == Operator::assembled &&
+      plan.preconditioner == Preconditioner::multigrid)
     return fmt::format("leave operator = \"auto\", refine less, {}", less);
   return fmt::format("refine less, {}", less);
 }
@@ -182,16 +195,18 @@ std::string advice(const SizeForecast& size, const solvers::SolverOptions& optio
                                 const SolverPlan& plan, double before, double available) {
   const double needed = plan.predicted_bytes + before;
   // Factors grow with the power 4/3, all else in proportion.
-  const double fitting = static_cast<double>(size.unknowns) *
-                         std::pow(std::max(0.0, available - fixed_bytes(plan.method)) / (needed - fixed_bytes(plan.method)),
-                                  is_iterative(plan) ? 1.0 : 0.75);
-  throw Error(ErrorCode::out_of_memory,
-              fmt::format("{} unknowns with {} would take about {:.2g} GB, and {:.2g} GB are available; about {:.2g} "
-                          "million unknowns would fit: {}, or raise [solver] memory_limit if you know better",
-                          size.unknowns < 1'000'000 ? fmt::format("{}", size.unknowns)
-                                                    : fmt::format("{:.3g} million", 1e-6 * size.unknowns),
-                          described(plan), gigabytes(needed), gigabytes(std::max(0.0, available)), 1e-6 * fitting,
-                          advice(size, options, plan)));
+  const double fitting =
+      static_cast<double>(size.unknowns) *
+      std::pow(std::max(0.0, available - fixed_bytes(plan.method)) / (needed - fixed_bytes(plan.method)),
+               is_iterative(plan) ? 1.0 : 0.75);
+  throw Error(
+      ErrorCode::out_of_memory,
+      fmt::format("{} unknowns with {} would take about {:.2g} GB, and {:.2g} GB are available; about {:.2g} "
+                  "million unknowns would fit: {}, or raise [solver] memory_limit if you know better",
+                  size.unknowns < 1'000'000 ? fmt::format("{}", size.unknowns)
+                                            : fmt::format("{:.3g} million", 1e-6 * size.unknowns),
+                  described(plan), gigabytes(needed), gigabytes(std::max(0.0, available)), 1e-6 * fitting,
+                  advice(size, options, plan)));
 }
 
 std::vector<SolverPlan> plans_that_fit(const SizeForecast& size, const solvers::SolverOptions& options,
@@ -226,10 +241,10 @@ bool is_iterative(const SolverPlan& plan) {
 double available_bytes(const solvers::SolverOptions& options, const solvers::Processes& processes) {
   const std::int64_t found = solvers::available_memory();
   // What other processes on the same computer will take is theirs.
-  const double here =
-      options.memory_limit > 0 ? options.memory_limit - static_cast<double>(solvers::resident_memory())
-      : found > 0              ? static_cast<double>(found) / processes.on_this_computer()
-                               : 1e300;
+  const double here = options.memory_limit > 0
+                          ? options.memory_limit - static_cast<double>(solvers::resident_memory())
+                      : found > 0 ? static_cast<double>(found) / processes.on_this_computer()
+                                  : 1e300;
   return -processes.largest(-here);
 }
 

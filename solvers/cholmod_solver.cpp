@@ -70,7 +70,8 @@ class Cholesky {
     check_status();
     matrix_bytes_ = lower_.bytes();
     diagonal_.resize(matrix_.rows());
-    for (int column = 0; column < matrix_.rows(); ++column) diagonal_[column] = lower_.values[lower_.row_start[column]];
+    for (int column = 0; column < matrix_.rows(); ++column)
+      diagonal_[column] = lower_.values[lower_.row_start[column]];
     lower_ = {};
   }
 

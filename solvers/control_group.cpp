@@ -52,16 +52,16 @@ bool has_word(const std::string& list, const std::string& word) {
 std::string unescaped(const std::string& text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool escape = text[i] == '\\' && i + 3 < text.size() &&
-                        text.find_first_not_of("01234567", i + 1) > i + 3;
+    const bool escape =
+        text[i] == '\\' && i + 3 < text.size() && text.find_first_not_of("01234567", i + 1) > i + 3;
     result += escape ? static_cast<char>(std::stoi(text.substr(i + 1, 3), nullptr, 8)) : text[i];
     if (escape) i += 3;
   }
   return result;
 }
 
-// A line of mountinfo: id, parent, device, root, point, options, any number of fields, "-", type, source, options
-// of the type.
+// A line of mountinfo: id, parent, device, root, point, options, any number of fields, "-", type, source,
+// options of the type.
 std::optional<Mount> mount_of(const std::string& line) {
   std::istringstream words(line);
   std::string skipped, group, folder, type, options;
@@ -83,7 +83,8 @@ std::vector<Mount> mounts(const fs::path& root) {
   return result;
 }
 
-// The process's own group in the tree of a version: a line "number:controllers:group", of version 2 "0::group".
+// The process's own group in the tree of a version: a line "number:controllers:group", of version 2
+// "0::group".
 std::optional<std::string> own_group(const fs::path& root, const Version& version) {
   std::ifstream file(root / "proc/self/cgroup");
   for (std::string line; std::getline(file, line);) {

@@ -35,8 +35,8 @@ std::vector<int> elimination_order(const RowGroups& groups, LowerTriangle& lower
   workspace->method[0].ordering = method;
   workspace->postorder = true;
   workspace->supernodal = CHOLMOD_SIMPLICIAL;
-  cholmod_sparse graph =
-      lower_triangle_view<std::int32_t>(groups.rows.size(), lower.column_start.data(), lower.rows.data(), nullptr, true);
+  cholmod_sparse graph = lower_triangle_view<std::int32_t>(groups.rows.size(), lower.column_start.data(),
+                                                           lower.rows.data(), nullptr, true);
   const CholmodFactor<std::int32_t> factor(cholmod_analyze(&graph, workspace.get()), workspace);
   if (!factor.get())
     throw Error(workspace->status == CHOLMOD_OUT_OF_MEMORY ? ErrorCode::out_of_memory : ErrorCode::internal,
@@ -46,8 +46,8 @@ std::vector<int> elimination_order(const RowGroups& groups, LowerTriangle& lower
   return {order, order + groups.count()};
 }
 
-// Rows below each group in the factor. Row i of the factor has the groups on the ways from i's neighbours, up the
-// elimination tree, to i; the tree grows on the way.
+// Rows below each group in the factor. Row i of the factor has the groups on the ways from i's neighbours, up
+// the elimination tree, to i; the tree grows on the way.
 std::vector<double> rows_below(const RowGroups& groups, const std::vector<int>& order) {
   const int n = groups.count();
   std::vector<int> position(n), parent(n, -1), reached(n, -1);

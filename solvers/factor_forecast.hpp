@@ -4,12 +4,12 @@
 
 namespace isopatch::solvers {
 
-/// The structure of a symmetric matrix, coarsened: vertices are groups of rows, and the rows of two groups that share
-/// an edge are taken for coupled, each with each.
+/// The structure of a symmetric matrix, coarsened: vertices are groups of rows, and the rows of two groups
+/// that share an edge are taken for coupled, each with each.
 struct RowGroups {
-  std::vector<int> rows;         ///< of each group
-  std::vector<int> edge_start;   ///< per group, into `neighbours`, and their number at the end
-  std::vector<int> neighbours;   ///< both ways, without the group itself
+  std::vector<int> rows;        ///< of each group
+  std::vector<int> edge_start;  ///< per group, into `neighbours`, and their number at the end
+  std::vector<int> neighbours;  ///< both ways, without the group itself
 
   int count() const { return static_cast<int>(rows.size()); }
 };
@@ -21,8 +21,8 @@ struct FactorForecast {
   double largest_front = 0;  ///< entries of the largest dense block that a column group works on
 };
 
-/// Counts the factor of a matrix by symbolic elimination of its groups, in the better of two orders: METIS' nested
-/// dissection and AMD.
+/// Counts the factor of a matrix by symbolic elimination of its groups, in the better of two orders: METIS'
+/// nested dissection and AMD.
 ///
 /// Groups as wide as functions overlap keep separators as they are, so that the figures are near those of the
 /// matrix itself at a small part of its cost (solvers/README.md, "What a factor takes").

@@ -18,7 +18,8 @@ namespace {
 
 constexpr std::int64_t unlimited = std::numeric_limits<std::int64_t>::max();
 
-// Pages of this process: all that are mapped, and those in memory. Without allocating, for where nothing is left.
+// Pages of this process: all that are mapped, and those in memory. Without allocating, for where nothing is
+// left.
 struct Pages {
   std::int64_t mapped = 0;
   std::int64_t resident = 0;

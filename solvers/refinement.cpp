@@ -9,9 +9,8 @@ namespace {
 
 void check_finite(const Eigen::VectorXd& z) {
   if (!z.allFinite())
-    throw Error(
-        ErrorCode::singular_system,
-        "the factors gave values that are not finite: the matrix is singular to working precision");
+    throw Error(ErrorCode::singular_system,
+                "the factors gave values that are not finite: the matrix is singular to working precision");
 }
 
 }  // namespace

@@ -181,7 +181,8 @@ double SharedRows::norm(const Eigen::VectorXd& x) const {
   // Eigen's largest coefficient passes over what is no number, and with it the stable norm.
   if (!is_distributed()) return x.allFinite() ? x.stableNorm() : std::numeric_limits<double>::quiet_NaN();
   const double own = x.size() == 0 ? 0 : x.cwiseAbs().maxCoeff();
-  const double size = state_->processes.largest(x.allFinite() ? own : std::numeric_limits<double>::infinity());
+  const double size =
+      state_->processes.largest(x.allFinite() ? own : std::numeric_limits<double>::infinity());
   if (size == 0) return 0;
   const Eigen::VectorXd unit = x / size;
   return size * std::sqrt(dot(unit, unit));

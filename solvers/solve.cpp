@@ -64,18 +64,21 @@ void check_values(const LinearSystem& system) {
 
 void check_method(const LinearSystem& system, Method method) {
   if (method == Method::automatic)
-    refuse("method 'auto' is not for a matrix alone; name one: 'cholmod' without constraints, 'mumps' with them");
-  if (method == Method::minres) refuse("method 'minres' needs a multigrid, which a matrix alone does not give");
+    refuse(
+        "method 'auto' is not for a matrix alone; name one: 'cholmod' without constraints, 'mumps' with "
+        "them");
+  if (method == Method::minres)
+    refuse("method 'minres' needs a multigrid, which a matrix alone does not give");
   if (system.has_constraints() && (method == Method::cholmod || method == Method::cg))
     refuse(fmt::format(
         "method '{}' cannot treat the {} constraints; use 'auto', 'mumps' or 'umfpack', or eliminate "
         "the interfaces",
         name(method), system.constraint_count()));
   if (system.rows.is_distributed() && method != Method::mumps)
-    refuse(
-        fmt::format("method '{}' with a matrix works on one process, and there are {}; use 'mumps', or start one "
-                    "process with more threads",
-                    name(method), system.rows.processes().count()));
+    refuse(fmt::format(
+        "method '{}' with a matrix works on one process, and there are {}; use 'mumps', or start one "
+        "process with more threads",
+        name(method), system.rows.processes().count()));
 }
 
 std::int64_t matrix_nonzeros(const LinearSystem& system) {
@@ -118,10 +121,10 @@ LinearSolution verified(LinearSolution solution, const LinearSystem& system, con
                                 report.relative_residual);
     return solution;
   }
-  const std::string_view advice = report.method == Method::cg
-                                      ? "raise max_iterations, or use a direct method ('cholmod')"
-                                      : "the matrix is badly conditioned; use an iterative method, or loosen the "
-                                        "tolerance";
+  const std::string_view advice =
+      report.method == Method::cg ? "raise max_iterations, or use a direct method ('cholmod')"
+                                  : "the matrix is badly conditioned; use an iterative method, or loosen the "
+                                    "tolerance";
   throw Error(
       ErrorCode::not_converged,
       fmt::format(

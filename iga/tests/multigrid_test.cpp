@@ -295,14 +295,5 @@ TEST(ChooseSolver, RefusesWhatCannotFitBeforeAssembly) {
   }
 }
 
-TEST(ChooseSolver, IteratesWhereFactorsWouldNotFit) {
-  const ElasticityProblem p = held_box({.degree = {3, 3, 3}, .refine = 1});
-  const auto predicted = solve_elasticity(p).predicted_bytes;
-  const ElasticitySolution s =
-      solve_elasticity(p, {.solver = {.memory_limit = 0.5 * static_cast<double>(predicted)}});
-  EXPECT_EQ(s.solver.method, solvers::Method::cg);
-  EXPECT_THAT(s.solver.reason, HasSubstr("factors would take"));
-}
-
 }  // namespace
 }  // namespace isopatch::iga

@@ -192,7 +192,8 @@ TEST(SolveElasticity, NamesFreeDirectionsByTheCoordinateAxesWhereTheseAre) {
     solve_elasticity(p);
     FAIL();
   } catch (const Error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("translation along y; translation along z; rotation about the axis through"));
+    EXPECT_THAT(error.what(),
+                HasSubstr("translation along y; translation along z; rotation about the axis through"));
     EXPECT_THAT(error.what(), HasSubstr("m along x\n"));
   }
 }

@@ -25,8 +25,8 @@ using solvers::Method;
 using solvers::Operator;
 using solvers::Preconditioner;
 using ::testing::AllOf;
-using ::testing::HasSubstr;
 using testing::boundary;
+using ::testing::HasSubstr;
 using testing::problem;
 
 const Material steel = isotropic(210e9, 0.3, 7850, "steel");
@@ -45,7 +45,8 @@ RowNumbering numbering(const Discretization& d, Coupling coupling) {
   return nodes;
 }
 
-void expect_exact_counts(const geometry::MultiPatch& model, const DiscretizationOptions& options, int most_groups) {
+void expect_exact_counts(const geometry::MultiPatch& model, const DiscretizationOptions& options,
+                         int most_groups) {
   const Discretization d = discretize(model, options);
   const std::vector<PatchSpace> spaces = isoparametric_spaces(d);
   for (const Coupling coupling : {Coupling::elimination, Coupling::lagrange}) {
@@ -110,7 +111,8 @@ void for_all_options(Visit visit) {
       }
 }
 
-std::string refusal(const SizeForecast& size, const solvers::SolverOptions& options, double available = plenty) {
+std::string refusal(const SizeForecast& size, const solvers::SolverOptions& options,
+                    double available = plenty) {
   try {
     solver_plans(size, options, available);
   } catch (const Error& error) {
@@ -178,7 +180,8 @@ TEST(SolverPlans, FitAllOfThemOrSayWhatWouldFit) {
 }
 
 TEST(SolverPlans, FollowTheOperationsAndNotTheNumberOfUnknowns) {
-  const SizeForecast cube = size_of(box({1, 1, 1}), {.degree = {3, 3, 3}, .elements_per_direction = {27, 27, 27}});
+  const SizeForecast cube =
+      size_of(box({1, 1, 1}), {.degree = {3, 3, 3}, .elements_per_direction = {27, 27, 27}});
   const SizeForecast beam =
       size_of(box({1, 1, 1}, {100, 1, 1}), {.degree = {3, 3, 3}, .elements_per_direction = {2000, 1, 1}});
   ASSERT_GT(beam.unknowns, cube.unknowns);
@@ -192,9 +195,10 @@ TEST(SolverPlans, FactorizeMoreWhereTheMaterialIsNearlyIncompressible) {
   const DiscretizationOptions options = {.degree = {3, 3, 3}, .elements_per_direction = {16, 16, 16}};
   EXPECT_EQ(solver_plans(size_of(box({1, 1, 1}), options), {}, plenty).front().method, Method::cg);
   const Material rubber = isotropic(1e6, 0.49, 1000, "rubber");
-  EXPECT_EQ(
-      solver_plans(size_of(box({1, 1, 1}), options, Coupling::elimination, rubber), {}, plenty).front().method,
-      Method::cholmod);
+  EXPECT_EQ(solver_plans(size_of(box({1, 1, 1}), options, Coupling::elimination, rubber), {}, plenty)
+                .front()
+                .method,
+            Method::cholmod);
 }
 
 TEST(SolverPlans, HaveTheOtherWayInReserve) {
@@ -213,7 +217,8 @@ TEST(SolverPlans, HaveTheOtherWayInReserve) {
 }
 
 TEST(SolverPlans, IterateWhereFactorsDoNotFit) {
-  const SizeForecast size = size_of(box({1, 1, 1}), {.degree = {3, 3, 3}, .elements_per_direction = {8, 8, 8}});
+  const SizeForecast size =
+      size_of(box({1, 1, 1}), {.degree = {3, 3, 3}, .elements_per_direction = {8, 8, 8}});
   const double of_factors = solver_plans(size, {.method = Method::cholmod}, plenty).front().predicted_bytes;
   const SolverPlan plan = solver_plans(size, {}, 0.9 * of_factors).front();
   EXPECT_EQ(plan.method, Method::cg);
@@ -222,7 +227,7 @@ TEST(SolverPlans, IterateWhereFactorsDoNotFit) {
 
 TEST(RequireMemory, RefusesBeforeAnythingLargeIsMade) {
   const geometry::MultiPatch model = box({1, 1, 1}, {100, 1, 1});
-  const DirectionKnots knots = solution_knots(model, {.degree = {2, 2, 2}, .refine = 9});  // 136 million nodes
+  const DirectionKnots knots = solution_knots(model, {.degree = {2, 2, 2}, .refine = 8});  // 17 million nodes
   const std::int64_t before = solvers::resident_memory();
   try {
     require_memory(model, knots, {steel}, Coupling::elimination, {.memory_limit = 4e9}, {});
@@ -259,7 +264,8 @@ bool forget_peak() {
 // Whatever is asked for: it is refused, or the process stays below its limit.
 TEST(SolverMemory, TheLimitHoldsForAllMethodsPreconditionersOperatorsAndCouplings) {
   if (!forget_peak()) GTEST_SKIP() << "/proc/self/clear_refs cannot be written";
-  const ElasticityProblem p = held(box({2, 1, 1}), {.degree = {3, 3, 3}, .elements_per_direction = {4, 4, 4}});
+  const ElasticityProblem p =
+      held(box({2, 1, 1}), {.degree = {3, 3, 3}, .elements_per_direction = {4, 4, 4}});
   for (const Coupling coupling : couplings) {
     int refused = 0, solved = 0;
     for_all_options([&](solvers::SolverOptions options) {

@@ -26,7 +26,9 @@ class ControlGroup : public testing::Test {
     fs::create_directories((root_ / path).parent_path());
     std::ofstream(root_ / path) << text;
   }
-  void mounted(const std::string& line) { write("proc/self/mountinfo", "22 1 0:1 / / rw - ext4 /dev/sda rw\n" + line); }
+  void mounted(const std::string& line) {
+    write("proc/self/mountinfo", "22 1 0:1 / / rw - ext4 /dev/sda rw\n" + line);
+  }
   void in_group(const std::string& lines) { write("proc/self/cgroup", lines); }
   // Limit and use of a group of version 2.
   void group(const fs::path& path, const std::string& limit, std::int64_t used) {
@@ -38,7 +40,8 @@ class ControlGroup : public testing::Test {
   fs::path root_;
 };
 
-const std::string version_2 = "34 30 0:31 / /sys/fs/cgroup rw,nosuid shared:4 - cgroup2 cgroup2 rw,nsdelegate\n";
+const std::string version_2 =
+    "34 30 0:31 / /sys/fs/cgroup rw,nosuid shared:4 - cgroup2 cgroup2 rw,nsdelegate\n";
 const std::string version_1 =
     "33 30 0:30 / /sys/fs/cgroup/cpu rw - cgroup cgroup rw,cpu\n"
     "34 30 0:31 / /sys/fs/cgroup/memory rw,relatime shared:7 - cgroup cgroup rw,memory\n";
