@@ -87,7 +87,8 @@ HexComplex read_blocks(const BlockFiles& files) {
   for (const std::filesystem::path& path : files.files) {
     int count = 0;
     for (const geometry::BrepFile& solid : solids_of(path, files.length_unit))
-      blocks.push_back(hexahedron(hex_solid(solid.brep, block_name(path, count++))));
+      blocks.push_back(
+          hexahedron(hex_solid(solid.brep, block_name(path, count++), solid.largest_correction)));
   }
   if (!files.pairs) return hex_complex(std::move(blocks), files.complex);
   const auto pairs = parse_pairs(read_file(*files.pairs), files.pairs->string(), blocks);
