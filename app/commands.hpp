@@ -65,6 +65,7 @@ ExitCode report_command(const ReportCommand& command, const Console& console);
 struct RenderCommand {
   InputFile input;
   std::filesystem::path output;  ///< .png
+  std::optional<int> solid;      ///< of a file with several; all of them if not given
   PictureWords words;
 };
 /// Draws a model or results as a picture.

@@ -37,6 +37,7 @@ ExitCode parameterize_command(const ParameterizeCommand& command, const Console&
   set_reading(command.reading, input.files);
   input.options.method = command.method == "paper" ? segmentation::ParameterizationMethod::paper
                                                    : segmentation::ParameterizationMethod::shared;
+  input.options.names = {"--max-spans", "--tolerance"};
   check_folder(command.output);
   if (!command.report.empty()) check_folder(command.report);
   ProgressDisplay display(console);

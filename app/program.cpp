@@ -88,6 +88,7 @@ constexpr const char* render_examples = R"(Examples:
   isopatch render study.toml -o model.png            the study's model, coloured by patch
   isopatch render part.step -o part.png              a CAD solid: convex edges dark, others red, flat ones grey
   isopatch render part.step -o graph.svg             its edge graph, drawn in the plane
+  isopatch render parts.step -o one.png --solid 1    one of several solids; without --solid all of them
 Without --range the colours span the values of 99.9 % of the surface (--percentile), so that a singular corner
 does not take them all; the largest value stands below the bar. Needs an X display; where there is none, Xvfb
 (Debian package xvfb) is started for the time of drawing.)";
@@ -263,6 +264,8 @@ void add_render_command(CLI::App& app, CommandLine& line) {
   option("--size", words.size, "Pixels", "WxH")->capture_default_str();
   option("--edges", words.edges, "Lines: patches, elements or none", "NAME")->capture_default_str();
   option("--clip", words.clip, "Cuts the undeformed part: 'x=20 mm' keeps what lies below", "AXIS=POSITION");
+  option("--solid", line.render.solid, "Draws one solid of a file with several, from 0 as info counts them",
+         "N");
   option("--caption", words.caption, "Instead of title and deformation; '' for none", "TEXT");
   render->add_flag("--transparent-background", words.transparent, "No white behind the part");
   render->add_flag("--no-bar", words.no_bar, "No colour bar");
@@ -291,10 +294,23 @@ void add_parameterize_command(CLI::App& app, CommandLine& line) {
                            "What one unit measures, in formats that do not say it; default: m");
   add_reading(parameterize, command.reading);
   parameterize
-      ->add_option("--tolerance", command.input.options.fit.tolerance, "Largest deviation, share of the size")
+      ->add_option("--tolerance", command.input.options.fit.tolerance,
+                   "Largest deviation, share of the size, 1e-8 to 0.1")
       ->capture_default_str();
-  parameterize->add_option("--degree", command.input.options.fit.degree, "Of the patches")
+  segmentation::FitOptions& fit = command.input.options.fit;
+  parameterize->add_option("--degree", fit.degree, "Of the patches, 2 to 8")->capture_default_str();
+  parameterize
+      ->add_option("--max-spans", fit.max_spans, "Most knot spans along any direction of a patch, up to 256")
       ->capture_default_str();
+  parameterize
+      ->add_option("--start-spans", fit.start_spans, "Knot spans along every direction before any is halved")
+      ->capture_default_str();
+  parameterize
+      ->add_option("--wanted-quality", command.input.options.wanted_quality,
+                   "Patches whose smallest scaled Jacobian is below it are optimized")
+      ->capture_default_str();
+  parameterize->add_flag("!--no-optimize", command.input.options.optimize,
+                         "Moves no control points where a patch is folded or poor, only reports it");
   parameterize
       ->add_option("--same-point", command.input.files.complex.same_point,
                    "Points of two blocks this close, as a share of the size, are one")

@@ -58,8 +58,10 @@ std::vector<Cell> collapsed_cells(const NurbsVolume& unit) {
 
 /// Keeps the time bounded where det J is zero on a whole curve or surface.
 constexpr int max_pieces = 20000;
-/// And where very many elements may hold the lowest or highest coefficient: expansions for each of the two.
-constexpr int max_sharpened = 20000;
+/// And where very many elements may hold the lowest or highest coefficient: for each of the two, how many are
+/// expanded, and how many are looked at one by one.
+constexpr int max_expanded = 2000;
+constexpr int max_looked_at = 100000;
 /// Bounds this close, as a share of themselves, are not told apart.
 constexpr double same_bound = 1e-9;
 
@@ -175,15 +177,16 @@ class Certifier {
       if (known_[e] != Known::expanded) all.emplace_back(End::reach(bounds_[e]), e);
     std::priority_queue<Reach> open(std::less<Reach>{}, std::move(all));
     double& found = End::found(certificate_);
-    int expanded = 0;
+    int expanded = 0, looked_at = 0;
     const auto settled = [&] {
       const double best = End::reach({found, found});
-      return open.top().first <= best + same_bound * std::abs(best) || expanded > max_sharpened;
+      return open.top().first <= best + same_bound * std::abs(best) || expanded == max_expanded ||
+             looked_at == max_looked_at;
     };
     while (!open.empty() && !settled()) {
       const std::size_t e = open.top().second;
       open.pop();
-      if (known_[e] == Known::from_element) ++expanded;
+      ++(known_[e] == Known::from_element ? expanded : looked_at);
       know_better(e);
       if (known_[e] != Known::expanded) open.emplace(End::reach(bounds_[e]), e);
     }

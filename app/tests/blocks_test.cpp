@@ -128,7 +128,7 @@ TEST_F(Blocks, AFaceOffItsEdgesIsShownAndRefused) {
 TEST_F(Blocks, AFiveCorneredFaceIsShownWithItsCorners) {
   const json data = refused(
       off(corners + "0.5 0 0\n", "5 0 3 2 1 8\n4 4 5 6 7\n5 0 8 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n"));
-  EXPECT_THAT(err_, HasSubstr("face 'face 0' has 5 corners"));
+  EXPECT_THAT(err_, HasSubstr("face 0 has 5 corners"));
   EXPECT_THAT(faulty(data["faults"]["faces"]), ElementsAre("part: face 0"));
   EXPECT_EQ(data["faults"]["faces"][0]["remark"], "5 corners");
   EXPECT_THAT(names(data["faults"]["places"]),
@@ -317,6 +317,20 @@ TEST_F(Blocks, ParameterizeWritesPatchesAndTheirPage) {
   EXPECT_EQ(data["summary"]["parameterization"]["certified"], true);
   EXPECT_EQ(run({"info", file("a.xml")}), 0) << err_;
   EXPECT_THAT(out_, HasSubstr("1 patch"));
+}
+
+TEST_F(Blocks, ParameterizeTakesAllOptionsOfTheStudysSection) {
+  write_file(file("a.off"), off(corners, sides));
+  ASSERT_EQ(run({"parameterize", file("a.off"), "-o", file("a.xml"), "--degree", "4", "--start-spans", "2",
+                 "--max-spans", "8", "--wanted-quality", "0.1", "--no-optimize", "--same-point", "1e-4",
+                 "--tolerance", "1e-5", "--method", "shared"}),
+            0)
+      << err_;
+  ASSERT_EQ(run({"info", file("a.xml"), "--json"}), 0) << err_;
+  EXPECT_EQ(json::parse(out_)["patches"][0]["degree"], json({4, 4, 4}));
+  EXPECT_EQ(json::parse(out_)["patches"][0]["elements"], json({2, 2, 2}));
+  EXPECT_EQ(run({"parameterize", file("a.off"), "-o", file("a.xml"), "--max-spans", "500"}), 2);
+  EXPECT_THAT(err_, HasSubstr("max_spans is 500; its range is start_spans to 256"));
 }
 
 // Its top has a corner of more than 180 degrees.

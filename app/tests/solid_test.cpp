@@ -2,6 +2,8 @@
 #include <regex>
 
 #include "app/tests/program_fixture.hpp"
+#include "geometry/brep/read_brep.hpp"
+#include "geometry/brep/write_brep.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -165,6 +167,52 @@ TEST_F(SolidFiles, PicturesShowFacesEdgesAndNumbers) {
   EXPECT_EQ(run({"render", solid(), "-o", picture.string(), "--field", "jacobian"}), 2);
   EXPECT_THAT(err_, HasSubstr("a solid has only its faces to show"));
   EXPECT_EQ(run({"render", study(), "-o", (folder_ / "x.svg").string()}), 2);
+}
+
+/// The entities of two STEP files in one: those of the second get other numbers.
+std::string both(const std::string& first, const std::string& second) {
+  const auto data = [](const std::string& text) {
+    const auto from = text.find("DATA;") + 5;
+    return text.substr(from, text.rfind("ENDSEC;") - from);
+  };
+  std::string moved;
+  for (const char c : data(second)) moved += c == '#' ? std::string("#7000") : std::string(1, c);
+  std::string result = first;
+  return result.insert(result.rfind("ENDSEC;"), moved);
+}
+
+class SeveralSolids : public SolidFiles {
+ protected:
+  void SetUp() override {
+    SolidFiles::SetUp();
+    geometry::write_brep(step("l"), geometry::read_brep(solid()).brep);
+    write_file(folder_ / "box.off",
+               "OFF\n8 6 12\n5 0 0\n6 0 0\n6 1 0\n5 1 0\n5 0 1\n6 0 1\n6 1 1\n5 1 1\n"
+               "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+    geometry::write_brep(step("box"), geometry::read_brep(folder_ / "box.off").brep);
+    write_file(step("two"), both(read_file(step("l")), read_file(step("box"))));
+  }
+  std::string step(const std::string& name) const { return (folder_ / (name + ".step")).string(); }
+};
+
+TEST_F(SeveralSolids, AreDrawnTogetherOrOneByOne) {
+  const std::string picture = (folder_ / "two.png").string();
+  ASSERT_EQ(run({"render", step("two"), "-o", picture, "--size", "400x300"}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("2 solids, 14 faces, 30 edges, 20 vertices"));
+  EXPECT_THAT(read_file(picture), StartsWith("\x89PNG"));
+  ASSERT_EQ(run({"render", step("two"), "-o", picture, "--size", "400x300", "--solid", "1"}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("400 x 300 pixels, 6 faces, 12 edges, 8 vertices"));
+  EXPECT_EQ(run({"render", step("two"), "-o", picture, "--solid", "2"}), 2);
+  EXPECT_THAT(err_, HasSubstr("holds 2 solids, counted from 0"));
+}
+
+TEST_F(SeveralSolids, AGraphIsDrawnOfTheOneThatIsChosen) {
+  const std::string graph = (folder_ / "two.svg").string();
+  EXPECT_EQ(run({"render", step("two"), "-o", graph}), 2);
+  EXPECT_THAT(err_, HasSubstr("choose it by --solid 0 to --solid 1"));
+  EXPECT_EQ(run({"render", step("two"), "-o", graph, "--solid", "1"}), 0) << err_;
+  EXPECT_EQ(run({"render", study(), "-o", (folder_ / "x.png").string(), "--solid", "0"}), 2);
+  EXPECT_THAT(err_, HasSubstr("--solid chooses one of the solids of a CAD file"));
 }
 
 }  // namespace
