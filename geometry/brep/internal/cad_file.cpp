@@ -115,7 +115,8 @@ CadFile read_step_file(const fs::path& path, const ReadBrepOptions& options) {
   KernelFile made = brep_module().read(source, options.sew);
   const StepWords words(file, products);
   add(losses(made, file, products), result.missing);
-  add_remarks(made.remarks, [&](const auto& remarks) { return words.sentences(remarks); }, result.warnings);
+  add_remarks(
+      made.remarks, [&](const auto& remarks) { return words.sentences(remarks); }, result.warnings);
   result.bodies = std::move(made.bodies);
   return result;
 }
@@ -148,9 +149,24 @@ CadFile read_iges_file(const fs::path& path, const ReadBrepOptions& options) {
   return result;
 }
 
+/// The library reads "nan" and "inf" as numbers.
+void require_finite_numbers(std::string_view text, const std::string& source) {
+  constexpr std::string_view space = " \t\r\n";
+  int line = 1;
+  for (std::size_t from = 0, end = 0; from < text.size(); from = end + 1) {
+    end = std::min(text.find_first_of(space, from), text.size());
+    std::string word(text.substr(from, end - from));
+    std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string_view plain = std::string_view(word).substr(word.find_first_not_of("+-") == 1 ? 1 : 0);
+    if (plain == "nan" || plain == "inf" || plain == "infinity")
+      throw Error(ErrorCode::bad_format, fmt::format("{}:{}: '{}' is no number", source, line, word));
+    if (end < text.size() && text[end] == '\n') ++line;
+  }
+}
+
 CadFile read_native_file(const fs::path& path, const ReadBrepOptions& options) {
   CadFile result;
-  read_file(path);  // says why, if it cannot
+  require_finite_numbers(read_file(path), path.string());
   options.progress("reading", 0.1);
   result.unit = options.length_unit ? "as given" : "m, since the format states none";
   if (!options.length_unit)

@@ -67,18 +67,20 @@ fs::path cut_ball(const std::string& name, const std::string& faces) {
 }
 
 TEST(FaceSides, ACapOfABallIsReadAsItIs) {
-  const fs::path path = cut_ball("isopatch_cap.step",
-                                 "#39=PLANE('',#38);\n"
-                                 "#15=ADVANCED_FACE('',(#36),#25,.T.);\n#16=ADVANCED_FACE('',(#37),#39,.T.);\n");
+  const fs::path path =
+      cut_ball("isopatch_cap.step",
+               "#39=PLANE('',#38);\n"
+               "#15=ADVANCED_FACE('',(#36),#25,.T.);\n#16=ADVANCED_FACE('',(#37),#39,.T.);\n");
   const double volume = std::numbers::pi * 4 / 3 * 13;  // h^2 (3 r - h) pi / 3 with h = 2
   EXPECT_NEAR(read_brep(path).brep.volume(), 1e-9 * volume, 1e-15 * volume);
   fs::remove(path);
 }
 
 TEST(FaceSides, ABallWithoutACapIsRefusedSinceTheLibraryTakesTheCap) {
-  const fs::path path = cut_ball("isopatch_ball.step",
-                                 "#39=PLANE('',#27);\n"
-                                 "#15=ADVANCED_FACE('',(#37),#25,.T.);\n#16=ADVANCED_FACE('',(#36),#39,.T.);\n");
+  const fs::path path =
+      cut_ball("isopatch_ball.step",
+               "#39=PLANE('',#27);\n"
+               "#15=ADVANCED_FACE('',(#37),#25,.T.);\n#16=ADVANCED_FACE('',(#36),#39,.T.);\n");
   try {
     read_brep(path);
     FAIL() << "a volume of " << read_brep(path).brep.volume();

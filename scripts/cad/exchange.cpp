@@ -75,7 +75,8 @@ int main() {
     std::string from, to, schema, unit, how;
     words >> from >> to >> schema >> unit >> how;
     TopoDS_Shape shape;
-    if (BRepTools::Read(shape, from.c_str(), BRep_Builder()) && write(arranged(shape, how), to, schema, unit.c_str()))
+    if (BRepTools::Read(shape, from.c_str(), BRep_Builder()) &&
+        write(arranged(shape, how), to, schema, unit.c_str()))
       continue;
     std::cerr << "could not write " << to << '\n';
     ++failures;
