@@ -41,7 +41,8 @@ TEST_F(Program, TheUserChoosesTheCoreOfTheBlas) {
 TEST_F(Program, ChoosesACoreThatSuitsTheCpuByItself) {
   if (solvers::blas_core().empty()) GTEST_SKIP() << "the BLAS is not OpenBLAS";
   const fs::path said = folder_ / "version.txt";
-  ASSERT_EQ(shell(fmt::format("env -u OPENBLAS_CORETYPE {} --version > {}", ISOPATCH_PROGRAM, said.string())), 0);
+  ASSERT_EQ(shell(fmt::format("env -u OPENBLAS_CORETYPE {} --version > {}", ISOPATCH_PROGRAM, said.string())),
+            0);
   const std::string text = read_file(said), before = "BLAS: OpenBLAS for ";
   const auto start = text.find(before);
   ASSERT_NE(start, text.npos) << text;
@@ -77,16 +78,6 @@ TEST_F(Program, AFailedRunLeavesEarlierResultsAlone) {
   EXPECT_NE(run({"run", study(), "-q", "--set", "load.0.faces=[\"x_min\", \"0:east\"]"}), 0);
   EXPECT_EQ(read_file(results() / "summary.json"), before);
   EXPECT_TRUE(fs::exists(results() / "fields/patch_001.vtu"));
-}
-
-TEST_F(Program, AFullDiskInTheMiddleLeavesNothingOfAnEarlierRun) {
-  ASSERT_EQ(run({"run", study(), "-q", "--set", "model.patches=[3,1,1]"}), 0) << err_;
-  // Single precision fits the shell's limit, 8 blocks of 512 bytes, results.h5 does not.
-  EXPECT_EQ(shell(fmt::format("(ulimit -f 8; exec {} run {} -q --set output.precision=single) 2>/dev/null",
-                              ISOPATCH_PROGRAM, study())),
-            3);
-  EXPECT_THAT(files_below(results()),
-              testing::UnorderedElementsAre("fields/patch_000.vtu", "fields/patch_001.vtu", "results.vtm"));
 }
 
 TEST_F(Program, FieldsInSinglePrecisionAreSmaller) {
