@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "geometry/base/larger.hpp"
 #include "iga/condition.hpp"
 #include "iga/internal_forces.hpp"
 #include "iga/results.hpp"
@@ -21,8 +22,9 @@ double displacement_difference(const iga::ElasticField& a, const iga::ElasticFie
   double difference = 0;
   double scale = 0;
   for (std::size_t i = 0; i < a.displacement.size(); ++i) {
-    difference = std::max(difference, (a.displacement[i] - b.displacement[i]).cwiseAbs().maxCoeff());
-    scale = std::max(scale, a.displacement[i].cwiseAbs().maxCoeff());
+    difference = larger(difference,
+                        (a.displacement[i] - b.displacement[i]).cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
+    scale = larger(scale, a.displacement[i].cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
   }
   return ratio(difference, scale);
 }
@@ -30,7 +32,7 @@ double displacement_difference(const iga::ElasticField& a, const iga::ElasticFie
 double energy_difference(const iga::ElasticityResults& first, const iga::ElasticityResults& second) {
   const double a = first.internal_energy;
   const double b = second.internal_energy;
-  return ratio(std::abs(a - b), std::max(std::abs(a), std::abs(b)));
+  return ratio(std::abs(a - b), larger(std::abs(a), std::abs(b)));
 }
 
 double multiplier_difference(const std::vector<iga::Multiplier>& a, const std::vector<iga::Multiplier>& b) {
@@ -41,8 +43,8 @@ double multiplier_difference(const std::vector<iga::Multiplier>& a, const std::v
   for (const auto& multiplier : b) {
     const auto found = forces.find({multiplier.first_node, multiplier.second_node});
     const Eigen::Vector3d other = found == forces.end() ? Eigen::Vector3d::Zero() : found->second;
-    difference = std::max(difference, (multiplier.force - other).cwiseAbs().maxCoeff());
-    scale = std::max(scale, multiplier.force.cwiseAbs().maxCoeff());
+    difference = larger(difference, (multiplier.force - other).cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
+    scale = larger(scale, multiplier.force.cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
   }
   return ratio(difference, scale);
 }
@@ -83,7 +85,7 @@ std::array<int, 3> highest_degree(const iga::Discretization& discretization) {
   for (const auto& patch : discretization.patches)
     for (int d = 0; d < 3; ++d) {
       auto& highest = degree[static_cast<std::size_t>(d)];
-      highest = std::max(highest, patch.degree(d));
+      highest = larger(highest, patch.degree(d));
     }
   return degree;
 }

@@ -1,5 +1,7 @@
 #include "app/tests/program_fixture.hpp"
 
+#include "geometry/base/larger.hpp"
+
 namespace isopatch::app {
 namespace {
 
@@ -79,7 +81,7 @@ TEST_F(Program, RoundOffIsPrintedAsZeroInTextsOnly) {
   ASSERT_EQ(run({"probe", file, "--point", "1,0.4,0.3", "--json"}), 0) << err_;
   const json values = json::parse(out_);
   double largest = 0;
-  for (int i = 1; i < 6; ++i) largest = std::max(largest, std::abs(values["stress"][i].get<double>()));
+  for (int i = 1; i < 6; ++i) largest = larger(largest, std::abs(values["stress"][i].get<double>()));
   EXPECT_GT(largest, 0);
   EXPECT_LT(largest, 1e-11);
 }

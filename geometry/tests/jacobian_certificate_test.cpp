@@ -7,6 +7,7 @@
 #include <random>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/larger.hpp"
 #include "geometry/splines/refine.hpp"
 #include "geometry/tests/test_patches.hpp"
 
@@ -91,7 +92,7 @@ TEST(JacobianCertificate, HasTheRightSizeForRationalPatches) {
     for (const double u : {0.0, 1.0}) {
       const double d = ring.jacobian(Parameter<3>(u, i / 100.0, 0)).determinant();
       lowest = std::min(lowest, d);
-      highest = std::max(highest, d);
+      highest = larger(highest, d);
     }
   EXPECT_LE(c.lower, lowest);
   EXPECT_GE(c.upper, highest);

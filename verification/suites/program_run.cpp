@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "geometry/base/atomic_file.hpp"
+#include "geometry/base/larger.hpp"
 #include "iga/result_file.hpp"
 
 namespace isopatch::verification {
@@ -98,8 +99,9 @@ double largest_difference(const iga::ElasticField& a, const iga::ElasticField& b
   double difference = 0;
   double largest = 0;
   for (std::size_t p = 0; p < a.displacement.size(); ++p) {
-    difference = std::max(difference, (a.displacement[p] - b.displacement.at(p)).cwiseAbs().maxCoeff());
-    largest = std::max(largest, a.displacement[p].cwiseAbs().maxCoeff());
+    difference = larger(
+        difference, (a.displacement[p] - b.displacement.at(p)).cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
+    largest = larger(largest, a.displacement[p].cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
   }
   return difference / largest;
 }

@@ -16,6 +16,7 @@
 
 #include "app/program.hpp"
 #include "geometry/base/atomic_file.hpp"
+#include "geometry/base/larger.hpp"
 #include "geometry/quadrature.hpp"
 #include "iga/result_file.hpp"
 
@@ -102,7 +103,7 @@ TEST_F(ParaviewFields, AreTheSolutionWhenVtkReadsThem) {
       EXPECT_NEAR(evaluate(grid, element, gauss, "jacobian")[0] / at.jacobian, 1, 1e-8);
       for (int q = 0; q < 64; ++q) {
         const Parameter<3> point(rule.nodes[q % 4], rule.nodes[q / 4 % 4], rule.nodes[q / 16]);
-        largest = std::max(largest, evaluate(grid, element, point, "von_mises")[0]);
+        largest = larger(largest, evaluate(grid, element, point, "von_mises")[0]);
       }
     }
   }
