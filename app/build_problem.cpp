@@ -5,7 +5,9 @@
 #include "app/edge_selection.hpp"
 #include "app/engineering_units.hpp"
 #include "app/loose_bodies.hpp"
+#include "app/place_outside.hpp"
 #include "app/plausibility.hpp"
+#include "app/read_model_file.hpp"
 #include "geometry/io/read_patches.hpp"
 #include "iga/loads.hpp"
 #include "iga/solution_knots.hpp"
@@ -135,9 +137,7 @@ LocatedProbe locate_probe(const ProbeInput& probe, const iga::ElasticityProblem&
   undeformed.materials = problem.materials;
   const iga::Location location = iga::locate(undeformed, *probe.point);
   if (location.distance > 1e-4 * model.size())
-    throw error_at(probe.place, fmt::format("the point {} lies {} outside the part; the nearest patch is {}",
-                                            place_with_unit(*probe.point, model.size()),
-                                            with_unit(location.distance, "m"), location.patch));
+    throw error_at(probe.place, outside_text(model, *probe.point, location));
   return {probe.name, location.patch, location.parameter};
 }
 
@@ -149,7 +149,7 @@ LoadedModel load_model(const ModelInput& input, const Progress& progress) {
     geometry::PatchSet set = attached(std::move(found.patches), input.attachments);
     return {geometry::connect(std::move(set), input.tolerance), std::move(found.report)};
   }
-  geometry::PatchSet set = input.generator ? input.generator() : geometry::read_patches(input.file);
+  geometry::PatchSet set = input.generator ? input.generator() : read_model_file(input.file);
   set = attached(std::move(set), input.attachments);
   return {geometry::connect(scaled(std::move(set), input.length_unit), input.tolerance), std::nullopt};
 }
@@ -157,9 +157,15 @@ LoadedModel load_model(const ModelInput& input, const Progress& progress) {
 BuiltProblem build_problem(const Study& study, const Progress& progress) {
   progress("reading the model", 0);
   const LoadedModel loaded = load_model(study.model, progress);
+  // Before the report, which takes longer.
+  assign_materials(study, loaded.model);
+  return build_problem(study, loaded, report(loaded.model, progress), progress);
+}
+
+BuiltProblem build_problem(const Study& study, const LoadedModel& loaded, const ModelReport& seen,
+                           const Progress& progress) {
   const MultiPatch& model = loaded.model;
   const std::vector<iga::Material> materials = assign_materials(study, model);
-  const ModelReport seen = report(model, progress);
   progress("refining", 0);
   iga::require_memory(model, iga::solution_knots(model, study.discretization), materials,
                       study.options.coupling, study.options.solver, study.options.processes);

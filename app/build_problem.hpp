@@ -52,5 +52,10 @@ struct BuiltProblem {
 /// @throws Error invalid_argument  a patch without material or with two, selections that match nothing, faces
 ///     that do not exist, probes outside the part; all with file, line and column
 BuiltProblem build_problem(const Study& study, const Progress& progress = {});
+/// The same of a model that is there already.
+/// @param model   as `load_model` gives it for the study
+/// @param report  of this model
+BuiltProblem build_problem(const Study& study, const LoadedModel& model, const ModelReport& report,
+                           const Progress& progress = {});
 
 }  // namespace isopatch::app

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/selection.hpp"
 #include "geometry/base/guarded_process.hpp"
 #include "geometry/multi_patch.hpp"
 #include "iga/result_file.hpp"
@@ -41,7 +42,9 @@ double length_unit(const InputFile& input);
 struct LoadedInput {
   geometry::MultiPatch model;
   std::optional<iga::StoredResult> result;
-  std::string title;  ///< of the study; otherwise the file's name
+  std::string title;                       ///< of the study; otherwise the file's name
+  std::vector<FaceSelection> held = {};    ///< faces of the study's supports
+  std::vector<FaceSelection> loaded = {};  ///< and of its loads
 };
 
 /// @throws Error as the readers and `connect` do; invalid_argument for a length unit that is none

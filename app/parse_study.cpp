@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/attachment_keys.hpp"
+#include "app/not_a_study.hpp"
 #include "app/solid_input.hpp"
 #include "app/standard_materials.hpp"
 #include "app/study_keys.hpp"
@@ -310,7 +311,9 @@ Study read_study(const std::filesystem::path& path, const std::vector<std::strin
                             std::filesystem::exists(inside) ? fmt::format("did you mean {}?", inside.string())
                                                             : "give a study's file"));
   }
-  return parse_study(read_file(path), path, overrides);
+  const std::string text = read_file(path);
+  refuse_what_is_no_study(path, text);
+  return parse_study(text, path, overrides);
 }
 
 std::string expand_variables(const std::string& text) {

@@ -5,7 +5,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <functional>
 #include <memory>
 #include <new>
@@ -62,6 +64,7 @@ level by more than 1e-9 in displacement or energy, or 1e-8 in multipliers, relat
 constexpr const char* info_examples = R"(Examples:
   isopatch info model.xml                            G+Smo XML, GoTools .g2 or an MFEM NURBS mesh
   isopatch info model.xml --length-unit '225 mm'
+  isopatch info study.toml                           its model, and where supports and loads are: a run without solving
   isopatch info study.toml --json | jq .volume
   isopatch info part.step                            a CAD solid: what is ready, what stands in the way
   isopatch info results/results.h5                   what a result file holds
@@ -86,6 +89,7 @@ constexpr const char* render_examples = R"(Examples:
   isopatch render results/results.h5 -o s.png --range '0,300 MPa' --deformation 1 --edges elements
   isopatch render results/results.h5 -o in.png --clip 'z=6 mm' --view top
   isopatch render study.toml -o model.png            the study's model, coloured by patch
+  isopatch render study.toml -o held.png --field conditions    faces of its supports blue, of its loads red
   isopatch render part.step -o part.png              a CAD solid: convex edges dark, others red, flat ones grey
   isopatch render part.step -o graph.svg             its edge graph, drawn in the plane
   isopatch render parts.step -o one.png --solid 1    one of several solids; without --solid all of them
@@ -247,7 +251,9 @@ void add_render_command(CLI::App& app, CommandLine& line) {
   option("-o,--output", line.render.output, "The picture (.png), or of a solid's edge graph (.svg)", "FILE")
       ->required();
   option("--field", words.field,
-         "von_mises, displacement, patch, jacobian or none; default: von_mises for results, else patch",
+         "von_mises, displacement, patch, jacobian, conditions (supports and loads of a study) or none; "
+         "default: "
+         "von_mises for results, else patch",
          "NAME");
   option("--component", words.component, "x, y or z of the displacement; default: its length", "AXIS");
   option("--range", words.range, "The values of the first and the last colour, SI or with units", "LOW,HIGH");
@@ -411,12 +417,24 @@ ExitCode fail(const solvers::Processes& processes, const Console& console, ExitC
   return code;
 }
 
+/// Standard output may be a file on a full disk. One that is closed, as of silent processes, is no fault.
+/// @throws Error io
+void require_written(std::ostream& out) {
+  if (out.rdbuf() == nullptr) return;
+  errno = 0;
+  out.flush();
+  if (out.good()) return;
+  throw Error(ErrorCode::io, fmt::format("cannot write to standard output{}; what is there is not complete",
+                                         errno ? fmt::format(": {}", std::strerror(errno)) : ""));
+}
+
 /// @param console  of this process, silent but on the first
 /// @param loud     for what ends the run
 ExitCode act(const CommandLine& line, const Console& console, const Console& loud) {
   const solvers::Processes& processes = line.study.processes;
   try {
     const ExitCode code = line.action(console);
+    require_written(console.out);
     processes.barrier();  // the first one may still fail to write
     return code;
   } catch (const Error& error) {
@@ -459,6 +477,17 @@ void set_threads(int asked, const solvers::Processes& processes, const Console& 
   if (!warning.empty() && processes.is_first()) console.warn(warning);
 }
 
+/// Exit code of what has only printed.
+ExitCode finished(const Console& console) {
+  try {
+    require_written(console.out);
+    return ExitCode::ok;
+  } catch (const Error& error) {
+    console.fail(error.what());
+    return exit_code(error.code());
+  }
+}
+
 /// The whole program on one of the launched processes.
 /// @param console  silent but on the first one
 int run_on_process(const std::vector<std::string>& arguments, const Console& console, const Console& loud) {
@@ -469,7 +498,7 @@ int run_on_process(const std::vector<std::string>& arguments, const Console& con
     app->parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::Success& request) {
     app->exit(request, console.out, console.err);
-    return static_cast<int>(ExitCode::ok);
+    return static_cast<int>(finished(console));
   } catch (const CLI::ParseError& error) {
     const auto chosen = app->get_subcommands();
     if (chosen.empty() && !arguments.empty() && !arguments.front().starts_with('-')) {

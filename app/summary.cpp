@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "app/engineering_units.hpp"
-#include "app/internal/json_values.hpp"
+#include "app/internal/json_regions.hpp"
 #include "app/parameterization_scene.hpp"
 #include "app/resolution_warning.hpp"
 #include "iga/material.hpp"
@@ -97,6 +97,8 @@ Json regions_json(const std::vector<CaughtRegion>& regions) {
   return result;
 }
 
+}  // namespace
+
 Json supports_json(const std::vector<CaughtRegion>& supports) {
   Json result = regions_json(supports);
   for (std::size_t i = 0; i < supports.size(); ++i) result[i]["edges"] = supports[i].edges;
@@ -112,6 +114,8 @@ Json loads_json(const std::vector<CaughtRegion>& loads) {
   }
   return result;
 }
+
+namespace {
 
 Json solver_json(const solvers::SolveReport& report, double tolerance, std::int64_t predicted_bytes) {
   return {{"method", solvers::name(report.method)},
@@ -285,6 +289,16 @@ std::string summary_json(const Study& study, const StudyRun& run) {
       {"memory", {{"peak_bytes", peak_memory_bytes() + run.bytes_elsewhere}}}};
   if (run.built.parameterization)
     json["parameterization"] = Json::parse(parameterization_json(*run.built.parameterization));
+  return file_text(json);
+}
+
+std::string with_phase(const std::string& summary, const iga::PhaseTime& time) {
+  Json json = Json::parse(summary);
+  Json& timings = json["timings"];
+  const double total = timings["total"].get<double>() + time.seconds;
+  timings.erase("total");
+  timings[time.phase] = time.seconds;
+  timings["total"] = total;
   return file_text(json);
 }
 

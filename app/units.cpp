@@ -223,6 +223,7 @@ std::string_view trimmed(std::string_view text) {
 
 Quantity parse(std::string_view text, bool number_needed) {
   text = trimmed(text);
+  const std::string_view whole = text;
   double number = 1;
   const char* first = text.data() + (text.starts_with('+') ? 1 : 0);
   const auto [end, problem] = std::from_chars(first, text.data() + text.size(), number);
@@ -238,6 +239,9 @@ Quantity parse(std::string_view text, bool number_needed) {
       throw Error(ErrorCode::invalid_argument, fmt::format("'{}' is not a finite number", text));
     text.remove_prefix(static_cast<std::size_t>(end - text.data()));
   }
+  if (text.size() > 1 && text[0] == ',' && std::isdigit(static_cast<unsigned char>(text[1])))
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("'{}' has a decimal comma; numbers are written with a point", whole));
   text = trimmed(text);
   if (text.empty()) return {number, dim::none};
   const Scale scale = UnitParser(text).whole();

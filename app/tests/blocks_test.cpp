@@ -284,6 +284,17 @@ TEST_F(Blocks, AWrongPairIsShownInTheReportOfARun) {
   EXPECT_FALSE(fs::exists(results()));
 }
 
+TEST_F(Blocks, SolidsThatAreWrongCostNoEarlierResults) {
+  write_file(file("a.off"), off(corners, sides));
+  write_file(file("b.off"), off(next_corners, sides));
+  ASSERT_EQ(run_text(cube_study), 0) << err_;
+  const std::string before = read_file(results() / "results.h5");
+  write_file(file("pairs.txt"), "a 3 b 3\n");
+  EXPECT_EQ(run_text(replaced(cube_study, "\"b.off\"]", "\"b.off\"]\npairs = \"pairs.txt\"")), 2);
+  EXPECT_EQ(read_file(results() / "results.h5"), before);
+  EXPECT_TRUE(fs::exists(results() / "summary.json"));
+}
+
 TEST_F(Blocks, TheReportOfARunHasDeviationAndCertificate) {
   write_file(file("a.off"), off(corners, sides));
   write_file(file("b.off"), off(next_corners, sides));

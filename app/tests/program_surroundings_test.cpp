@@ -128,16 +128,6 @@ TEST_F(Program, AFailedRunLeavesEarlierResultsAlone) {
   EXPECT_TRUE(fs::exists(results() / "fields/patch_001.vtu"));
 }
 
-TEST_F(Program, AFullDiskInTheMiddleLeavesNothingOfAnEarlierRun) {
-  ASSERT_EQ(run({"run", study(), "-q", "--set", "model.patches=[3,1,1]"}), 0) << err_;
-  // Single precision fits the shell's limit, 8 blocks of 512 bytes, results.h5 does not.
-  EXPECT_EQ(shell(fmt::format("(ulimit -f 8; exec {} run {} -q --set output.precision=single) 2>/dev/null",
-                              ISOPATCH_PROGRAM, study())),
-            3);
-  EXPECT_THAT(files_below(results()),
-              testing::UnorderedElementsAre("fields/patch_000.vtu", "fields/patch_001.vtu", "results.vtm"));
-}
-
 TEST_F(Program, FieldsInSinglePrecisionAreSmaller) {
   ASSERT_EQ(run({"run", study(), "-q", "--set", "discretization.refine=2"}), 0) << err_;
   const auto full = fs::file_size(results() / "fields/patch_000.vtu");

@@ -9,8 +9,8 @@
 #include <random>
 
 #include "geometry/base/error.hpp"
-#include "geometry/element_bounds.hpp"
 #include "geometry/base/larger.hpp"
+#include "geometry/element_bounds.hpp"
 #include "geometry/splines/refine.hpp"
 #include "geometry/tests/test_patches.hpp"
 
