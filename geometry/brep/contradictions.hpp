@@ -13,7 +13,7 @@ namespace isopatch::geometry {
 struct SoundnessOptions {
   /// Largest distance between a face, its edges and their vertices, as a share of the solid's size. Range
   /// (0, 0.1). The default is the widest that `sew` closes by default: solids of faces that were fitted one
-  /// by one reach 3e-3 of it and are usable; whole solids of CAD files reach 2e-4, most of them 1e-6.
+  /// by one reach 1e-3 of it and are usable; whole solids of CAD files reach 2e-4.
   double gap = 5e-3;
 };
 /// @throws Error invalid_argument  naming field, value and range
