@@ -65,7 +65,7 @@ geometry::MultiPatch folded_at_an_edge() {
   const NurbsVolume cube;
   Eigen::Matrix3Xd points = cube.control_points();
   for (int i = 0; i < 8; ++i)
-    if (points(0, i) == 1 && points(1, i) == 1) points.col(i).head<2>() << 0.45, 0.45;
+    if (points(0, i) == 1 && points(1, i) == 1) points.col(i).head<2>() << 0.499, 0.499;
   return geometry::connect({{NurbsVolume(cube.knots(), points)}, {}, {}});
 }
 
