@@ -5,6 +5,7 @@
 
 #include "geometry/base/error.hpp"
 #include "geometry/splines/refine.hpp"
+#include "geometry/splines/transfer.hpp"
 #include "geometry/tests/test_patches.hpp"
 
 namespace isopatch::geometry {
