@@ -334,15 +334,19 @@ int right_handed_loops(const HexSolid& solid, const Hexahedron& block, const std
 
 bool is_right_handed(const HexSolid& solid, const Hexahedron& block, const std::array<int, 8>& at) {
   const double size = size_of(solid);
-  const auto check = [&](double volume) {
-    if (!(std::abs(volume) > 1e-12 * size * size * size))
-      throw Error(ErrorCode::invalid_argument, fmt::format("solid '{}' has no volume", solid.name));
+  const auto has_volume = [&](double volume) { return std::abs(volume) > 1e-12 * size * size * size; };
+  const auto refuse = [&] {
+    throw Error(ErrorCode::invalid_argument, fmt::format("solid '{}' has no volume", solid.name));
   };
   const int loops = solid.has_outward_loops ? right_handed_loops(solid, block, at) : 0;
-  // The sign of a coarse grid's volume says nothing where faces wind; that there is one, it does.
-  const double volume = std::abs(loops) == 6 ? grid_volume(block, 12) : volume_of(solid, block);
-  check(volume);
-  return std::abs(loops) == 6 ? loops > 0 : volume > 0;
+  if (std::abs(loops) == 6) {
+    // Of faces that wind, a coarse grid may by chance enclose nothing.
+    if (!has_volume(grid_volume(block, 12)) && !has_volume(volume_of(solid, block))) refuse();
+    return loops > 0;
+  }
+  const double volume = volume_of(solid, block);
+  if (!has_volume(volume)) refuse();
+  return volume > 0;
 }
 
 }  // namespace
