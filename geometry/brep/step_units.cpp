@@ -89,6 +89,16 @@ class Follower {
  public:
   explicit Follower(const Part21File& file) : file_(file) {}
 
+  /// A unit of a context. One that is so many metres but does not call itself a length is not taken for one
+  /// by the CAD library, so that its lengths would be something else than we say.
+  std::optional<Length> length_of(std::int64_t id) {
+    const auto result = follow(id);
+    if (!result || record_of(file_.records(*file_.find(id)), "LENGTH_UNIT") != nullptr) return result;
+    Length silent;
+    silent.problem = file_.place(*file_.find(id)) + " is so many metres but no LENGTH_UNIT";
+    return silent;
+  }
+
   /// Nothing if the instance is no unit of length.
   std::optional<Length> follow(std::int64_t id, int depth = 0) {
     const Part21Instance* instance = file_.find(id);
@@ -191,7 +201,7 @@ StepUnits step_units(const Part21File& file) {
     const Part21Record* units = record_of(records, "GLOBAL_UNIT_ASSIGNED_CONTEXT");
     if (units == nullptr || units->values.empty()) return found;
     for (const Part21Value& unit : units->values.front().items)
-      if (!found) found = follower.follow(unit.reference);
+      if (!found) found = follower.length_of(unit.reference);
     return found;
   };
   std::vector<std::string> without, unit_names;

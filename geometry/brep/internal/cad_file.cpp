@@ -53,6 +53,22 @@ class StepWords {
   const StepProducts& products_;
 };
 
+/// Remarks about entities are one warning; those about shapes are sentences of their own, each said once.
+template <class Sentences>
+void add_remarks(const std::vector<EntityRemark>& remarks, const Sentences& sentences,
+                 std::vector<std::string>& warnings) {
+  std::vector<EntityRemark> of_entities;
+  std::vector<std::string> others;
+  for (const EntityRemark& remark : remarks)
+    if (remark.entity > 0)
+      of_entities.push_back(remark);
+    else if (std::find(others.begin(), others.end(), remark.text) == others.end())
+      others.push_back(remark.text);
+  if (!of_entities.empty())
+    warnings.push_back(fmt::format("the CAD library stumbled: {}", listed(sentences(of_entities))));
+  add(others, warnings);
+}
+
 /// Bodies and faces that the library lost; those it says nothing about are named by the reasons it gives
 /// elsewhere.
 std::vector<std::string> losses(const KernelFile& made, const Part21File& file,
@@ -74,7 +90,9 @@ std::vector<std::string> losses(const KernelFile& made, const Part21File& file,
 }
 
 CadFile read_step_file(const fs::path& path, const ReadBrepOptions& options) {
-  const std::string text = read_file(path);
+  const std::string bytes = read_file(path);
+  std::string_view text = bytes;
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // editors of Windows put it there
   options.progress("checking the text", 0);
   const Part21File file(text, path.string());
   CadFile result;
@@ -95,9 +113,8 @@ CadFile read_step_file(const fs::path& path, const ReadBrepOptions& options) {
   KernelFile made = brep_module().read(source, options.sew);
   const StepWords words(file, products);
   add(losses(made, file, products), result.missing);
-  if (!made.remarks.empty())
-    result.warnings.push_back(
-        fmt::format("the CAD library stumbled: {}", listed(words.sentences(made.remarks))));
+  add_remarks(
+      made.remarks, [&](const auto& remarks) { return words.sentences(remarks); }, result.warnings);
   result.bodies = std::move(made.bodies);
   return result;
 }
@@ -112,9 +129,7 @@ std::vector<std::string> iges_sentences(const std::vector<EntityRemark>& remarks
 
 void take(KernelFile made, CadFile& result) {
   add(iges_sentences(made.lost), result.missing);
-  if (!made.remarks.empty())
-    result.warnings.push_back(
-        fmt::format("the CAD library stumbled: {}", listed(iges_sentences(made.remarks))));
+  add_remarks(made.remarks, iges_sentences, result.warnings);
   result.bodies = std::move(made.bodies);
 }
 
@@ -132,9 +147,24 @@ CadFile read_iges_file(const fs::path& path, const ReadBrepOptions& options) {
   return result;
 }
 
+/// The library reads "nan" and "inf" as numbers.
+void require_finite_numbers(std::string_view text, const std::string& source) {
+  constexpr std::string_view space = " \t\r\n";
+  int line = 1;
+  for (std::size_t from = 0, end = 0; from < text.size(); from = end + 1) {
+    end = std::min(text.find_first_of(space, from), text.size());
+    std::string word(text.substr(from, end - from));
+    std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string_view plain = std::string_view(word).substr(word.find_first_not_of("+-") == 1 ? 1 : 0);
+    if (plain == "nan" || plain == "inf" || plain == "infinity")
+      throw Error(ErrorCode::bad_format, fmt::format("{}:{}: '{}' is no number", source, line, word));
+    if (end < text.size() && text[end] == '\n') ++line;
+  }
+}
+
 CadFile read_native_file(const fs::path& path, const ReadBrepOptions& options) {
   CadFile result;
-  read_file(path);  // says why, if it cannot
+  require_finite_numbers(read_file(path), path.string());
   options.progress("reading", 0.1);
   result.unit = options.length_unit ? "as given" : "m, since the format states none";
   if (!options.length_unit)

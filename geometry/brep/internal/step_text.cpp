@@ -60,6 +60,7 @@ std::string edited(std::string_view text, std::vector<Edit> edits) {
   std::string result;
   std::size_t from = 0;
   for (const Edit& edit : edits) {
+    if (edit.begin < from) continue;  // within the one before, which says it already
     result += text.substr(from, edit.begin - from);
     result += edit.text;
     from = edit.end;

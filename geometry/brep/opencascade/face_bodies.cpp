@@ -71,6 +71,13 @@ std::vector<std::array<std::size_t, 2>> touching_pairs(const std::vector<Numbers
   return pairs;
 }
 
+/// Whether an edge has two faces of every set around it: bodies that meet there.
+bool two_of_each(const Numbers& faces, Sets& sets) {
+  std::map<std::size_t, int> count;
+  for (const std::size_t f : faces) ++count[sets.root(f)];
+  return std::all_of(count.begin(), count.end(), [](const auto& entry) { return entry.second == 2; });
+}
+
 /// Shells: faces joined by edges of two; then each of two touching faces goes to one of the shells around it.
 std::vector<Numbers> shells_of(const std::vector<TopoDS_Face>& faces) {
   std::vector<Numbers> edges_of_faces;
@@ -79,13 +86,12 @@ std::vector<Numbers> shells_of(const std::vector<TopoDS_Face>& faces) {
   std::set<std::size_t> paired;
   for (const auto& pair : pairs) paired.insert(pair.begin(), pair.end());
   Sets sets(faces.size());
-  for (const Numbers& at : faces_at) {
-    const bool between =
-        at.size() > 2 && std::any_of(at.begin(), at.end(), [&](std::size_t f) { return paired.contains(f); });
-    if (between) continue;
-    for (std::size_t i = 1; i < at.size(); ++i)
-      if (!paired.contains(at[0]) && !paired.contains(at[i])) sets.join(at[0], at[i]);
-  }
+  const auto is_free = [&](std::size_t f) { return !paired.contains(f); };
+  for (const Numbers& at : faces_at)
+    if (at.size() == 2 && is_free(at[0]) && is_free(at[1])) sets.join(at[0], at[1]);
+  for (const Numbers& at : faces_at)
+    if (at.size() > 2 && std::all_of(at.begin(), at.end(), is_free) && !two_of_each(at, sets))
+      for (std::size_t i = 1; i < at.size(); ++i) sets.join(at[0], at[i]);
   for (const auto& pair : pairs) {
     std::set<std::size_t> around;
     for (const std::size_t edge : edges_of_faces[pair[0]])

@@ -178,8 +178,8 @@ void add_bodies(const std::vector<FileShape>& shapes, double metres, const SewOp
                 file.words_of ? file.words_of(TopoDS::Face(it.Current())) : FaceWords{});
     }
     if (!any && !file.shape.IsNull() && TopoDS_Iterator(file.shape).More())
-      result.remarks.push_back({0, fmt::format("{} has curves or points only; no body comes from it",
-                                               file.name.empty() ? "a shape" : "'" + file.name + "'")});
+      result.remarks.push_back({0, fmt::format("{} has curves or points only, of which no body comes",
+                                               file.name.empty() ? "a part" : "part '" + file.name + "'")});
   }
   if (loose.faces.empty()) return;
   result.loose_faces = loose.faces.size();

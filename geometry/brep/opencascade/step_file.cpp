@@ -29,6 +29,7 @@
 
 #include "geometry/base/error.hpp"
 #include "geometry/brep/opencascade/internal/exchange.hpp"
+#include "geometry/brep/opencascade/internal/face_sides.hpp"
 #include "geometry/brep/opencascade/internal/scaled_shape.hpp"
 #include "geometry/brep/opencascade/internal/transfer_remarks.hpp"
 
@@ -215,6 +216,7 @@ FileShapes read_step(const KernelSource& source) {
     result.shapes = std::move(walk.shapes);
   }
   add_remarks(*reader.Reader().WS(), is_body_or_face, result);
+  add_swapped_sides(*reader.Reader().WS(), result);
   return result;
 }
 

@@ -17,15 +17,6 @@
 namespace isopatch::geometry {
 namespace {
 
-/// The number in "#443" or "D17".
-std::int64_t number_of(const Interface_InterfaceModel& model, const Handle(Standard_Transient) & entity) {
-  const Handle(TCollection_HAsciiString) label = model.StringLabel(entity);
-  if (label.IsNull()) return 0;
-  const std::string text = label->ToCString();
-  const std::size_t digit = text.find_first_of("0123456789");
-  return digit == text.npos ? 0 : std::strtoll(text.c_str() + digit, nullptr, 10);
-}
-
 // Geometry and topology by the names of the library's classes; the rest (views, layers, tolerances) bounds
 // nothing.
 bool is_of_shapes(const Standard_Transient& entity) {
@@ -45,6 +36,14 @@ void add_fails(const Interface_Check& check, std::string& text) {
 
 }  // namespace
 
+std::int64_t entity_number(const Interface_InterfaceModel& model, const Handle(Standard_Transient) & entity) {
+  const Handle(TCollection_HAsciiString) label = model.StringLabel(entity);
+  if (label.IsNull()) return 0;
+  const std::string text = label->ToCString();
+  const std::size_t digit = text.find_first_of("0123456789");
+  return digit == text.npos ? 0 : std::strtoll(text.c_str() + digit, nullptr, 10);
+}
+
 void add_remarks(const XSControl_WorkSession& session, bool (*is_body_or_face)(const Standard_Transient&),
                  FileShapes& result) {
   const Handle(Interface_InterfaceModel) model = session.Model();
@@ -57,11 +56,11 @@ void add_remarks(const XSControl_WorkSession& session, bool (*is_body_or_face)(c
     if (entity.IsNull() || !is_of_shapes(*entity)) continue;
     std::string text;
     add_fails(*checks.Value(), text);
-    if (!text.empty()) fails[number_of(*model, entity)] = text;
+    if (!text.empty()) fails[entity_number(*model, entity)] = text;
   }
   for (int i = 1; i <= model->NbEntities(); ++i) {
     const Handle(Standard_Transient) entity = model->Value(i);
-    const std::int64_t number = number_of(*model, entity);
+    const std::int64_t number = entity_number(*model, entity);
     if (is_of_shapes(*entity)) {
       std::string text;
       add_fails(*model->Check(i, true), text);

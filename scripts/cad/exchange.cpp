@@ -1,7 +1,7 @@
 // Writes OpenCASCADE files again as STEP, IGES or OpenCASCADE files.
 //
 // Each line of the standard input is FROM TO SCHEMA UNIT SHAPE: SCHEMA AP203, AP214IS or AP242DIS (STEP) and
-// solids or faces (IGES); UNIT as the library names it; SHAPE solids as they are, shells (without solids),
+// solids or faces (IGES); UNIT as the library names it; SHAPE solids, shells (without solids),
 // loose (faces of their own edges), nested (compounds in compounds) or open (the last face left out).
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepTools.hxx>
@@ -35,7 +35,7 @@ TopoDS_Shape arranged(const TopoDS_Shape& shape, const std::string& how) {
   if (how == "shells") return collected(shape, TopAbs_SHELL, false, false);
   if (how == "loose") return collected(shape, TopAbs_FACE, true, false);
   if (how == "open") return collected(shape, TopAbs_FACE, false, true);
-  if (how != "nested") return shape;
+  if (how != "nested") return collected(shape, TopAbs_SOLID, false, false);
   const BRep_Builder builder;
   TopoDS_Shape result = collected(shape, TopAbs_SOLID, false, false);
   for (int i = 0; i < 3; ++i) {
@@ -75,7 +75,8 @@ int main() {
     std::string from, to, schema, unit, how;
     words >> from >> to >> schema >> unit >> how;
     TopoDS_Shape shape;
-    if (BRepTools::Read(shape, from.c_str(), BRep_Builder()) && write(arranged(shape, how), to, schema, unit.c_str()))
+    if (BRepTools::Read(shape, from.c_str(), BRep_Builder()) &&
+        write(arranged(shape, how), to, schema, unit.c_str()))
       continue;
     std::cerr << "could not write " << to << '\n';
     ++failures;

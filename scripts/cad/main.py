@@ -20,6 +20,7 @@ def arguments():
     parser.add_argument("--jobs", type=int, default=2, help="files read at a time")
     parser.add_argument("--damages", type=int, default=0, metavar="N", help="instead: read N damaged files")
     parser.add_argument("--seed", type=int, default=1, help="of the damages")
+    parser.add_argument("--keep", action="store_true", help="leave damaged files that went wrong in FOLDER/damaged")
     parser.add_argument("--first", type=int, default=0, help="number of the first damage")
     return parser.parse_args()
 

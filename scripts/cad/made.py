@@ -46,7 +46,10 @@ def variants(number, name, bodies):
 
     def step(kind, schema, unit, arrangement="solids", source=name, expected=bodies):
         file = f"step/{name}_{kind}.step"
-        return Case(file, expected, unit=UNITS[unit], warns=False), source, schema, unit, arrangement
+        case = Case(file, expected, unit=UNITS[unit], warns=False)
+        if name == "two_spheres":
+            case.code, case.says = (0, 2), "other side"
+        return case, source, schema, unit, arrangement
 
     yield step("AP214", "AP214IS", units[number % 6])
     yield step("AP203", "AP203", units[(number + 2) % 6]) if number % 2 else step("AP242", "AP242DIS", units[(number + 4) % 6])
