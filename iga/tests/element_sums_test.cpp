@@ -65,7 +65,7 @@ TEST(InternalForces, AreThoseOfPlainTables) {
       const Eigen::Matrix3d strain = 0.5 * (gradient + gradient.transpose());
       const Eigen::Matrix3d sigma = stress(strain, p.materials[patch]);
       energy += 0.5 * values.measures[q] * sigma.cwiseProduct(strain).sum();
-      largest = larger(largest, von_mises(sigma));
+      largest = isopatch::larger(largest, von_mises(sigma));
       for (std::size_t a = 0; a < values.functions.size(); ++a)
         for (int j = 0; j < 3; ++j)
           forces.col(d.first_node[patch] + values.functions[a]) +=
@@ -125,7 +125,7 @@ TEST(MaxDisplacement, IsTheLargestOfTheGrid) {
                                                       (breaks[e + 1] - breaks[e]) * j / patch.degree(k));
     }
     const geometry::NurbsVolume moved(patch.knots(), field.displacement[i], patch.weights());
-    largest = larger(largest,
+    largest = isopatch::larger(largest,
                      geometry::points_on_grid(moved, grid).colwise().norm().maxCoeff<Eigen::PropagateNaN>());
   }
   const Extremum found = max_displacement(field);

@@ -20,7 +20,7 @@ auto blocks_of(const std::string& name, const std::string& text) {
   return [=] {
     const auto path = std::filesystem::temp_directory_path() / (name + ".step");
     write_file(path, text);
-    const HexComplex complex = read_blocks({.files = {path}});
+    const HexComplex complex = read_blocks({.files = {path}}).complex;
   };
 }
 
