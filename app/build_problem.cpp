@@ -4,8 +4,14 @@
 
 #include "app/edge_selection.hpp"
 #include "app/engineering_units.hpp"
+#include "app/loose_bodies.hpp"
+#include "app/place_outside.hpp"
+#include "app/plausibility.hpp"
+#include "app/read_model_file.hpp"
 #include "geometry/io/read_patches.hpp"
 #include "iga/loads.hpp"
+#include "iga/solution_knots.hpp"
+#include "iga/solver_choice.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -19,10 +25,11 @@ geometry::PatchSet scaled(geometry::PatchSet set, double factor) {
   return set;
 }
 
-std::vector<iga::Material> assign_materials(const Study& study, int patch_count) {
+std::vector<iga::Material> assign_materials(const Study& study, const MultiPatch& model) {
+  const int patch_count = model.patch_count();
   std::vector<const MaterialInput*> owner(static_cast<std::size_t>(patch_count), nullptr);
   for (const MaterialInput& input : study.materials)
-    for (const PatchId id : select_patches(patch_count, input.patches)) {
+    for (const PatchId id : select_patches(model, input.patches)) {
       const MaterialInput*& slot = owner[static_cast<std::size_t>(id.value)];
       if (slot)
         throw error_at(input.place,
@@ -54,7 +61,7 @@ std::vector<geometry::PatchFace> caught_faces(const FaceSelection& selection, co
 
 void add_volume_load(const LoadInput& load, BuiltProblem& built) {
   iga::ElasticityProblem& problem = built.problem;
-  const auto patches = select_patches(problem.discretization.model.patch_count(), load.patches);
+  const auto patches = select_patches(problem.discretization.model, load.patches);
   built.loads.push_back(region_of(load.name, name(load.kind), patches, built.report));
   const auto volume = [&](PatchId id) {
     return built.report.patches[static_cast<std::size_t>(id.value)].volume;
@@ -100,6 +107,14 @@ void add_load(const LoadInput& load, BuiltProblem& built) {
   built.loads.back().total = total_of(loads.back(), built.problem.discretization);
 }
 
+// The names of the blocks that the patches were, if they were any.
+std::vector<std::string> patch_names(const std::optional<segmentation::ParameterizationReport>& solids) {
+  std::vector<std::string> names;
+  if (solids)
+    for (const auto& patch : solids->patches) names.push_back(patch.name);
+  return names;
+}
+
 LocatedProbe locate_probe(const ProbeInput& probe, const iga::ElasticityProblem& problem) {
   const MultiPatch& model = problem.discretization.model;
   if (probe.patch) {
@@ -122,9 +137,7 @@ LocatedProbe locate_probe(const ProbeInput& probe, const iga::ElasticityProblem&
   undeformed.materials = problem.materials;
   const iga::Location location = iga::locate(undeformed, *probe.point);
   if (location.distance > 1e-4 * model.size())
-    throw error_at(probe.place, fmt::format("the point {} lies {} outside the part; the nearest patch is {}",
-                                            place_with_unit(*probe.point, model.size()),
-                                            with_unit(location.distance, "m"), location.patch));
+    throw error_at(probe.place, outside_text(model, *probe.point, location));
   return {probe.name, location.patch, location.parameter};
 }
 
@@ -136,7 +149,7 @@ LoadedModel load_model(const ModelInput& input, const Progress& progress) {
     geometry::PatchSet set = attached(std::move(found.patches), input.attachments);
     return {geometry::connect(std::move(set), input.tolerance), std::move(found.report)};
   }
-  geometry::PatchSet set = input.generator ? input.generator() : geometry::read_patches(input.file);
+  geometry::PatchSet set = input.generator ? input.generator() : read_model_file(input.file);
   set = attached(std::move(set), input.attachments);
   return {geometry::connect(scaled(std::move(set), input.length_unit), input.tolerance), std::nullopt};
 }
@@ -144,10 +157,18 @@ LoadedModel load_model(const ModelInput& input, const Progress& progress) {
 BuiltProblem build_problem(const Study& study, const Progress& progress) {
   progress("reading the model", 0);
   const LoadedModel loaded = load_model(study.model, progress);
+  // Before the report, which takes longer.
+  assign_materials(study, loaded.model);
+  return build_problem(study, loaded, report(loaded.model, progress), progress);
+}
+
+BuiltProblem build_problem(const Study& study, const LoadedModel& loaded, const ModelReport& seen,
+                           const Progress& progress) {
   const MultiPatch& model = loaded.model;
-  const std::vector<iga::Material> materials = assign_materials(study, model.patch_count());
-  const ModelReport seen = report(model, progress);
+  const std::vector<iga::Material> materials = assign_materials(study, model);
   progress("refining", 0);
+  iga::require_memory(model, iga::solution_knots(model, study.discretization), materials,
+                      study.options.coupling, study.options.solver, study.options.processes);
   BuiltProblem built{{iga::discretize(model, study.discretization), materials, {}, {}, {}},
                      seen,
                      {},
@@ -158,6 +179,10 @@ BuiltProblem build_problem(const Study& study, const Progress& progress) {
   if (built.parameterization)
     for (const std::string& complaint : built.parameterization->complaints())
       built.warnings.push_back({complaint});
+  progress("looking for loose bodies", 0);
+  for (Warning& warning : loose_body_warnings(model, patch_names(built.parameterization)))
+    built.warnings.push_back(std::move(warning));
+  for (Warning& warning : input_warnings(study)) built.warnings.push_back(std::move(warning));
   for (const SupportInput& support : study.supports) {
     auto faces = caught_faces(support.selection, support.name, name(support.kind), built, built.supports);
     std::vector<iga::SupportedEdge> edges;
@@ -168,9 +193,13 @@ BuiltProblem build_problem(const Study& study, const Progress& progress) {
           region_of(support.name, name(support.kind), edges, built.problem.discretization.model);
       faces.clear();
     }
+    built.supports.back().key = support.key;
     built.problem.supports.push_back({support.name, std::move(faces), support.condition, std::move(edges)});
   }
-  for (const LoadInput& load : study.loads) add_load(load, built);
+  for (const LoadInput& load : study.loads) {
+    add_load(load, built);
+    built.loads.back().key = load.key;
+  }
   for (const ProbeInput& probe : study.probes) built.probes.push_back(locate_probe(probe, built.problem));
   if (study.loads.empty())
     built.warnings.push_back({"the study has no load; only prescribed displacements can move the part"});

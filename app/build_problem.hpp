@@ -46,8 +46,16 @@ struct BuiltProblem {
 /// Warnings name the patches that fail the certificate of the Jacobian's sign (the assembly refuses those
 /// that are folded at a Gauss point) and the faces that a selection leaves out by little.
 ///
+/// The memory that all will take is forecast before the model is refined.
+///
+/// @throws Error out_of_memory     if it is more than there is, or than the study allows
 /// @throws Error invalid_argument  a patch without material or with two, selections that match nothing, faces
 ///     that do not exist, probes outside the part; all with file, line and column
 BuiltProblem build_problem(const Study& study, const Progress& progress = {});
+/// The same of a model that is there already.
+/// @param model   as `load_model` gives it for the study
+/// @param report  of this model
+BuiltProblem build_problem(const Study& study, const LoadedModel& model, const ModelReport& report,
+                           const Progress& progress = {});
 
 }  // namespace isopatch::app

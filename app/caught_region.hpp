@@ -12,7 +12,7 @@ namespace isopatch::app {
 /// Where a support or a load acts, so that its author can see what was caught: faces, or edges for supports
 /// that hold these, or patches for the loads that act in them.
 struct CaughtRegion {
-  std::string name;
+  std::string name;                ///< for messages: "support 1 (left bore)"
   std::string kind;                ///< as the study's key says: "displacement", "pressure", "gravity", ...
   std::vector<std::string> faces;  ///< "0:back", in the input's naming
   double area = 0;                 ///< of these faces together, m^2
@@ -20,6 +20,7 @@ struct CaughtRegion {
   double volume = 0;                                ///< of these patches together, m^3
   Eigen::Vector3d total = Eigen::Vector3d::Zero();  ///< force of a load, N
   std::vector<std::string> edges = {};              ///< "0:east+back", in the input's naming
+  std::string key = {};                             ///< what results call it: "left bore", or "support 1"
 };
 
 std::string_view name(SupportKind kind);

@@ -66,6 +66,7 @@ ExitCode report_command(const ReportCommand& command, const Console& console);
 struct RenderCommand {
   InputFile input;
   std::filesystem::path output;  ///< .png
+  std::optional<int> solid;      ///< of a file with several; all of them if not given
   PictureWords words;
 };
 /// Draws a model or results as a picture.
@@ -75,6 +76,7 @@ struct ParameterizeCommand {
   std::vector<std::filesystem::path> blocks;
   std::string pairs;        ///< a file, or "" to find them from the geometry
   std::string length_unit;  ///< as of InputFile
+  CadReading reading;
   std::string method = "shared";
   BlocksInput input;             ///< the options; files are filled in
   std::filesystem::path output;  ///< .xml

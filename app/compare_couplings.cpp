@@ -2,7 +2,10 @@
 
 #include <map>
 
+#include "app/plausibility.hpp"
+#include "geometry/base/larger.hpp"
 #include "iga/condition.hpp"
+#include "iga/face_stresses.hpp"
 #include "iga/internal_forces.hpp"
 #include "iga/results.hpp"
 
@@ -21,8 +24,9 @@ double displacement_difference(const iga::ElasticField& a, const iga::ElasticFie
   double difference = 0;
   double scale = 0;
   for (std::size_t i = 0; i < a.displacement.size(); ++i) {
-    difference = std::max(difference, (a.displacement[i] - b.displacement[i]).cwiseAbs().maxCoeff());
-    scale = std::max(scale, a.displacement[i].cwiseAbs().maxCoeff());
+    difference = larger(difference,
+                        (a.displacement[i] - b.displacement[i]).cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
+    scale = larger(scale, a.displacement[i].cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
   }
   return ratio(difference, scale);
 }
@@ -30,7 +34,7 @@ double displacement_difference(const iga::ElasticField& a, const iga::ElasticFie
 double energy_difference(const iga::ElasticityResults& first, const iga::ElasticityResults& second) {
   const double a = first.internal_energy;
   const double b = second.internal_energy;
-  return ratio(std::abs(a - b), std::max(std::abs(a), std::abs(b)));
+  return ratio(std::abs(a - b), larger(std::abs(a), std::abs(b)));
 }
 
 double multiplier_difference(const std::vector<iga::Multiplier>& a, const std::vector<iga::Multiplier>& b) {
@@ -41,8 +45,8 @@ double multiplier_difference(const std::vector<iga::Multiplier>& a, const std::v
   for (const auto& multiplier : b) {
     const auto found = forces.find({multiplier.first_node, multiplier.second_node});
     const Eigen::Vector3d other = found == forces.end() ? Eigen::Vector3d::Zero() : found->second;
-    difference = std::max(difference, (multiplier.force - other).cwiseAbs().maxCoeff());
-    scale = std::max(scale, multiplier.force.cwiseAbs().maxCoeff());
+    difference = larger(difference, (multiplier.force - other).cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
+    scale = larger(scale, multiplier.force.cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
   }
   return ratio(difference, scale);
 }
@@ -59,7 +63,8 @@ void find_largest_differences(const iga::ElasticityProblem& problem, const iga::
   }
   comparison.largest_displacement_difference = iga::max_displacement(difference);
   comparison.largest_stress_difference =
-      iga::internal_forces(problem.discretization, problem.materials, nodal).max_von_mises;
+      iga::larger(iga::internal_forces(problem.discretization, problem.materials, nodal).max_von_mises,
+                  iga::stresses_on_faces(difference).max_von_mises);
   for (iga::Extremum* extremum :
        {&comparison.largest_displacement_difference, &comparison.largest_stress_difference})
     if (extremum->patch >= 0)
@@ -83,7 +88,7 @@ std::array<int, 3> highest_degree(const iga::Discretization& discretization) {
   for (const auto& patch : discretization.patches)
     for (int d = 0; d < 3; ++d) {
       auto& highest = degree[static_cast<std::size_t>(d)];
-      highest = std::max(highest, patch.degree(d));
+      highest = larger(highest, patch.degree(d));
     }
   return degree;
 }
@@ -109,6 +114,8 @@ iga::ElasticityOptions options_of(const Study& study, iga::Coupling coupling) {
     method = can_iterate ? Method::minres : Method::automatic;
   else if (coupling == iga::Coupling::lagrange && method == Method::cholmod)
     method = Method::mumps;
+  // Minimal residuals are made without a matrix only.
+  if (method == Method::minres) options.solver.form = solvers::Operator::automatic;
   return options;
 }
 
@@ -128,7 +135,9 @@ bool CouplingComparison::agree() const {
 ComparedStudy compare_couplings(const Study& study, bool condition, const Progress& progress) {
   if (condition && study.options.processes.count() > 1)
     throw Error(ErrorCode::invalid_argument, "--condition works on one process only");
-  ComparedStudy result{{}, {build_problem(study, progress), {}, {}, {}, 0}, {}};
+  Study forecast = study;
+  forecast.options = options_of(study, study.options.coupling);
+  ComparedStudy result{{}, {build_problem(forecast, progress), {}, {}, {}, 0}, {}};
   const iga::ElasticityProblem& problem = result.run.built.problem;
   const iga::ElasticitySolution eliminated =
       iga::solve_elasticity(problem, options_of(study, iga::Coupling::elimination), progress);
@@ -146,6 +155,8 @@ ComparedStudy compare_couplings(const Study& study, bool condition, const Progre
   comparison.displacement_difference = displacement_difference(eliminated.field, tied.field);
   comparison.energy_difference = energy_difference(eliminated.results, tied.results);
   comparison.multiplier_difference = multiplier_difference(eliminated.multipliers, tied.multipliers);
+  for (Warning& warning : result_warnings(result.run.built, tied))
+    result.run.built.warnings.push_back(std::move(warning));
   comparison.warnings = result.run.built.warnings;
   find_largest_differences(problem, eliminated.field, tied.field, comparison);
   result.tractions = iga::interface_tractions(problem, tied.multipliers);

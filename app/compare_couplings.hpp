@@ -55,6 +55,8 @@ struct CouplingComparison {
   static constexpr double allowed_difference = 1e-9;  ///< of displacement and energy
   static constexpr double allowed_multiplier_difference = 1e-8;
   bool agree() const;
+  /// Whether patches meet at all, so that couplings can differ.
+  bool has_coupling() const { return lagrange.size.multipliers > 0; }
 };
 
 /// A comparison with what pictures of it need.

@@ -9,6 +9,7 @@
 #include "app/engineering_units.hpp"
 #include "app/report_scene.hpp"
 #include "app/summary.hpp"
+#include "geometry/patch_connections.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -75,7 +76,8 @@ std::string compare_html(const Study& study, const ComparedStudy& finest,
                          const std::vector<CouplingComparison>& levels, const std::string& json) {
   const iga::ElasticField& field = finest.run.solution.field;
   const std::string summary = summary_json(study, finest.run);
-  const StoredModel model = stored_model(field.patches, summary);
+  const geometry::MultiPatch model = geometry::connected(
+      field.patches, geometry::connections_of(finest.run.built.problem.discretization.model));
   Scene scene = report_scene(field, model, summary);
   if (!finest.tractions.empty())
     scene.fields.push_back(

@@ -74,6 +74,7 @@ Json level_json(const CouplingComparison& level) {
           {"elimination", run_json(level.elimination)},
           {"lagrange", run_json(level.lagrange)},
           {"difference", difference_json(level)},
+          {"coupled", level.has_coupling()},
           {"agree", level.agree()}};
 }
 
@@ -168,6 +169,7 @@ std::string comparison_text(const Study& study, const CouplingComparison& compar
       comparison.displacement_difference, comparison.energy_difference,
       CouplingComparison::allowed_difference, comparison.multiplier_difference,
       CouplingComparison::allowed_multiplier_difference);
+  if (!comparison.has_coupling()) return text + "  there is nothing to couple: no two patches meet\n";
   return text + (comparison.agree() ? "  the two couplings agree\n" : "  THE TWO COUPLINGS DISAGREE\n");
 }
 

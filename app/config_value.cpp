@@ -81,12 +81,41 @@ ConfigValue& step_into(ConfigValue& value, const std::string& name, const Place&
   return (*items)[index];
 }
 
+std::string_view line_of(std::string_view text, int number) {
+  for (; number > 1; --number) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  return text.substr(0, text.find('\n'));
+}
+
+// Column of the quote that begins a string which does not end on the line; 0 if there is none.
+int open_quote(std::string_view line) {
+  std::size_t begin = 0;
+  char quote = 0;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (!quote && line[i] == '#') break;
+    if (quote == '"' && line[i] == '\\') {
+      ++i;
+    } else if (line[i] == quote) {
+      quote = 0;
+    } else if (!quote && (line[i] == '"' || line[i] == '\'')) {
+      quote = line[i];
+      begin = i;
+    }
+  }
+  return quote ? static_cast<int>(begin) + 1 : 0;
+}
+
 ConfigValue parse_value(std::string_view text, const Place& place) {
   ConfigValue result{place, std::string(text)};
   try {
     ConfigTable table = parse_toml("value = " + std::string(text), place.source);
     if (table.entries.size() == 1) result.value = std::move(table.entries.front().value.value);
   } catch (const Error&) {
+    const std::size_t first = text.find_first_not_of(' ');
+    if (first != text.npos && std::string_view("[{\"'").find(text[first]) != std::string_view::npos)
+      throw error_at(place,
+                     "the value is no valid TOML; does the shell take its quotes away? Quote the whole: "
+                     "--set 'load.0.traction=[\"20 MPa\", 0, 0]'",
+                     ErrorCode::bad_format);
     // no TOML: the text itself
   }
   return result;
@@ -131,8 +160,13 @@ ConfigTable parse_toml(std::string_view text, const std::string& source) {
   try {
     return convert_table(toml::parse(text, source), source);
   } catch (const toml::parse_error& error) {
-    throw error_at(to_place(error.source(), source), "not valid TOML: " + std::string(error.description()),
-                   ErrorCode::bad_format);
+    const Place place = to_place(error.source(), source);
+    if (const int column = open_quote(line_of(text, place.line)))
+      throw error_at(
+          {source, place.line, column},
+          "not valid TOML: a quote is missing on this line; the string that begins here does not end",
+          ErrorCode::bad_format);
+    throw error_at(place, "not valid TOML: " + std::string(error.description()), ErrorCode::bad_format);
   }
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/engineering_units.hpp"
-#include "app/internal/json_values.hpp"
+#include "app/internal/json_regions.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -123,6 +123,18 @@ Json patch_json(const MultiPatch& model, const PatchReport& patch, int index) {
             {"point", to_json(patch.certificate.place)}}}};
 }
 
+Json probes_json(const BuiltProblem& problem) {
+  const MultiPatch& model = problem.problem.discretization.model;
+  Json result = Json::array();
+  for (const LocatedProbe& probe : problem.probes)
+    result.push_back(
+        {{"name", probe.name},
+         {"patch", probe.patch},
+         {"parameter", to_json(Eigen::Vector3d(model.renamed(PatchId(probe.patch), probe.parameter)))},
+         {"point", to_json(model.patch(PatchId(probe.patch)).point(probe.parameter))}});
+  return result;
+}
+
 }  // namespace
 
 std::string model_text(const MultiPatch& model, const ModelReport& report, bool all) {
@@ -145,7 +157,7 @@ std::string model_text(const MultiPatch& model, const ModelReport& report, bool 
   return text;
 }
 
-std::string model_json_text(const MultiPatch& model, const ModelReport& report) {
+std::string model_json_text(const MultiPatch& model, const ModelReport& report, const BuiltProblem* problem) {
   Json patches = Json::array();
   for (std::size_t i = 0; i < report.patches.size(); ++i)
     patches.push_back(patch_json(model, report.patches[i], static_cast<int>(i)));
@@ -168,19 +180,26 @@ std::string model_json_text(const MultiPatch& model, const ModelReport& report) 
     for (const PatchId id : body) patch_ids.push_back(id.value);
     bodies.push_back(patch_ids);
   }
-  return file_text({{"schema_version", 1},
-                    {"volume", report.volume},
-                    {"boundary_area", report.boundary_area},
-                    {"box",
-                     {{"min", to_json(Eigen::Vector3d(report.box.min()))},
-                      {"max", to_json(Eigen::Vector3d(report.box.max()))}}},
-                    {"control_points", report.control_points},
-                    {"elements", report.elements},
-                    {"patches", patches},
-                    {"interfaces", interfaces},
-                    {"boundary_faces", faces},
-                    {"boundaries", boundaries},
-                    {"bodies", bodies}});
+  Json json = {{"schema_version", 1},
+               {"volume", report.volume},
+               {"boundary_area", report.boundary_area},
+               {"box",
+                {{"min", to_json(Eigen::Vector3d(report.box.min()))},
+                 {"max", to_json(Eigen::Vector3d(report.box.max()))}}},
+               {"control_points", report.control_points},
+               {"elements", report.elements},
+               {"patches", patches},
+               {"interfaces", interfaces},
+               {"boundary_faces", faces},
+               {"boundaries", boundaries},
+               {"bodies", bodies}};
+  if (problem) {
+    json["supports"] = supports_json(problem->supports);
+    json["loads"] = loads_json(problem->loads);
+    json["probes"] = probes_json(*problem);
+    json["warnings"] = texts_json(problem->warnings);
+  }
+  return file_text(json);
 }
 
 }  // namespace isopatch::app

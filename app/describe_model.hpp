@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "app/model_report.hpp"
+#include "app/build_problem.hpp"
 
 namespace isopatch::app {
 
@@ -11,6 +11,8 @@ namespace isopatch::app {
 std::string model_text(const geometry::MultiPatch& model, const ModelReport& report, bool all = false);
 
 /// The same as JSON, SI units, complete.
-std::string model_json_text(const geometry::MultiPatch& model, const ModelReport& report);
+/// @param problem  the study's that the model is of, for its supports and loads; may be null
+std::string model_json_text(const geometry::MultiPatch& model, const ModelReport& report,
+                            const BuiltProblem* problem = nullptr);
 
 }  // namespace isopatch::app

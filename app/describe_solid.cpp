@@ -4,6 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
 
 #include "app/engineering_units.hpp"
 #include "app/internal/json_values.hpp"
@@ -47,16 +50,39 @@ std::string graph_text(const BrepReport& report) {
                      yes(report.stage == geometry::BrepStage::parameterization, ", that of a cube", ""));
 }
 
-std::string edges_summary(const BrepReport& report) {
+bool has_angle(const geometry::EdgeAngles& edge) {
+  return edge.convexity != Convexity::free && edge.convexity != Convexity::overused;
+}
+
+/// "four faces".
+std::string faces_in_words(std::size_t count) {
+  constexpr std::array<const char*, 7> words = {"three", "four", "five", "six", "seven", "eight", "nine"};
+  if (count < 3 || count - 3 >= words.size()) return fmt::format("{} faces", count);
+  return fmt::format("{} faces", words[count - 3]);
+}
+
+/// ", 1 with four faces" for each number of faces there is.
+std::string overused_text(const Brep& brep) {
+  std::map<std::size_t, int> counts;
+  for (const BrepEdge& edge : brep.edges())
+    if (edge.faces.size() > 2) ++counts[edge.faces.size()];
+  std::string text;
+  for (const auto& [faces, count] : counts) text += fmt::format(", {} with {}", count, faces_in_words(faces));
+  return text;
+}
+
+std::string edges_summary(const Brep& brep, const BrepReport& report) {
   std::string text;
   for (const Convexity kind :
        {Convexity::convex, Convexity::non_convex, Convexity::flat, Convexity::seam, Convexity::free}) {
     const int count = report.count(kind);
-    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name(kind));
+    if (count > 0) text += fmt::format(", {} {}", count, name(kind));
   }
+  text += overused_text(brep);
+  if (!text.empty()) text.erase(0, 2);
   double low = 360, high = 0;
   for (const auto& edge : report.angles) {
-    if (edge.convexity == Convexity::free || edge.convexity == Convexity::seam) continue;
+    if (!has_angle(edge) || edge.convexity == Convexity::seam) continue;
     low = std::min(low, edge.smallest.degrees());
     high = std::max(high, edge.largest.degrees());
   }
@@ -89,10 +115,14 @@ std::string faces_text(const Brep& brep, bool all) {
 }
 
 std::string angle_text(const geometry::EdgeAngles& angles) {
-  if (angles.convexity == Convexity::free) return "";
+  if (!has_angle(angles)) return "";
   const double low = angles.smallest.degrees(), high = angles.largest.degrees();
   if (high - low < 0.05) return fmt::format("{:.1f}", low);
   return fmt::format("{:.1f} to {:.1f}", low, high);
+}
+
+std::string kind_text(const BrepEdge& edge, const geometry::EdgeAngles& angles) {
+  return angles.convexity == Convexity::overused ? faces_in_words(edge.faces.size()) : name(angles.convexity);
 }
 
 std::vector<int> numbers(const std::vector<FaceId>& faces) {
@@ -110,7 +140,7 @@ std::string edges_text(const Brep& brep, const BrepReport& report, bool all) {
     text += fmt::format("  {:>4}  {:<8} {:>9}  {:<9} {:>10}  {:<10} {}\n", i, name(edge.kind),
                         fmt::format("{}-{}", edge.start.value, edge.end.value),
                         fmt::format("{}", fmt::join(numbers(edge.faces), ", ")), with_unit(edge.length, "m"),
-                        name(report.angles[i].convexity), angle_text(report.angles[i]));
+                        kind_text(edge, report.angles[i]), angle_text(report.angles[i]));
   }
   return text + cut(shown, total, "edges");
 }
@@ -182,9 +212,15 @@ Json checks_json(const BrepReport& report) {
           {"conflict", conflict}};
 }
 
+Json gap_json(const geometry::EdgeGap& gap) {
+  return {{"face", gap.face.value}, {"edge", gap.edge.value}, {"point", to_json(gap.place)}};
+}
+
 Json solid_json(const SolidReport& solid) {
   const Brep& brep = solid.file.brep;
   const BrepReport& report = solid.report;
+  Json contradictions = Json::array();
+  for (const geometry::Contradiction& found : report.contradictions) contradictions.push_back(found.text);
   Json faces = Json::array(), edges = Json::array(), vertices = Json::array();
   for (std::size_t i = 0; i < brep.faces().size(); ++i) faces.push_back(face_json(brep, i));
   for (std::size_t i = 0; i < brep.edges().size(); ++i)
@@ -194,14 +230,32 @@ Json solid_json(const SolidReport& solid) {
           {"stage", name(report.stage)},
           {"findings", report.findings},
           {"volume", report.volume},
+          {"volume_error", report.volume_error},
           {"area", report.area},
+          {"area_error", report.area_error},
           {"box", {to_json(brep.box()[0]), to_json(brep.box()[1])}},
           {"largest_correction", solid.file.largest_correction},
           {"largest_gap", report.largest_gap},
+          {"largest_gap_at", gap_json(report.gap)},
+          {"contradictions", contradictions},
           {"checks", checks_json(report)},
           {"faces", faces},
           {"edges", edges},
           {"vertices", vertices}};
+}
+
+/// With a word where it has not converged.
+std::string measure_text(double value, double error, const char* unit) {
+  const std::string text = with_unit(value, unit);
+  if (geometry::Measure{value, error}.converged()) return text;
+  return text + fmt::format(" (known to {:.1g} of itself only)", error / std::abs(value));
+}
+
+/// Nothing where the gap is one of round-off and of the tolerance that programs write their files with.
+std::string gap_place(const geometry::EdgeGap& gap, double size) {
+  if (!(gap.distance > 1e-6 * size)) return "";
+  return fmt::format(" (edge {}, face {}, at {})", gap.edge.value, gap.face.value,
+                     place_with_unit(gap.place, size));
 }
 
 }  // namespace
@@ -212,23 +266,24 @@ std::string solid_text(const SolidReport& solid, bool all) {
   std::string text = fmt::format("{} faces, {} edges, {} vertices: {}\n", brep.faces().size(),
                                  brep.edges().size(), brep.vertices().cols(), boundary_text(report));
   text += fmt::format("edge graph {}\n", graph_text(report));
-  text += fmt::format("edges {}\n", edges_summary(report));
-  text +=
-      fmt::format("volume {}, surface {}\n", with_unit(report.volume, "m^3"), with_unit(report.area, "m^2"));
+  text += fmt::format("edges {}\n", edges_summary(brep, report));
+  text += fmt::format("volume {}, surface {}\n", measure_text(report.volume, report.volume_error, "m^3"),
+                      measure_text(report.area, report.area_error, "m^2"));
   text += fmt::format("box {} to {}\n", place_with_unit(brep.box()[0], brep.size()),
                       place_with_unit(brep.box()[1], brep.size()));
-  text += fmt::format("largest gap between an edge and its face {}, shortest edge {} ({})\n",
-                      with_unit(report.largest_gap, "m"), report.shortest_edge.value,
-                      with_unit(brep.edge(report.shortest_edge).length, "m"));
+  text += fmt::format("largest gap between an edge and its face {}{}, shortest edge {} ({})\n",
+                      with_unit(report.largest_gap, "m"), gap_place(report.gap, brep.size()),
+                      report.shortest_edge.value, with_unit(brep.edge(report.shortest_edge).length, "m"));
   if (solid.file.largest_correction > 0)
     text += fmt::format("sewn: points moved by up to {}\n", with_unit(solid.file.largest_correction, "m"));
   return text + findings_text(report) + faces_text(brep, all) + edges_text(brep, report, all);
 }
 
-std::string solids_json_text(const std::vector<SolidReport>& solids) {
+std::string solids_json_text(const std::vector<SolidReport>& solids, const std::string& unit,
+                             const std::vector<std::string>& warnings) {
   Json result = Json::array();
   for (const SolidReport& solid : solids) result.push_back(solid_json(solid));
-  return file_text({{"solids", result}});
+  return file_text({{"bodies", solids.size()}, {"unit", unit}, {"warnings", warnings}, {"solids", result}});
 }
 
 }  // namespace isopatch::app

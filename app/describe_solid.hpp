@@ -19,6 +19,7 @@ struct SolidReport {
 std::string solid_text(const SolidReport& solid, bool all = false);
 
 /// All solids of a file as JSON, SI units, angles in degrees, complete.
-std::string solids_json_text(const std::vector<SolidReport>& solids);
+std::string solids_json_text(const std::vector<SolidReport>& solids, const std::string& unit,
+                             const std::vector<std::string>& warnings);
 
 }  // namespace isopatch::app

@@ -2,17 +2,19 @@
 
 #include "app/commands.hpp"
 #include "app/describe_model.hpp"
+#include "app/describe_problem.hpp"
 #include "app/engineering_units.hpp"
 #include "app/internal/json_values.hpp"
+#include "app/loose_bodies.hpp"
 #include "app/output_directory.hpp"
+#include "app/read_model_file.hpp"
 #include "app/report_page.hpp"
 #include "app/solid_input.hpp"
-#include "app/stored_model.hpp"
 #include "app/stored_results.hpp"
 #include "app/write_fields.hpp"
 #include "geometry/base/atomic_file.hpp"
-#include "geometry/io/read_patches.hpp"
 #include "geometry/io/write_gismo_xml.hpp"
+#include "iga/well_posed.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -64,42 +66,98 @@ std::string values_json(const StoredValues& found) {
 /// Prints the report of each solid; fails after that if one is none.
 ExitCode solid_info(const InfoCommand& command, const Console& console) {
   ProgressDisplay display(console);
-  display.progress()("reading and checking", 0);
-  const std::vector<SolidReport> solids = load_solids(command.input);
+  const LoadedSolids loaded = load_solids(command.input, display.progress());
+  const std::vector<SolidReport>& solids = loaded.bodies;
   display.clear();
-  if (command.json) console.out << solids_json_text(solids);
+  for (const std::string& warning : loaded.warnings)
+    console.warn(fmt::format("{}: {}", command.input.path.string(), warning));
+  if (command.json) console.out << solids_json_text(solids, loaded.unit, loaded.warnings);
+  if (!command.json)
+    console.out << fmt::format("{}: {} {}, unit of length: {}\n", command.input.path.string(), solids.size(),
+                               solids.size() == 1 ? "body" : "bodies", loaded.unit);
   ExitCode code = ExitCode::ok;
   for (std::size_t i = 0; i < solids.size(); ++i) {
     const SolidReport& solid = solids[i];
-    const std::string number = solids.size() > 1 ? fmt::format(", solid {}", i) : "";
-    const std::string name = solid.file.name.empty() ? "" : fmt::format(" '{}'", solid.file.name);
+    const std::string body = fmt::format("body {} '{}'", i, solid.file.name);
     if (!command.json)
-      console.out << fmt::format("{}{}{}{}\n", i > 0 ? "\n" : "", command.input.path.string(), number, name)
-                  << solid_text(solid, command.all);
+      console.out << (solids.size() > 1 ? "\n" : "") << body << ": " << solid_text(solid, command.all);
     if (solid.report.stage != geometry::BrepStage::repair) continue;
-    console.fail(fmt::format("{}{}: {}", command.input.path.string(), number, solid.report.findings.front()));
+    console.fail(fmt::format("{}: {}{}", command.input.path.string(), solids.size() > 1 ? body + ": " : "",
+                             solid.report.findings.front()));
+    code = ExitCode::wrong_input;
+  }
+  for (const std::string& missing : loaded.missing) {
+    console.fail(fmt::format("{}: could not be read: {}", command.input.path.string(), missing));
     code = ExitCode::wrong_input;
   }
   return code;
+}
+
+std::string whole_text(const geometry::MultiPatch& model, const ModelReport& seen, bool all) {
+  std::string text = model_text(model, seen, all);
+  for (const auto& face : model.degenerate_faces())
+    text += fmt::format("collapsed face {}\n", model.label(face));
+  return text;
+}
+
+/// The problem that a study describes, and why it cannot be solved if that is known before.
+struct TriedStudy {
+  std::optional<BuiltProblem> problem;
+  std::optional<Error> refusal;
+};
+
+TriedStudy tried(const Study& study, const LoadedModel& loaded, const ModelReport& seen,
+                 const Progress& progress) {
+  TriedStudy result;
+  try {
+    result.problem = build_problem(study, loaded, seen, progress);
+    iga::require_well_posed(result.problem->problem, study.options.quadrature_points);
+  } catch (const Error& error) {
+    result.refusal = error;
+  }
+  return result;
+}
+
+/// Prints the model, and where supports, loads and probes are; fails after that as a run would before it
+/// solves: the model's faces are what a wrong selection is mended with.
+ExitCode study_info(const InfoCommand& command, const Console& console) {
+  ProgressDisplay display(console);
+  const Study study = read_study(command.input.path, command.input.overrides);
+  const LoadedModel loaded = load_model(study.model, display.progress());
+  const geometry::MultiPatch& model = loaded.model;
+  const ModelReport seen = report(model, display.progress());
+  const TriedStudy study_tried = tried(study, loaded, seen, display.progress());
+  display.clear();
+  const auto& problem = study_tried.problem;
+  if (command.json)
+    console.out << model_json_text(model, seen, problem ? &*problem : nullptr);
+  else
+    console.out << command.input.path.string() << "\n"
+                << whole_text(model, seen, command.all)
+                << (problem ? problem_text(*problem, command.all) : "");
+  for (const Warning& warning : problem ? problem->warnings : certificate_warnings(model, seen))
+    console.warn(warning.text);
+  if (study_tried.refusal) throw *study_tried.refusal;
+  return ExitCode::ok;
 }
 
 }  // namespace
 
 ExitCode info_command(const InfoCommand& command, const Console& console) {
   if (is_solid_file(command.input.path)) return solid_info(command, console);
+  if (command.input.path.extension() == ".toml") return study_info(command, console);
   ProgressDisplay display(console);
   const LoadedInput input = load_input(command.input);
   const geometry::MultiPatch& model = input.model;
   const ModelReport seen = report(model, display.progress());
   display.clear();
-  if (command.json) {
+  if (command.json)
     console.out << model_json_text(model, seen);
-    return ExitCode::ok;
-  }
-  console.out << heading(command, input) << model_text(model, seen, command.all);
-  for (const auto& face : model.degenerate_faces())
-    console.out << "collapsed face " << model.label(face) << "\n";
+  else
+    console.out << heading(command, input) << whole_text(model, seen, command.all);
   for (const Warning& warning : certificate_warnings(model, seen)) console.warn(warning.text);
+  for (const Warning& warning : loose_body_warnings(model)) console.warn(warning.text);
+  if (!input.result) iga::require_unfolded(iga::discretize(model));
   return ExitCode::ok;
 }
 
@@ -118,15 +176,14 @@ ExitCode probe_command(const ProbeCommand& command, const Console& console) {
 }
 
 ExitCode fields_command(const FieldsCommand& command, const Console& console) {
-  check_writable(command.output);
+  const OutputFolder folder(command.output);
   ProgressDisplay display(console);
   const iga::StoredResult result = iga::read_result(command.results);
-  const StoredModel model = stored_model(result.field.patches, result.summary);
-  const WrittenFields written = write_fields(result.field, model.model, face_groups(model, result.summary),
+  const geometry::MultiPatch model = iga::model_of(result);
+  const WrittenFields written = write_fields(result.field, model, face_groups(model, result.summary),
                                              {.pieces = command.pieces}, command.output, display.progress());
   display.clear();
-  if (const auto warning = left_out_warning(written.left_out, model.model.size()))
-    console.warn(warning->text);
+  if (const auto warning = borrowed_warning(written.borrowed, model.size())) console.warn(warning->text);
   if (!console.quiet)
     console.out << fmt::format("{} files in {}; open results.vtm in ParaView\n", written.files,
                                command.output.string());
@@ -141,14 +198,14 @@ ExitCode report_command(const ReportCommand& command, const Console& console) {
   progress("reading the results", 0);
   const iga::StoredResult result = iga::read_result(command.results);
   progress("making the report", 0);
-  write_file(path, report_html(result.field, result.study, result.summary));
+  write_file(path, report_html(result.field, iga::model_of(result), result.study, result.summary));
   display.clear();
   if (!console.quiet) console.out << fmt::format("{} written; open it in a browser\n", path.string());
   return ExitCode::ok;
 }
 
 ExitCode convert_command(const ConvertCommand& command, const Console& console) {
-  const geometry::MultiPatch model = geometry::connect(geometry::read_patches(command.input));
+  const geometry::MultiPatch model = geometry::connect(read_model_file(command.input, false));
   write_file(command.output, geometry::to_gismo_xml(model));
   if (!console.quiet)
     console.out << fmt::format("{} patches, {} interfaces written to {}\n", model.patch_count(),

@@ -4,7 +4,6 @@
 
 #include "app/build_problem.hpp"
 #include "app/internal/json_values.hpp"
-#include "app/stored_model.hpp"
 #include "app/units.hpp"
 #include "geometry/base/error.hpp"
 
@@ -17,7 +16,7 @@ std::string title_of(const Study& study, const std::filesystem::path& path) {
 
 LoadedInput load_result(const std::filesystem::path& path) {
   iga::StoredResult result = iga::read_result(path);
-  geometry::MultiPatch model = stored_model(result.field.patches, result.summary).model;
+  geometry::MultiPatch model = iga::model_of(result);
   const Json summary = Json::parse(result.summary, nullptr, false);
   const bool titled = summary.is_object() && summary.contains("title") && summary["title"].is_string();
   const std::string title = titled ? summary["title"].get<std::string>() : "";
@@ -42,7 +41,13 @@ LoadedInput load_input(const InputFile& input) {
   if (extension == ".h5") return load_result(input.path);
   if (extension == ".toml") {
     const Study study = read_study(input.path, input.overrides);
-    return {load_model(study.model).model, std::nullopt, title_of(study, input.path)};
+    LoadedInput result{load_model(study.model).model, std::nullopt, title_of(study, input.path)};
+    for (const SupportInput& support : study.supports)
+      if (!support.edges) result.held.push_back(support.selection);
+    for (const LoadInput& load : study.loads)
+      if (load.kind != LoadKind::body_force && load.kind != LoadKind::gravity)
+        result.loaded.push_back(load.selection);
+    return result;
   }
   ModelInput model;
   model.file = input.path;

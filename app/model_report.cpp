@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/engineering_units.hpp"
+#include "geometry/part_box.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 using geometry::JacobianSign;
 using geometry::MultiPatch;
 
-PatchReport report_patch(const MultiPatch& model, int index) {
+PatchReport report_patch(const MultiPatch& model, int index, const Progress& progress) {
   const PatchId id(index);
   const auto& patch = model.patch(id);
   PatchReport result;
@@ -23,8 +24,14 @@ PatchReport report_patch(const MultiPatch& model, int index) {
   result.rational = patch.is_rational();
   result.was_left_handed = model.was_reversed(id);
   result.volume = geometry::volume(patch);
-  result.quality = geometry::quality(patch);
-  result.certificate = geometry::certify_jacobian(patch);
+  // Two parts of about equal length.
+  const auto half = [&](double begin) {
+    return Progress{[&, begin](std::string_view, double share) {
+      progress("checking the patches", (index + begin + share / 2) / model.patch_count());
+    }};
+  };
+  result.quality = geometry::quality(patch, 0, half(0));
+  result.certificate = geometry::certify_jacobian(patch, {}, half(0.5));
   return result;
 }
 
@@ -42,7 +49,7 @@ ModelReport report(const MultiPatch& model, const Progress& progress) {
   ModelReport result;
   for (int i = 0; i < model.patch_count(); ++i) {
     progress("checking the patches", static_cast<double>(i) / model.patch_count());
-    result.patches.push_back(report_patch(model, i));
+    result.patches.push_back(report_patch(model, i, progress));
     const PatchReport& patch = result.patches.back();
     result.volume += patch.volume;
     result.control_points += model.patch(PatchId(i)).size();
@@ -55,7 +62,7 @@ ModelReport report(const MultiPatch& model, const Progress& progress) {
   for (const auto& interface : model.interfaces())
     result.largest_gap = std::max(result.largest_gap, interface.gap);
   result.bodies = model.bodies();
-  result.box = geometry::box(model);
+  result.box = geometry::part_box(model);
   progress("checking the patches", 1);
   return result;
 }

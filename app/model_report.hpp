@@ -38,7 +38,7 @@ struct ModelReport {
   std::vector<PatchReport> patches;
   std::vector<BoundaryFaceReport> boundary_faces;
   std::vector<std::vector<PatchId>> bodies;
-  Eigen::AlignedBox3d box;   ///< of the control points, m
+  Eigen::AlignedBox3d box;   ///< of the part, m
   double volume = 0;         ///< m^3
   double boundary_area = 0;  ///< m^2
   double largest_gap = 0;    ///< between the two sides of an interface, m

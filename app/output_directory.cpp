@@ -1,6 +1,8 @@
 #include "app/output_directory.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -50,22 +52,54 @@ bool is_field_file(std::string_view name) {
   return false;
 }
 
-}  // namespace
+/// Removes those that are empty.
+void remove_directories(const std::vector<fs::path>& made) {
+  std::error_code ignored;
+  for (auto path = made.rbegin(); path != made.rend(); ++path) fs::remove(*path, ignored);
+}
 
-void check_writable(const fs::path& directory) {
+/// Makes a directory and tries to write a file there.
+/// @return  the directories that had to be made
+std::vector<fs::path> made_writable(const fs::path& directory) {
   std::error_code problem;
   if (fs::exists(directory, problem) && !fs::is_directory(directory, problem))
     refuse(directory, "there is a file of that name");
-  const std::vector<fs::path> made = make_directories(directory);
+  std::vector<fs::path> made = make_directories(directory);
   std::string probe = (directory / ".isopatch-XXXXXX").string();
   const int descriptor = ::mkstemp(probe.data());
   const int reason = errno;
-  if (descriptor >= 0) {
-    ::close(descriptor);
-    ::unlink(probe.c_str());
+  if (descriptor < 0) {
+    remove_directories(made);
+    refuse(directory, std::strerror(reason));
   }
-  for (auto path = made.rbegin(); path != made.rend(); ++path) fs::remove(*path, problem);
-  if (descriptor < 0) refuse(directory, std::strerror(reason));
+  ::close(descriptor);
+  ::unlink(probe.c_str());
+  return made;
+}
+
+}  // namespace
+
+void check_writable(const fs::path& directory) {
+  remove_directories(made_writable(directory));
+}
+
+OutputFolder::OutputFolder(fs::path directory)
+    : directory_(std::move(directory)), made_(made_writable(directory_)) {
+  // The directory itself is the lock: it ends with the process, however that ends, and leaves no file. File
+  // systems that know no locks let everybody in.
+  descriptor_ = ::open(directory_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor_ < 0 || ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  ::close(descriptor_);
+  throw Error(
+      ErrorCode::io,
+      fmt::format("another run writes to the output directory {}; wait until it is done, or choose another "
+                  "directory with --output DIR",
+                  directory_.string()));
+}
+
+OutputFolder::~OutputFolder() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  remove_directories(made_);
 }
 
 void remove_earlier_fields(const fs::path& directory) {
@@ -92,6 +126,15 @@ void remove_earlier_comparison(const fs::path& directory) {
   std::error_code ignored;
   fs::remove(directory / "compare.json", ignored);
   fs::remove(directory / "compare.html", ignored);
+}
+
+void move_in(const fs::path& from, const fs::path& to, const fs::path& file) {
+  make_directories((to / file).parent_path());
+  std::error_code problem;
+  fs::rename(from / file, to / file, problem);
+  if (problem)
+    throw Error(ErrorCode::io, fmt::format("cannot move {} to {}: {}", (from / file).string(),
+                                           (to / file).string(), problem.message()));
 }
 
 void write_in(const fs::path& directory, const fs::path& file, std::string_view bytes) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <string_view>
+#include <vector>
 
 #include "geometry/io/byte_sink.hpp"
 
@@ -11,6 +12,22 @@ namespace isopatch::app {
 /// Refuses a directory that could not be written, before any long work. Leaves the file system as it was.
 /// @throws Error io, naming the directory and the reason
 void check_writable(const std::filesystem::path& directory);
+
+/// An output directory that one process alone writes to as long as the object lives.
+class OutputFolder {
+ public:
+  /// Makes it with its parents and takes it.
+  /// @throws Error io  naming the directory: it cannot be written, or another run writes to it
+  explicit OutputFolder(std::filesystem::path directory);
+  /// Gives it free. Folders that were made for it go again if nothing came into them.
+  ~OutputFolder();
+  OutputFolder(OutputFolder&&) = delete;
+
+ private:
+  std::filesystem::path directory_;
+  std::vector<std::filesystem::path> made_;  ///< the outermost first
+  int descriptor_ = -1;
+};
 
 /// Removes the fields that an earlier run wrote, first their collections. Leaves all other files alone.
 void remove_earlier_fields(const std::filesystem::path& directory);
@@ -21,6 +38,11 @@ void remove_earlier_results(const std::filesystem::path& directory);
 
 /// Removes what an earlier comparison wrote. Leaves all other files alone.
 void remove_earlier_comparison(const std::filesystem::path& directory);
+
+/// Moves a file, relative to its folder, into another folder of the same file system.
+/// @throws Error io
+void move_in(const std::filesystem::path& from, const std::filesystem::path& to,
+             const std::filesystem::path& file);
 
 /// Writes a file of the directory, making its folder; it appears whole or not at all.
 /// @param content  gives the bytes to a sink, piece by piece

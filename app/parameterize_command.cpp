@@ -32,9 +32,12 @@ ExitCode parameterize_command(const ParameterizeCommand& command, const Console&
   BlocksInput input = command.input;
   input.files.files = command.blocks;
   if (!command.pairs.empty()) input.files.pairs = command.pairs;
-  input.files.length_unit = length_unit(InputFile{{}, {}, command.length_unit});
+  if (!command.length_unit.empty())
+    input.files.length_unit = length_unit(InputFile{{}, {}, command.length_unit});
+  set_reading(command.reading, input.files);
   input.options.method = command.method == "paper" ? segmentation::ParameterizationMethod::paper
                                                    : segmentation::ParameterizationMethod::shared;
+  input.options.names = {"--max-spans", "--tolerance"};
   check_folder(command.output);
   if (!command.report.empty()) check_folder(command.report);
   ProgressDisplay display(console);

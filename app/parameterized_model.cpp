@@ -40,7 +40,10 @@ std::string histogram_text(const ParameterizationReport& report) {
 
 segmentation::Parameterization parameterized(const BlocksInput& input, const Progress& progress) {
   progress("reading blocks", 0);
-  return segmentation::parameterize(segmentation::read_blocks(input.files), input.options, progress);
+  segmentation::ReadBlocks blocks = segmentation::read_blocks(input.files, progress);
+  segmentation::Parameterization result = segmentation::parameterize(blocks.complex, input.options, progress);
+  result.report.warnings = std::move(blocks.warnings);
+  return result;
 }
 
 std::string parameterization_text(const ParameterizationReport& report) {

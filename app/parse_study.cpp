@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/attachment_keys.hpp"
+#include "app/not_a_study.hpp"
 #include "app/solid_input.hpp"
 #include "app/standard_materials.hpp"
 #include "app/study_keys.hpp"
@@ -81,8 +82,11 @@ std::optional<BlocksInput> read_blocks(const ModelKeys& keys, const Section& inp
   const auto options =
       read_table<ParameterizationKeys>(how.table, how.place, "[parameterization]", parameterization_keys());
   blocks.options = options.options;
+  blocks.options.names = {"parameterization.max_spans", "parameterization.tolerance"};
   blocks.files.complex.same_point = options.same_point;
-  blocks.files.length_unit = keys.length_unit;
+  if (keys.gives_length_unit) blocks.files.length_unit = keys.length_unit;
+  blocks.files.allow_partial = keys.allow_partial;
+  blocks.files.limits = {keys.cad_time_limit, static_cast<std::uint64_t>(keys.cad_memory_limit)};
   if (keys.pairs) blocks.files.pairs = path(*keys.pairs, "pairs");
   try {
     segmentation::validate(blocks.options);
@@ -170,7 +174,7 @@ iga::Material read_constants(const MaterialKeys& keys, const Place& place) {
 
 MaterialInput read_material(const Section& input) {
   const auto keys = read_table<MaterialKeys>(input.table, input.place, "[[material]]", material_keys());
-  return {keys.patches.value_or(PatchSelection{{}, input.place}), read_constants(keys, input.place),
+  return {keys.patches.value_or(PatchSelection{{}, {}, input.place}), read_constants(keys, input.place),
           input.place};
 }
 
@@ -194,6 +198,7 @@ SupportInput read_support(const Section& input, std::size_t index) {
                    "has no normal; give displacement components");
   SupportInput result;
   result.name = fmt::format("support {}{}", index + 1, keys.name.empty() ? "" : " (" + keys.name + ")");
+  result.key = keys.name.empty() ? result.name : keys.name;
   result.selection = {keys.faces, keys.where, input.place};
   result.edges = keys.edges;
   if (plane) {
@@ -212,8 +217,9 @@ LoadInput read_load(const Section& input, std::size_t index) {
   const auto keys = read_table<LoadKeys>(input.table, input.place, "[[load]]", load_keys());
   LoadInput result;
   result.name = fmt::format("load {}{}", index + 1, keys.name.empty() ? "" : " (" + keys.name + ")");
+  result.key = keys.name.empty() ? result.name : keys.name;
   result.selection = {keys.faces, keys.where, input.place};
-  result.patches = keys.patches.value_or(PatchSelection{{}, input.place});
+  result.patches = keys.patches.value_or(PatchSelection{{}, {}, input.place});
   int kinds = 0;
   const auto take = [&](const std::optional<Eigen::Vector3d>& vector, LoadKind kind) {
     if (!vector) return;
@@ -305,7 +311,9 @@ Study read_study(const std::filesystem::path& path, const std::vector<std::strin
                             std::filesystem::exists(inside) ? fmt::format("did you mean {}?", inside.string())
                                                             : "give a study's file"));
   }
-  return parse_study(read_file(path), path, overrides);
+  const std::string text = read_file(path);
+  refuse_what_is_no_study(path, text);
+  return parse_study(text, path, overrides);
 }
 
 std::string expand_variables(const std::string& text) {

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "app/engineering_units.hpp"
+#include "app/largest_values.hpp"
 #include "app/pictures/annotations.hpp"
 #include "geometry/base/error.hpp"
 
@@ -53,7 +56,16 @@ struct Colouring {
   bool is_length_of_vector = false;  ///< never negative, so the scale begins at 0
 };
 
-Colouring colouring(const Surface& surface, const PictureOptions& options) {
+/// The run's own largest value of the field, if it is one that runs look for.
+std::optional<double> largest_of(const LoadedInput& input, const PictureOptions& options) {
+  if (!input.result) return std::nullopt;
+  const LargestValues found = largest_values(input.result->summary);
+  if (options.field == PictureField::von_mises) return found.von_mises;
+  if (options.field == PictureField::displacement && !options.component) return found.displacement;
+  return std::nullopt;
+}
+
+Colouring colouring(const Surface& surface, const PictureOptions& options, std::optional<double> largest) {
   Colouring result;
   result.is_length_of_vector = options.field == PictureField::von_mises ||
                                (options.field == PictureField::displacement && !options.component);
@@ -61,6 +73,10 @@ Colouring colouring(const Surface& surface, const PictureOptions& options) {
   ValueRange range = options.range.value_or(
       options.field == PictureField::jacobian ? result.full : range_of_area(surface, options.percentile));
   if (result.is_length_of_vector && !options.range) range.low = 0;
+  if (largest) {
+    result.full.high = *largest;
+    if (!options.range) range.high = std::min(range.high, *largest);
+  }
   result.unit = unit_for(std::max(std::abs(range.low), std::abs(range.high)), si_unit(options.field));
   result.scale =
       options.range ? exact_scale(range, result.unit.factor) : round_scale(range, result.unit.factor);
@@ -118,11 +134,33 @@ double deformation_of(const LoadedInput& input, const PictureOptions& options,
   return options.deformation ? *options.deformation : visible_deformation(samples, input.model.size());
 }
 
+/// How faces are coloured by what a study does to them.
+enum Mark { untouched, held, loaded, mark_count };
+
+std::map<geometry::PatchFace, double> marked_faces(const LoadedInput& input, const PictureOptions& options) {
+  std::map<geometry::PatchFace, double> marks;
+  if (options.field != PictureField::conditions) return marks;
+  if (input.held.empty() && input.loaded.empty())
+    throw Error(
+        ErrorCode::invalid_argument,
+        "--field conditions shows faces of supports and loads, which the input does not have; give a study");
+  for (const FaceSelection& selection : input.held)
+    for (const geometry::PatchFace& face : select_faces(input.model, selection).faces) marks[face] = held;
+  for (const FaceSelection& selection : input.loaded)
+    for (const geometry::PatchFace& face : select_faces(input.model, selection).faces) marks[face] = loaded;
+  return marks;
+}
+
+/// Light grey, blue, red.
+std::vector<Colour> mark_colours() {
+  return {{176, 190, 204}, {31, 119, 180}, {214, 39, 40}};
+}
+
 /// The part itself: surface and edges, cut if asked for.
 void add_part(Picture& picture, const LoadedInput& input, const std::vector<PatchShape>& shape,
               const PictureOptions& options) {
   const bool elements = options.edges == PictureEdges::elements;
-  picture.surface = outer_surface(input.model, shape);
+  picture.surface = outer_surface(input.model, shape, marked_faces(input, options));
   if (options.edges != PictureEdges::none) picture.patch_lines = patch_edges(input.model, shape);
   if (elements) picture.element_lines = element_edges(input.model, shape);
   if (!options.cut) return;
@@ -138,7 +176,7 @@ void add_part(Picture& picture, const LoadedInput& input, const std::vector<Patc
 }
 
 bool has_scale(PictureField field) {
-  return field != PictureField::patch && field != PictureField::none;
+  return field != PictureField::patch && field != PictureField::none && field != PictureField::conditions;
 }
 
 }  // namespace
@@ -161,11 +199,15 @@ PartPicture part_picture(const LoadedInput& input, const PictureOptions& options
   picture.line_width = 0.06 * places.font;
 
   if (has_scale(options.field)) {
-    const Colouring colours = colouring(picture.surface, options);
+    const Colouring colours = colouring(picture.surface, options, largest_of(input, options));
     picture.palette = viridis();
     picture.surface.values = scaled(picture.surface.values, colours.scale.range);
     if (bar) add_colour_bar(picture, places, bar_of(colours, options));
     result.description = range_text(colours, options);
+  } else if (options.field == PictureField::conditions) {
+    picture.palette = mark_colours();
+    picture.surface.values = (picture.surface.values.array() + 0.5) / mark_count;
+    result.description = fmt::format("{} patches, supports blue, loads red", input.model.patch_count());
   } else {
     const int count = options.field == PictureField::patch ? input.model.patch_count() : 1;
     picture.palette = count > 1 ? patch_colours(count) : std::vector<Colour>{{176, 190, 204}};

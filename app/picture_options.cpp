@@ -37,11 +37,10 @@ Value choose(const std::string& option, const std::string& name, const Names<Val
 }
 
 PictureField field_of(const PictureWords& words, bool has_results) {
-  static const Names<PictureField> known = {{"von_mises", PictureField::von_mises},
-                                            {"displacement", PictureField::displacement},
-                                            {"patch", PictureField::patch},
-                                            {"jacobian", PictureField::jacobian},
-                                            {"none", PictureField::none}};
+  static const Names<PictureField> known = {
+      {"von_mises", PictureField::von_mises},   {"displacement", PictureField::displacement},
+      {"patch", PictureField::patch},           {"jacobian", PictureField::jacobian},
+      {"conditions", PictureField::conditions}, {"none", PictureField::none}};
   if (words.field.empty()) {
     if (!words.component.empty()) return PictureField::displacement;
     return has_results ? PictureField::von_mises : PictureField::patch;
@@ -75,7 +74,7 @@ double quantity(const std::string& option, const std::string& text, const Dimens
 
 std::optional<ValueRange> range_of(const std::string& text, PictureField field) {
   if (text.empty()) return std::nullopt;
-  if (field == PictureField::patch || field == PictureField::none)
+  if (field == PictureField::patch || field == PictureField::none || field == PictureField::conditions)
     reject("--range goes with --field von_mises, displacement or jacobian");
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos)

@@ -12,7 +12,7 @@ namespace isopatch::app {
 
 /// The options of `isopatch render` in words, as they are typed. Empty: the default for the input.
 struct PictureWords {
-  std::string field;                   ///< --field: von_mises, displacement, patch, jacobian, none
+  std::string field;                   ///< --field: von_mises, displacement, patch, jacobian, conditions, none
   std::string component;               ///< --component: x, y or z of the displacement
   std::string range;                   ///< --range "0,300 MPa"
   double percentile = 99.9;            ///< --percentile: of the surface's area that the range holds

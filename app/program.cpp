@@ -4,7 +4,10 @@
 #include <omp.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <functional>
 #include <memory>
 #include <new>
@@ -15,6 +18,7 @@
 #include "geometry/base/nearest_name.hpp"
 #include "solvers/blas_core.hpp"
 #include "solvers/blas_threads.hpp"
+#include "solvers/cores.hpp"
 #include "solvers/process_failure.hpp"
 
 namespace isopatch::app {
@@ -33,7 +37,8 @@ A study is one file (TOML): where the patches come from, materials, supports, lo
 
 constexpr const char* exit_codes =
     R"(Exit codes: 0 done; 1 the run failed (supports, solver, memory, couplings that disagree);
-2 wrong input or usage; 3 a file cannot be read or written; 130 interrupted.
+2 wrong input or usage; 3 a file cannot be read or written; 130 interrupted (Ctrl-C),
+143 terminated (kill, the end of a batch job's time).
 Results go to standard output, progress and messages to standard error.)";
 
 constexpr const char* run_examples = R"(Examples:
@@ -41,6 +46,7 @@ constexpr const char* run_examples = R"(Examples:
   isopatch run study.toml --output /tmp/fine --set discretization.refine=2
   isopatch run study.toml --set load.0.traction='["20 MPa", 0, 0]' --set coupling.method=lagrange
   mpiexec -n 4 isopatch run study.toml               the same figures from four processes
+  srun --mpi=pmix -n 4 -c 8 isopatch run study.toml  with Slurm, 8 threads each
   isopatch run study.toml --quiet && jq .results.internal_energy results/summary.json
 Writes report.html (open it in a browser), summary.json, results.vtm and others with fields/ (ParaView) and
 results.h5 (isopatch report, probe, fields, info).
@@ -58,6 +64,7 @@ level by more than 1e-9 in displacement or energy, or 1e-8 in multipliers, relat
 constexpr const char* info_examples = R"(Examples:
   isopatch info model.xml                            G+Smo XML, GoTools .g2 or an MFEM NURBS mesh
   isopatch info model.xml --length-unit '225 mm'
+  isopatch info study.toml                           its model, and where supports and loads are: a run without solving
   isopatch info study.toml --json | jq .volume
   isopatch info part.step                            a CAD solid: what is ready, what stands in the way
   isopatch info results/results.h5                   what a result file holds
@@ -85,8 +92,10 @@ constexpr const char* render_examples = R"(Examples:
   isopatch render results/results.h5 -o s.png --range '0,300 MPa' --deformation 1 --edges elements
   isopatch render results/results.h5 -o in.png --clip 'z=6 mm' --view top
   isopatch render study.toml -o model.png            the study's model, coloured by patch
+  isopatch render study.toml -o held.png --field conditions    faces of its supports blue, of its loads red
   isopatch render part.step -o part.png              a CAD solid: convex edges dark, others red, flat ones grey
   isopatch render part.step -o graph.svg             its edge graph, drawn in the plane
+  isopatch render parts.step -o one.png --solid 1    one of several solids; without --solid all of them
 Without --range the colours span the values of 99.9 % of the surface (--percentile), so that a singular corner
 does not take them all; the largest value stands below the bar. Needs an X display; where there is none, Xvfb
 (Debian package xvfb) is started for the time of drawing.)";
@@ -157,7 +166,9 @@ CLI::App* add_command(CLI::App& app, CommandLine& line, const std::string& name,
   CLI::App* command = app.add_subcommand(name, meaning);
   command->footer(examples);
   command->add_flag("-q,--quiet", line.quiet, "No progress, no summary; only warnings and errors");
-  command->add_option("--threads", line.threads, "Number of threads; 0: all cores")
+  command
+      ->add_option("--threads", line.threads,
+                   "Number of threads of each process; 0: all cores that it may use")
       ->check(CLI::Range(0, 4096));
   command->callback([&line, action = std::move(action)] { line.action = action; });
   return command;
@@ -200,6 +211,21 @@ void add_study_commands(CLI::App& app, CommandLine& line) {
       "Estimates the condition of systems that are factorized, which takes some thirty solutions more");
 }
 
+void add_reading(CLI::App* command, CadReading& reading) {
+  command->add_flag("--allow-partial", reading.allow_partial,
+                    "Bodies and faces of CAD files that cannot be read are a warning and left out");
+  command
+      ->add_option("--cad-time-limit", reading.time_limit,
+                   "Seconds that a CAD file may take to be read; default: 60, and 10 for each MB")
+      ->check(CLI::PositiveNumber)
+      ->type_name("S");
+  command
+      ->add_option("--cad-memory-limit", reading.memory_limit,
+                   "Bytes that a CAD file may take to be read; default: three quarters of the memory")
+      ->check(CLI::PositiveNumber)
+      ->type_name("BYTES");
+}
+
 void add_input(CLI::App* command, InputFile& input) {
   command
       ->add_option(
@@ -213,6 +239,7 @@ void add_input(CLI::App* command, InputFile& input) {
       ->type_name("KEY=VALUE");
   command->add_option("--length-unit", input.length_unit,
                       "What one unit of the file measures [m]; STEP and IGES files say it themselves");
+  add_reading(command, input.reading);
 }
 
 void add_render_command(CLI::App& app, CommandLine& line) {
@@ -227,7 +254,9 @@ void add_render_command(CLI::App& app, CommandLine& line) {
   option("-o,--output", line.render.output, "The picture (.png), or of a solid's edge graph (.svg)", "FILE")
       ->required();
   option("--field", words.field,
-         "von_mises, displacement, patch, jacobian or none; default: von_mises for results, else patch",
+         "von_mises, displacement, patch, jacobian, conditions (supports and loads of a study) or none; "
+         "default: "
+         "von_mises for results, else patch",
          "NAME");
   option("--component", words.component, "x, y or z of the displacement; default: its length", "AXIS");
   option("--range", words.range, "The values of the first and the last colour, SI or with units", "LOW,HIGH");
@@ -244,6 +273,8 @@ void add_render_command(CLI::App& app, CommandLine& line) {
   option("--size", words.size, "Pixels", "WxH")->capture_default_str();
   option("--edges", words.edges, "Lines: patches, elements or none", "NAME")->capture_default_str();
   option("--clip", words.clip, "Cuts the undeformed part: 'x=20 mm' keeps what lies below", "AXIS=POSITION");
+  option("--solid", line.render.solid, "Draws one solid of a file with several, from 0 as info counts them",
+         "N");
   option("--caption", words.caption, "Instead of title and deformation; '' for none", "TEXT");
   render->add_flag("--transparent-background", words.transparent, "No white behind the part");
   render->add_flag("--no-bar", words.no_bar, "No colour bar");
@@ -256,7 +287,8 @@ void add_parameterize_command(CLI::App& app, CommandLine& line) {
                   parameterize_examples,
                   [&command](const Console& console) { return parameterize_command(command, console); });
   parameterize
-      ->add_option("blocks", command.blocks, "Solids: .step, .stp, .iges, .igs, .brep, .xml (G+Smo), .off")
+      ->add_option("blocks", command.blocks,
+                   "Solids: .step, .stp, .p21, .iges, .igs, .brep, .brp, .xml (G+Smo), .off")
       ->required();
   parameterize->add_option("-o,--output", command.output, "The patches (.xml)")
       ->required()
@@ -269,11 +301,25 @@ void add_parameterize_command(CLI::App& app, CommandLine& line) {
       ->type_name("FILE");
   parameterize->add_option("--length-unit", command.length_unit,
                            "What one unit measures, in formats that do not say it; default: m");
+  add_reading(parameterize, command.reading);
   parameterize
-      ->add_option("--tolerance", command.input.options.fit.tolerance, "Largest deviation, share of the size")
+      ->add_option("--tolerance", command.input.options.fit.tolerance,
+                   "Largest deviation, share of the size, 1e-8 to 0.1")
       ->capture_default_str();
-  parameterize->add_option("--degree", command.input.options.fit.degree, "Of the patches")
+  segmentation::FitOptions& fit = command.input.options.fit;
+  parameterize->add_option("--degree", fit.degree, "Of the patches, 2 to 8")->capture_default_str();
+  parameterize
+      ->add_option("--max-spans", fit.max_spans, "Most knot spans along any direction of a patch, up to 256")
       ->capture_default_str();
+  parameterize
+      ->add_option("--start-spans", fit.start_spans, "Knot spans along every direction before any is halved")
+      ->capture_default_str();
+  parameterize
+      ->add_option("--wanted-quality", command.input.options.wanted_quality,
+                   "Patches whose smallest scaled Jacobian is below it are optimized")
+      ->capture_default_str();
+  parameterize->add_flag("!--no-optimize", command.input.options.optimize,
+                         "Moves no control points where a patch is folded or poor, only reports it");
   parameterize
       ->add_option("--same-point", command.input.files.complex.same_point,
                    "Points of two blocks this close, as a share of the size, are one")
@@ -379,12 +425,24 @@ ExitCode fail(const solvers::Processes& processes, const Console& console, ExitC
   return code;
 }
 
+/// Standard output may be a file on a full disk. One that is closed, as of silent processes, is no fault.
+/// @throws Error io
+void require_written(std::ostream& out) {
+  if (out.rdbuf() == nullptr) return;
+  errno = 0;
+  out.flush();
+  if (out.good()) return;
+  throw Error(ErrorCode::io, fmt::format("cannot write to standard output{}; what is there is not complete",
+                                         errno ? fmt::format(": {}", std::strerror(errno)) : ""));
+}
+
 /// @param console  of this process, silent but on the first
 /// @param loud     for what ends the run
 ExitCode act(const CommandLine& line, const Console& console, const Console& loud) {
   const solvers::Processes& processes = line.study.processes;
   try {
     const ExitCode code = line.action(console);
+    require_written(console.out);
     processes.barrier();  // the first one may still fail to write
     return code;
   } catch (const Error& error) {
@@ -399,14 +457,43 @@ ExitCode act(const CommandLine& line, const Console& console, const Console& lou
   }
 }
 
-/// As many as were asked for, else as the environment says, else an even share of the computer's cores.
-void set_threads(int asked, const solvers::Processes& processes) {
+/// What to say of threads that outnumber the cores; empty if they do not.
+std::string crowd_warning(const solvers::Crowd& crowd) {
+  if (!crowd.is_too_large()) return "";
+  const int fair = std::max(1, crowd.cores / crowd.processes);
+  const std::string cores = fmt::format("{} core{}", crowd.cores, crowd.cores == 1 ? "" : "s");
+  if (crowd.processes == 1)
+    return fmt::format("{} threads on {}: they take turns, which is slower than --threads {}", crowd.threads,
+                       cores, fair);
+  return fmt::format(
+      "{} processes with {} threads in all on {} of one computer: they take turns, which is slower than "
+      "fewer; give "
+      "them more cores (mpiexec --bind-to none, srun -c THREADS) or use --threads {}",
+      crowd.processes, crowd.threads, cores, fair);
+}
+
+/// As many as were asked for, else as the environment says, else an even share of the cores that this and the
+/// other processes on the computer may use. All processes must call it.
+void set_threads(int asked, const solvers::Processes& processes, const Console& console) {
   if (asked > 0)
     omp_set_num_threads(asked);
   else if (processes.count() > 1 && !std::getenv("OMP_NUM_THREADS"))
     omp_set_num_threads(processes.fair_threads(omp_get_max_threads()));
   // Threads of OpenMP regions would otherwise multiply with those of the BLAS; factorizations raise it again.
   solvers::set_blas_threads(1);
+  const std::string warning = crowd_warning(solvers::largest_crowd(processes, omp_get_max_threads()));
+  if (!warning.empty() && processes.is_first()) console.warn(warning);
+}
+
+/// Exit code of what has only printed.
+ExitCode finished(const Console& console) {
+  try {
+    require_written(console.out);
+    return ExitCode::ok;
+  } catch (const Error& error) {
+    console.fail(error.what());
+    return exit_code(error.code());
+  }
 }
 
 /// The whole program on one of the launched processes.
@@ -419,7 +506,7 @@ int run_on_process(const std::vector<std::string>& arguments, const Console& con
     app->parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::Success& request) {
     app->exit(request, console.out, console.err);
-    return static_cast<int>(ExitCode::ok);
+    return static_cast<int>(finished(console));
   } catch (const CLI::ParseError& error) {
     const auto chosen = app->get_subcommands();
     if (chosen.empty() && !arguments.empty() && !arguments.front().starts_with('-')) {
@@ -443,7 +530,7 @@ int run_on_process(const std::vector<std::string>& arguments, const Console& con
     console.fail(error.what());
     return static_cast<int>(exit_code(error.code()));
   }
-  set_threads(line.threads, line.study.processes);
+  set_threads(line.threads, line.study.processes, console);
   Console chosen = console;
   chosen.quiet = chosen.quiet || line.quiet;
   return static_cast<int>(act(line, chosen, loud));

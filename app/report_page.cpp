@@ -23,7 +23,7 @@ std::vector<PagePlot> plots_of(const Json& summary) {
 
 }  // namespace
 
-Page report_page(const iga::ElasticField& field, const StoredModel& model, const std::string& study,
+Page report_page(const iga::ElasticField& field, const geometry::MultiPatch& model, const std::string& study,
                  const std::string& summary) {
   const Json json = Json::parse(summary, nullptr, false);
   const bool read = json.is_object();
@@ -38,9 +38,9 @@ Page report_page(const iga::ElasticField& field, const StoredModel& model, const
   return page;
 }
 
-std::string report_html(const iga::ElasticField& field, const std::string& study, const std::string& summary,
+std::string report_html(const iga::ElasticField& field, const geometry::MultiPatch& model,
+                        const std::string& study, const std::string& summary,
                         const segmentation::ParameterizationReport* solids) {
-  const StoredModel model = stored_model(field.patches, summary);
   Page page = report_page(field, model, study, summary);
   if (solids)
     for (SceneField& more : parameterization_fields(*solids, page.scene->samples))

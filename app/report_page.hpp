@@ -3,7 +3,7 @@
 #include <string>
 
 #include "app/pages/page.hpp"
-#include "app/stored_model.hpp"
+#include "geometry/multi_patch.hpp"
 #include "segmentation/parameterization/parameterize.hpp"
 
 namespace isopatch::app {
@@ -15,12 +15,13 @@ namespace isopatch::app {
 /// @param study    text of the study file
 /// @param summary  text of summary.json
 /// @cost  that of sample_part
-Page report_page(const iga::ElasticField& field, const StoredModel& model, const std::string& study,
+Page report_page(const iga::ElasticField& field, const geometry::MultiPatch& model, const std::string& study,
                  const std::string& summary);
 
 /// report_page as the text of report.html.
 /// @param solids  how solids became the model's patches, for more fields to colour by; may be null
-std::string report_html(const iga::ElasticField& field, const std::string& study, const std::string& summary,
+std::string report_html(const iga::ElasticField& field, const geometry::MultiPatch& model,
+                        const std::string& study, const std::string& summary,
                         const segmentation::ParameterizationReport* solids = nullptr);
 
 }  // namespace isopatch::app

@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 #include "app/engineering_units.hpp"
 #include "app/internal/json_values.hpp"
+#include "app/largest_values.hpp"
+#include "iga/stress_points.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -24,13 +28,13 @@ Eigen::Vector3d vector_of(const Json& json) {
   return result;
 }
 
-std::vector<ScenePatch> patches_of(const StoredModel& model, const iga::PartSamples& samples) {
+std::vector<ScenePatch> patches_of(const geometry::MultiPatch& model, const iga::PartSamples& samples) {
   std::vector<ScenePatch> result;
-  for (int p = 0; p < model.model.patch_count(); ++p) {
+  for (int p = 0; p < model.patch_count(); ++p) {
     ScenePatch patch{fmt::format("{}", p), {}, samples.patches[static_cast<std::size_t>(p)].parameters};
     for (const geometry::Side side : geometry::all_sides)
       patch.faces[static_cast<std::size_t>(side)] = model.label({PatchId(p), side});
-    for (double& first : patch.parameters[0]) first = model.renamed(p, {first, 0, 0})[0];
+    for (double& first : patch.parameters[0]) first = model.renamed(PatchId(p), {first, 0, 0})[0];
     result.push_back(std::move(patch));
   }
   return result;
@@ -46,7 +50,22 @@ double usual_stress(const iga::PartSamples& samples) {
   return *high;
 }
 
-std::vector<SceneField> fields_of(const iga::PartSamples& samples) {
+// The stresses of a patch as the run counts them: none where the map is folded, and none above its largest
+// one, which finer samples may exceed by a little.
+Eigen::RowVectorXd counted_stresses(const iga::PatchSamples& patch, std::optional<double> largest) {
+  Eigen::RowVectorXd result = patch.von_mises.transpose();
+  if (!largest) return result;
+  for (Eigen::Index i = 0; i < result.size(); ++i) {
+    const double jacobian = patch.scaled_jacobian[i];
+    const bool collapsed = jacobian == 0;
+    result[i] = jacobian >= iga::least_scaled_jacobian || collapsed
+                    ? std::min(result[i], *largest)
+                    : std::numeric_limits<double>::quiet_NaN();
+  }
+  return result;
+}
+
+std::vector<SceneField> fields_of(const iga::PartSamples& samples, std::optional<double> largest) {
   double displacement = 0;
   SceneField u{"displacement", "Displacement", {}, "", {}};
   SceneField mises{"von_mises", "Von Mises stress", {}, "", {}};
@@ -54,7 +73,7 @@ std::vector<SceneField> fields_of(const iga::PartSamples& samples) {
   for (const iga::PatchSamples& patch : samples.patches) {
     displacement = std::max(displacement, patch.displacements.colwise().norm().maxCoeff());
     u.values.emplace_back(patch.displacements);
-    mises.values.emplace_back(patch.von_mises.transpose());
+    mises.values.emplace_back(counted_stresses(patch, largest));
     quality.values.emplace_back(patch.scaled_jacobian.transpose());
   }
   u.unit = display_unit(displacement, "m");
@@ -81,18 +100,18 @@ void add_reactions(std::vector<SceneRegion>& supports, const Json& reactions) {
 }
 
 // A point's values from the coefficients: those of the summary, to the last digit.
-void add_marker(const iga::ElasticField& field, const StoredModel& model, const std::string& name,
+void add_marker(const iga::ElasticField& field, const geometry::MultiPatch& model, const std::string& name,
                 const std::string& kind, const Json& place, std::vector<SceneMarker>& markers) {
   const Json& patch = at(place, "/patch");
   if (!patch.is_number_integer()) return;
   const int index = patch.get<int>();
-  if (index < 0 || index >= model.model.patch_count()) return;
+  if (index < 0 || index >= model.patch_count()) return;
   const geometry::Parameter<3> parameter = vector_of(at(place, "/parameter"));
-  const iga::FieldValues values = iga::evaluate(field, index, model.renamed(index, parameter));
+  const iga::FieldValues values = iga::evaluate(field, index, model.renamed(PatchId(index), parameter));
   markers.push_back({name, kind, index, parameter, values.place, values.displacement, values.von_mises});
 }
 
-std::vector<SceneMarker> markers_of(const iga::ElasticField& field, const StoredModel& model,
+std::vector<SceneMarker> markers_of(const iga::ElasticField& field, const geometry::MultiPatch& model,
                                     const Json& summary) {
   std::vector<SceneMarker> markers;
   add_marker(field, model, "largest displacement", "max_displacement",
@@ -121,16 +140,16 @@ std::vector<SceneWarning> warnings_of(const Json& summary) {
 
 }  // namespace
 
-Scene report_scene(const iga::ElasticField& field, const StoredModel& model, const std::string& summary,
-                   const iga::SamplingOptions& sampling) {
+Scene report_scene(const iga::ElasticField& field, const geometry::MultiPatch& model,
+                   const std::string& summary, const iga::SamplingOptions& sampling) {
   const Json json = Json::parse(summary, nullptr, false);
   Scene scene;
-  scene.model = &model.model;
+  scene.model = &model;
   scene.sampling = sampling;
-  scene.samples = iga::sample_part(model.model, field, sampling);
+  scene.samples = iga::sample_part(model, field, sampling);
   scene.patches = patches_of(model, scene.samples);
-  scene.length = model_length_unit(model.model.size());
-  scene.fields = fields_of(scene.samples);
+  scene.length = model_length_unit(model.size());
+  scene.fields = fields_of(scene.samples, largest_values(summary).von_mises);
   if (json.is_discarded()) return scene;
   scene.supports = regions_of(at(json, "/supports"));
   add_reactions(scene.supports, at(json, "/results/reactions"));

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "app/pages/scene.hpp"
-#include "app/stored_model.hpp"
+#include "geometry/multi_patch.hpp"
 
 namespace isopatch::app {
 
@@ -12,7 +12,7 @@ namespace isopatch::app {
 ///
 /// @param model    of the field's patches; must outlive the scene
 /// @param summary  text of summary.json; what is missing in it is left out
-Scene report_scene(const iga::ElasticField& field, const StoredModel& model, const std::string& summary,
-                   const iga::SamplingOptions& sampling = {});
+Scene report_scene(const iga::ElasticField& field, const geometry::MultiPatch& model,
+                   const std::string& summary, const iga::SamplingOptions& sampling = {});
 
 }  // namespace isopatch::app

@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "app/plausibility.hpp"
 #include "app/summary.hpp"
 
 namespace isopatch::app {
@@ -29,6 +30,8 @@ StudyRun run_study(const Study& study, const Progress& progress) {
   for (const LocatedProbe& probe : run.built.probes)
     run.probes.push_back({probe.name, probe.patch, model.renamed(PatchId(probe.patch), probe.parameter),
                           iga::evaluate(run.solution.field, probe.patch, probe.parameter)});
+  for (Warning& warning : result_warnings(run.built, run.solution))
+    run.built.warnings.push_back(std::move(warning));
   const std::int64_t own = peak_memory_bytes();
   run.bytes_elsewhere = study.options.processes.sum(own) - own;
   return run;

@@ -8,6 +8,7 @@
 
 #include "app/engineering_units.hpp"
 #include "app/face_name.hpp"
+#include "geometry/base/nearest_name.hpp"
 #include "geometry/measures.hpp"
 
 namespace isopatch::app {
@@ -169,13 +170,27 @@ std::string near_miss_warning(const MultiPatch& model, const FaceSelection& sele
                      with_unit(rounded_up(selected.near_misses.back().distance), "m"));
 }
 
-std::vector<PatchId> select_patches(int patch_count, const PatchSelection& selection) {
-  std::vector<bool> chosen(static_cast<std::size_t>(patch_count), selection.ranges.empty());
+std::vector<PatchId> select_patches(const geometry::MultiPatch& model, const PatchSelection& selection) {
+  const int patch_count = model.patch_count();
+  std::vector<bool> chosen(static_cast<std::size_t>(patch_count),
+                           selection.ranges.empty() && selection.names.empty());
   for (const auto& [first, last] : selection.ranges) {
     if (last >= patch_count)
       throw error_at(selection.place, fmt::format("patch {} does not exist: the model has patches 0 to {}",
                                                   last, patch_count - 1));
     std::fill(chosen.begin() + first, chosen.begin() + last + 1, true);
+  }
+  std::vector<std::string> known;
+  for (int i = 0; i < patch_count; ++i) known.push_back(model.patch_name(PatchId(i)));
+  for (const std::string& name : selection.names) {
+    const auto found = std::find(known.begin(), known.end(), name);
+    if (found == known.end())
+      throw error_at(selection.place,
+                     fmt::format("no patch is called \"{}\"{}; patches are \"all\", numbers from 0, "
+                                 "ranges such as \"0-8\" or names of bodies",
+                                 name, did_you_mean(name, known)));
+    for (int i = 0; i < patch_count; ++i)
+      if (known[static_cast<std::size_t>(i)] == name) chosen[static_cast<std::size_t>(i)] = true;
   }
   std::vector<PatchId> result;
   for (int i = 0; i < patch_count; ++i)

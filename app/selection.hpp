@@ -50,9 +50,10 @@ struct FaceSelection {
   Place place = {};  ///< in the study file
 };
 
-/// Patches by index; empty ranges mean all.
+/// Patches by index or name; neither means all.
 struct PatchSelection {
   std::vector<std::pair<int, int>> ranges = {};  ///< first and last, both included
+  std::vector<std::string> names = {};           ///< of bodies that became patches
   Place place = {};
 };
 
@@ -84,7 +85,8 @@ SelectedFaces select_faces(const geometry::MultiPatch& model, const FaceSelectio
 std::string near_miss_warning(const geometry::MultiPatch& model, const FaceSelection& selection,
                               const std::string& name, const SelectedFaces& selected);
 
-/// @throws Error invalid_argument for patches that do not exist
-std::vector<PatchId> select_patches(int patch_count, const PatchSelection& selection);
+/// @return increasing, each once
+/// @throws Error invalid_argument for patches that do not exist, naming what comes near
+std::vector<PatchId> select_patches(const geometry::MultiPatch& model, const PatchSelection& selection);
 
 }  // namespace isopatch::app

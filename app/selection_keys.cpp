@@ -9,11 +9,13 @@ namespace {
 
 namespace dim = dimensions;
 
-std::pair<int, int> read_range(const ConfigValue& value) {
+/// A number, a range "0-8", or a name.
+void read_patches(const ConfigValue& value, PatchSelection& selection) {
   constexpr int most = 1000000;
   if (!std::holds_alternative<std::string>(value.value)) {
     const int index = read_integer(value, "patches", 0, most);
-    return {index, index};
+    selection.ranges.emplace_back(index, index);
+    return;
   }
   const std::string text = read_text(value, "patches");
   int first = 0;
@@ -22,11 +24,16 @@ std::pair<int, int> read_range(const ConfigValue& value) {
   const auto [dash, problem] = std::from_chars(text.data(), end, first);
   if (problem == std::errc{} && dash != end && *dash == '-') {
     const auto [stop, second] = std::from_chars(dash + 1, end, last);
-    if (second == std::errc{} && stop == end && first >= 0 && first <= last) return {first, last};
+    if (second == std::errc{} && stop == end && first >= 0 && first <= last) {
+      selection.ranges.emplace_back(first, last);
+      return;
+    }
   }
-  throw error_at(
-      value.place,
-      fmt::format("patches: expected \"all\", numbers from 0 or ranges such as \"0-8\", got \"{}\"", text));
+  if (text.empty())
+    throw error_at(
+        value.place,
+        "patches: expected \"all\", numbers from 0, ranges such as \"0-8\" or names of bodies, got \"\"");
+  selection.names.push_back(text);
 }
 
 /// Where something must lie.
@@ -60,14 +67,14 @@ std::vector<std::string> read_face_names(const ConfigValue& value) {
 }
 
 PatchSelection read_patch_selection(const ConfigValue& value) {
-  PatchSelection selection{{}, value.place};
+  PatchSelection selection{{}, {}, value.place};
   if (const auto* text = std::get_if<std::string>(&value.value); text && *text == "all") return selection;
   if (const auto* items = std::get_if<std::vector<ConfigValue>>(&value.value)) {
-    for (const ConfigValue& item : *items) selection.ranges.push_back(read_range(item));
+    for (const ConfigValue& item : *items) read_patches(item, selection);
     if (items->empty())
       throw error_at(value.place, "patches is empty: name at least one patch, or write \"all\"");
   } else {
-    selection.ranges.push_back(read_range(value));
+    read_patches(value, selection);
   }
   return selection;
 }

@@ -10,14 +10,18 @@ bool is_solid_file(const std::filesystem::path& path) {
   return path.extension() == ".xml" && geometry::is_gismo_solid(read_file(path));
 }
 
-std::vector<SolidReport> load_solids(const InputFile& input) {
+LoadedSolids load_solids(const InputFile& input, const Progress& progress) {
   geometry::ReadBrepOptions options;
   if (!input.length_unit.empty()) options.length_unit = length_unit(input);
   options.sew.accept_open = true;
-  std::vector<SolidReport> result;
-  for (geometry::BrepFile& file : geometry::read_breps(input.path, options)) {
-    geometry::BrepReport report = geometry::check(file.brep);
-    result.push_back({std::move(file), std::move(report)});
+  options.progress = progress;
+  set_reading(input.reading, options);
+  geometry::BrepSet set = geometry::read_breps(input.path, options);
+  LoadedSolids result{{}, std::move(set.missing), std::move(set.warnings), std::move(set.unit)};
+  for (std::size_t i = 0; i < set.bodies.size(); ++i) {
+    progress("describing the bodies", double(i) / double(set.bodies.size()));
+    geometry::BrepReport report = geometry::check(set.bodies[i].brep);
+    result.bodies.push_back({std::move(set.bodies[i]), std::move(report)});
   }
   return result;
 }

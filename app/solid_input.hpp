@@ -1,18 +1,28 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "app/describe_solid.hpp"
 #include "app/load_input.hpp"
+#include "geometry/base/progress.hpp"
 
 namespace isopatch::app {
 
 /// Whether a file holds CAD solids: by its ending, or a G+Smo .xml by its content.
 bool is_solid_file(const std::filesystem::path& path);
 
-/// All solids of a file, also open ones, with what `check` finds.
+/// The bodies of a file and what reading it gave cause to say.
+struct LoadedSolids {
+  std::vector<SolidReport> bodies;
+  std::vector<std::string> missing;  ///< what of the file could not be read
+  std::vector<std::string> warnings;
+  std::string unit;  ///< of the file, as of `geometry::BrepSet`
+};
+
+/// All bodies of a file, also open ones, with what `check` finds.
 /// @throws Error as `geometry::read_breps` does; invalid_argument for a length unit that is none
-std::vector<SolidReport> load_solids(const InputFile& input);
+LoadedSolids load_solids(const InputFile& input, const Progress& progress = {});
 
 }  // namespace isopatch::app

@@ -108,24 +108,30 @@ std::vector<OutlinedSolid> as_written(const std::filesystem::path& path, double 
   return result;
 }
 
-std::vector<OutlinedSolid> solids_of(const std::filesystem::path& path, double length_unit) {
+std::vector<OutlinedSolid> solids_of(const std::filesystem::path& path,
+                                     const segmentation::BlockFiles& files) {
   std::string reason;
   try {
-    geometry::ReadBrepOptions options = segmentation::block_reading(path, length_unit);
+    geometry::ReadBrepOptions options = segmentation::block_reading(files);
     options.sew.accept_open = true;
     std::vector<OutlinedSolid> result;
-    for (const geometry::BrepFile& solid : geometry::read_breps(path, options))
-      result.push_back(outlined(solid.brep));
+    for (const geometry::BrepFile& body : geometry::read_breps(path, options).bodies) {
+      result.push_back(outlined(body.brep));
+      result.back().name = body.name;
+    }
     return result;
   } catch (const Error& error) {
     reason = error.what();
   }
   std::vector<OutlinedSolid> result(1);
   try {
-    result = as_written(path, length_unit);
+    result = as_written(path, files.length_unit.value_or(1));
   } catch (const Error&) {  // `reason` says it
   }
-  for (OutlinedSolid& solid : result) solid.state = reason;
+  for (OutlinedSolid& solid : result) {
+    solid.state = reason;
+    solid.name = path.stem().string();
+  }
   return result;
 }
 
@@ -133,14 +139,13 @@ std::vector<OutlinedSolid> solids_of(const std::filesystem::path& path, double l
 
 std::vector<OutlinedSolid> outlined_solids(const segmentation::BlockFiles& files) {
   std::vector<OutlinedSolid> result;
-  for (const std::filesystem::path& path : files.files) {
-    int count = 0;
-    for (OutlinedSolid& solid : solids_of(path, files.length_unit)) {
-      solid.name = segmentation::block_name(path, count++);
+  segmentation::BlockNames names;
+  for (const std::filesystem::path& path : files.files)
+    for (OutlinedSolid& solid : solids_of(path, files)) {
+      solid.name = names.add(solid.name);
       solid.file = path.filename().string();
       result.push_back(std::move(solid));
     }
-  }
   return result;
 }
 

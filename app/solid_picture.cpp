@@ -28,11 +28,12 @@ struct EdgeKind {
   Colour colour;
   double width;  ///< in lines of the picture
 };
-constexpr std::array<EdgeKind, 5> edge_kinds = {{{Convexity::convex, {0, 82, 148}, 1.2},
+constexpr std::array<EdgeKind, 6> edge_kinds = {{{Convexity::convex, {0, 82, 148}, 1.2},
                                                  {Convexity::non_convex, {213, 60, 0}, 2.2},
                                                  {Convexity::flat, {120, 130, 120}, 1},
                                                  {Convexity::seam, {200, 140, 170}, 1},
-                                                 {Convexity::free, {240, 0, 240}, 3}}};
+                                                 {Convexity::free, {240, 0, 240}, 3},
+                                                 {Convexity::overused, {150, 0, 200}, 3}}};
 
 std::size_t kind_index(Convexity convexity) {
   const auto* found = std::find_if(edge_kinds.begin(), edge_kinds.end(),
@@ -40,17 +41,29 @@ std::size_t kind_index(Convexity convexity) {
   return static_cast<std::size_t>(found - edge_kinds.begin());
 }
 
-std::vector<Colour> face_colours(const Brep& brep) {
-  std::vector<Colour> colours = patch_colours(static_cast<int>(brep.faces().size()));
+/// Triangles of each solid.
+using Meshes = std::vector<Tessellation>;
+
+Meshes meshes_of(const std::vector<SolidReport>& solids) {
+  Meshes result;
+  for (const SolidReport& solid : solids) result.push_back(tessellate(solid.file.brep, {.chord = 2e-4}));
+  return result;
+}
+
+/// Of all faces of all solids, one after the other.
+std::vector<Colour> face_colours(const std::vector<SolidReport>& solids) {
+  std::vector<geometry::BrepFace> faces;
+  for (const SolidReport& solid : solids)
+    faces.insert(faces.end(), solid.file.brep.faces().begin(), solid.file.brep.faces().end());
+  std::vector<Colour> colours = patch_colours(static_cast<int>(faces.size()));
   const auto byte = [](double x) { return static_cast<std::uint8_t>(std::clamp(x, 0.0, 1.0) * 255 + 0.5); };
   for (std::size_t i = 0; i < colours.size(); ++i)
-    if (const auto& own = brep.faces()[i].colour)
-      colours[i] = {byte((*own)[0]), byte((*own)[1]), byte((*own)[2])};
+    if (const auto& own = faces[i].colour) colours[i] = {byte((*own)[0]), byte((*own)[1]), byte((*own)[2])};
   return colours;
 }
 
-/// Values put each face into the middle of its colour.
-Surface surface_of(const Brep& brep, const Tessellation& mesh, bool colours) {
+/// A solid's faces; values are their numbers.
+Surface surface_of(const Brep& brep, const Tessellation& mesh) {
   Eigen::Index points = 0;
   for (const auto& face : mesh.faces) points += face.points.cols();
   Surface surface;
@@ -63,8 +76,7 @@ Surface surface_of(const Brep& brep, const Tessellation& mesh, bool colours) {
     for (Eigen::Index i = 0; i < face.points.cols(); ++i) {
       surface.points.col(first + i) = face.points.col(i);
       surface.normals.col(first + i) = brep.outward_normal(FaceId(static_cast<int>(f)), face.uv.col(i));
-      surface.values(first + i) =
-          colours ? (static_cast<double>(f) + 0.5) / static_cast<double>(mesh.faces.size()) : 0.5;
+      surface.values(first + i) = static_cast<double>(f);
     }
     const int base = static_cast<int>(first);
     for (const auto& triangle : face.triangles.colwise())
@@ -73,6 +85,23 @@ Surface surface_of(const Brep& brep, const Tessellation& mesh, bool colours) {
   }
   surface.undeformed = surface.points;
   return surface;
+}
+
+/// Values put each face into the middle of its colour.
+Surface surface_of(const std::vector<SolidReport>& solids, const Meshes& meshes, bool coloured) {
+  Surface all;
+  double faces = 0;
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    Surface one = surface_of(solids[i].file.brep, meshes[i]);
+    one.values.array() += faces;
+    all = i == 0 ? one : joined(all, one);
+    faces += static_cast<double>(meshes[i].faces.size());
+  }
+  if (coloured)
+    all.values = (all.values.array() + 0.5) / faces;
+  else
+    all.values.setConstant(0.5);
+  return all;
 }
 
 Lines lines_of(const SolidReport& solid, const Tessellation& mesh, Convexity convexity) {
@@ -89,6 +118,13 @@ Lines lines_of(const SolidReport& solid, const Tessellation& mesh, Convexity con
   }
   lines.undeformed = lines.points;
   return lines;
+}
+
+Lines lines_of(const std::vector<SolidReport>& solids, const Meshes& meshes, Convexity convexity) {
+  Lines all = lines_of(solids[0], meshes[0], convexity);
+  for (std::size_t i = 1; i < solids.size(); ++i)
+    all = joined(all, lines_of(solids[i], meshes[i], convexity));
+  return all;
 }
 
 /// Whether a triangle hides a point from an eye far away.
@@ -140,16 +176,30 @@ void add_vertices(Picture& picture, const Brep& brep, const std::optional<Cut>& 
   }
 }
 
-void add_legend(Picture& picture, const SolidReport& solid, const Layout& places) {
+void add_legend(Picture& picture, const std::vector<SolidReport>& solids, const Layout& places) {
   double y = picture.size.height - 1.6 * places.font;
   const double right = picture.size.width - places.margin;
   for (const EdgeKind& kind : edge_kinds) {
-    const int count = solid.report.count(kind.convexity);
+    int count = 0;
+    for (const SolidReport& solid : solids) count += solid.report.count(kind.convexity);
     if (count == 0) continue;
     const std::string text = fmt::format("{} {}", count, name(kind.convexity));
     picture.texts.push_back({text, right, y, 0.9 * places.font, Align::right, kind.colour});
     y -= 1.3 * places.font;
   }
+}
+
+std::string counted(const std::vector<SolidReport>& solids) {
+  std::size_t faces = 0, edges = 0;
+  Eigen::Index vertices = 0;
+  for (const SolidReport& solid : solids) {
+    faces += solid.file.brep.faces().size();
+    edges += solid.file.brep.edges().size();
+    vertices += solid.file.brep.vertices().cols();
+  }
+  return fmt::format("{}{} faces, {} edges, {} vertices",
+                     solids.size() == 1 ? "" : fmt::format("{} solids, ", solids.size()), faces, edges,
+                     vertices);
 }
 
 void require_field(const PictureOptions& options) {
@@ -160,40 +210,40 @@ void require_field(const PictureOptions& options) {
 
 }  // namespace
 
-PartPicture solid_picture(const SolidReport& solid, const PictureOptions& options, const std::string& title) {
+PartPicture solids_picture(const std::vector<SolidReport>& solids, const PictureOptions& options,
+                           const std::string& title) {
   require_field(options);
-  const Brep& brep = solid.file.brep;
-  const Tessellation mesh = tessellate(brep, {.chord = 2e-4});
   PartPicture result;
   Picture& picture = result.picture;
   picture.size = options.size;
   picture.transparent = options.transparent;
-  picture.surface = surface_of(brep, mesh, options.field == PictureField::patch);
-  picture.palette =
-      options.field == PictureField::patch ? face_colours(brep) : std::vector<Colour>{{176, 190, 204}};
+  const Meshes meshes = meshes_of(solids);
+  const bool coloured = options.field == PictureField::patch;
+  picture.surface = surface_of(solids, meshes, coloured);
+  picture.palette = coloured ? face_colours(solids) : std::vector<Colour>{{176, 190, 204}};
   if (options.cut) picture.surface = clipped(picture.surface, *options.cut);
   if (picture.surface.triangles.empty())
-    throw Error(ErrorCode::invalid_argument,
-                fmt::format("--clip: nothing of the solid is left below {} = {}", "xyz"[options.cut->axis],
-                            with_unit(options.cut->position, "m")));
+    throw Error(
+        ErrorCode::invalid_argument,
+        fmt::format("--clip: nothing of the solid{} is left below {} = {}", solids.size() == 1 ? "" : "s",
+                    "xyz"[options.cut->axis], with_unit(options.cut->position, "m")));
   const std::string caption = options.caption.value_or(title);
   const Layout places = layout(options.size, {.bar = false, .caption = !caption.empty()});
   picture.camera = fitted(options.view, picture.surface.points, places, options.zoom);
   picture.line_width = 0.06 * places.font;
   if (options.edges != PictureEdges::none) {
     for (const EdgeKind& kind : edge_kinds) {
-      Lines lines = lines_of(solid, mesh, kind.convexity);
+      Lines lines = lines_of(solids, meshes, kind.convexity);
       if (options.cut) lines = clipped(lines, *options.cut);
       picture.coloured_lines.push_back(
           {std::move(lines), kind.colour, 1.6 * kind.width * picture.line_width});
     }
-    add_vertices(picture, brep, options.cut, places.font);
-    add_legend(picture, solid, places);
+    if (solids.size() == 1) add_vertices(picture, solids[0].file.brep, options.cut, places.font);
+    add_legend(picture, solids, places);
   }
   add_axes(picture, places);
   if (!caption.empty()) add_caption(picture, places, caption);
-  result.description = fmt::format("{} faces, {} edges, {} vertices", brep.faces().size(),
-                                   brep.edges().size(), brep.vertices().cols());
+  result.description = counted(solids);
   return result;
 }
 

@@ -1,17 +1,20 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/describe_solid.hpp"
 #include "app/part_picture.hpp"
 
 namespace isopatch::app {
 
-/// Composes the picture of a solid: faces in their own colours or in light ones by turns, edges by convexity,
-/// visible vertices with their numbers.
-/// @param title  for the caption, if none is given
+/// Composes the picture of solids: faces in their own colours or in light ones by turns, edges by convexity;
+/// of one alone also the visible vertices with their numbers.
+/// @param solids  at least one
+/// @param title   for the caption, if none is given
 /// @throws Error invalid_argument  a field that solids do not have; a cut that leaves nothing
-PartPicture solid_picture(const SolidReport& solid, const PictureOptions& options, const std::string& title);
+PartPicture solids_picture(const std::vector<SolidReport>& solids, const PictureOptions& options,
+                           const std::string& title);
 
 /// The planar drawing of a solid's edge graph as SVG: edges by convexity, vertices and faces numbered as in
 /// `info`.

@@ -2,27 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "app/engineering_units.hpp"
-#include "app/stored_model.hpp"
+#include "app/place_outside.hpp"
 #include "app/units.hpp"
 #include "geometry/base/error.hpp"
-#include "geometry/measures.hpp"
 
 namespace isopatch::app {
 namespace {
-
-geometry::Parameter<3> renamed(const iga::StoredResult& result, int patch, geometry::Parameter<3> parameter) {
-  const auto& knots = result.field.patches[static_cast<std::size_t>(patch)].knots(0);
-  if (left_handed_patches(result.summary, result.field.patches.size())[static_cast<std::size_t>(patch)])
-    parameter[0] = knots.first() + knots.last() - parameter[0];
-  return parameter;
-}
-
-double size(const iga::ElasticField& field) {
-  Eigen::AlignedBox3d all;
-  for (const auto& patch : field.patches) all.extend(geometry::box(patch));
-  return all.diagonal().norm();
-}
 
 Eigen::Vector3d parse_triple(const std::string& text, const Dimension& dimension, const char* example) {
   Eigen::Vector3d result;
@@ -53,24 +38,21 @@ Eigen::Vector3d parse_parameter(const std::string& text) {
 }
 
 StoredValues probe(const iga::StoredResult& result, const StoredProbe& where) {
-  const int count = static_cast<int>(result.field.patches.size());
+  const geometry::MultiPatch model = iga::model_of(result);
+  const int count = model.patch_count();
   if (where.point) {
     const iga::Location location = iga::locate(result.field, *where.point);
-    const double model_size = size(result.field);
-    if (location.distance > 1e-4 * model_size)
-      throw Error(ErrorCode::invalid_argument,
-                  fmt::format("the point {} lies {} outside the part; the nearest patch is {}",
-                              place_with_unit(*where.point, model_size), with_unit(location.distance, "m"),
-                              location.patch));
-    return {location.patch, renamed(result, location.patch, location.parameter),
+    if (location.distance > 1e-4 * model.size())
+      throw Error(ErrorCode::invalid_argument, outside_text(model, *where.point, location));
+    return {location.patch, model.renamed(PatchId(location.patch), location.parameter),
             iga::evaluate(result.field, location.patch, location.parameter)};
   }
   const int index = where.patch.value_or(-1);
   if (index < 0 || index >= count)
     throw Error(ErrorCode::invalid_argument,
                 fmt::format("patch {} does not exist: there are patches 0 to {}", index, count - 1));
-  const auto& patch = result.field.patches[static_cast<std::size_t>(index)];
-  const auto parameter = renamed(result, index, where.parameter);
+  const auto& patch = model.patch(PatchId(index));
+  const auto parameter = model.renamed(PatchId(index), where.parameter);
   if (((parameter - patch.low()).array() < 0).any() || ((patch.high() - parameter).array() < 0).any())
     throw Error(ErrorCode::invalid_argument,
                 fmt::format("the parameter lies outside the knots of patch {}", index));

@@ -47,7 +47,8 @@ enum class SupportKind { displacement, symmetry, roller };
 
 /// Supports: each component a value in m or free, plus a gradient; or a plane on which u.n is given.
 struct SupportInput {
-  std::string name;
+  std::string name;  ///< for messages: "support 1 (wall)"
+  std::string key;   ///< what results call it: its name, or "support 1"
   FaceSelection selection;
   std::optional<FaceConditions> edges;  ///< holds edges of the faces selected and not the faces
   SupportKind kind = SupportKind::displacement;
@@ -58,7 +59,8 @@ enum class LoadKind { traction, pressure, force, body_force, gravity };
 
 /// A load on faces (traction Pa, pressure Pa, total force N) or in patches (body force N/m^3, gravity m/s^2).
 struct LoadInput {
-  std::string name;
+  std::string name;         ///< for messages: "load 1 (wind)"
+  std::string key;          ///< what results call it: its name, or "load 1"
   FaceSelection selection;  ///< for traction, pressure, force
   PatchSelection patches;   ///< for body_force, gravity
   LoadKind kind = LoadKind::traction;

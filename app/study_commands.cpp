@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <memory>
 
 #include "app/commands.hpp"
 #include "app/compare_levels.hpp"
@@ -20,18 +21,23 @@ Study read(const StudyCommand& command) {
   Study study = read_study(command.study, command.overrides);
   if (command.output) study.output.directory = *command.output;
   study.options.processes = command.processes;
-  if (command.processes.is_first()) check_writable(study.output.directory);
   return study;
 }
 
-// Of solids that cannot be made patches the report shows what is wrong.
+// For the process that writes, and before any long work.
+std::unique_ptr<OutputFolder> taken_folder(const Study& study) {
+  return study.options.processes.is_first() ? std::make_unique<OutputFolder>(study.output.directory)
+                                            : nullptr;
+}
+
+// Of solids that cannot be made patches the report shows what is wrong. What an earlier run found stays: its
+// own report can be made again.
 StudyRun solved(const Study& study, const Progress& progress) {
   try {
     return run_study(study, progress);
   } catch (const geometry::SolidError& error) {
     if (!study.options.processes.is_first() || !study.output.report || !study.model.blocks) throw;
     const std::filesystem::path& directory = study.output.directory;
-    remove_earlier_results(directory);
     write_in(directory, "report.html", fault_html(*study.model.blocks, error, study.title, study.text));
     throw Error(error.code(), shown_in(error, directory / "report.html"));
   }
@@ -51,6 +57,7 @@ void write_comparison(const Study& study, const ComparedStudy& level,
 
 ExitCode run_command(const StudyCommand& command, const Console& console) {
   const Study study = read(command);
+  const auto folder = taken_folder(study);
   ProgressDisplay display(console);
   StudyRun run = solved(study, display.progress());
   if (!command.processes.is_first()) return ExitCode::ok;
@@ -66,6 +73,7 @@ ExitCode run_command(const StudyCommand& command, const Console& console) {
 
 ExitCode compare_command(const StudyCommand& command, const LevelOptions& options, const Console& console) {
   const Study study = read(command);
+  const auto folder = taken_folder(study);
   const bool writes = command.processes.is_first();
   ProgressDisplay display(console);
   const LevelReport report = compare_levels(

@@ -86,9 +86,9 @@ const Keys<ModelKeys>& model_keys() {
           "`generate`."),
       custom_key<ModelKeys>(
           "blocks", "array of strings",
-          "Files of solids that are topological hexahedra: STEP (.step, .stp), IGES "
+          "Files of solids that are topological hexahedra: STEP (.step, .stp, .p21), IGES "
           "(.iges, .igs), OpenCASCADE "
-          "(.brep), G+Smo solids (.xml), polyhedra (.off). [parameterization] says how "
+          "(.brep, .brp), G+Smo solids (.xml), polyhedra (.off). [parameterization] says how "
           "each becomes a patch; their "
           "outer faces are boundaries called \"block:face\"; all of one colour in STEP files are "
           "the boundary \"#rrggbb\".",
@@ -109,8 +109,27 @@ const Keys<ModelKeys>& model_keys() {
           "length_unit", "length (m), with or without a number",
           "What one unit of the file's (or the generated model's) coordinates measures: \"mm\", "
           "\"225 mm\", 0.0254. All other lengths of the study are in m or have a unit.",
-          [](ModelKeys& target, const ConfigValue& value) { target.length_unit = read_length_unit(value); })
-          .with_default("\"m\""),
+          [](ModelKeys& target, const ConfigValue& value) {
+            target.length_unit = read_length_unit(value);
+            target.gives_length_unit = true;
+          })
+          .with_default("\"m\"; STEP and IGES files say it themselves"),
+      custom_key<ModelKeys>("allow_partial", "true or false",
+                            "Whether bodies and faces of CAD files that cannot be read, and bodies that are "
+                            "not closed, are left out with "
+                            "a warning. Otherwise they are an error.",
+                            [](ModelKeys& target, const ConfigValue& value) {
+                              target.allow_partial = read_flag(value, "allow_partial");
+                            })
+          .with_default("false"),
+      quantity_key<ModelKeys>(
+          "cad_time_limit", &ModelKeys::cad_time_limit, dim::none, {0, 1e7},
+          "Seconds of computing that a STEP, IGES or .brep file may take to be read; 0 means 60 "
+          "seconds and 10 for each megabyte."),
+      quantity_key<ModelKeys>(
+          "cad_memory_limit", &ModelKeys::cad_memory_limit, dim::none, {0, 1e15},
+          "Bytes of memory that a STEP, IGES or .brep file may take to be read; 0 means three "
+          "quarters of the machine's."),
       quantity_key<ModelKeys>(
           "same_point", &ModelKeys::same_point, dim::none, {0, 1e-2, false, false},
           "Points closer than this share of the model's size are one point: faces that agree so well "
@@ -129,23 +148,26 @@ const Keys<DiscretizationKeys>& discretization_keys() {
   using Options = iga::DiscretizationOptions;
   static const Keys<DiscretizationKeys> keys = {
       per_direction_key(
-          "degree", &Options::degree, 1, 10, "the geometry's",
+          "degree", &Options::degree, 1, 10, "2",
           "Degree of the splines, raised where the geometry's is lower and never lowered; the continuity "
-          "of the geometry stays."),
-      option_key("refine", &Options::refine, 0, 10, "0", "How often every knot span is halved."),
-      per_direction_key("elements_per_direction", &Options::elements_per_direction, 1, 10000,
-                        "as the geometry has",
-                        "Least number of elements along each direction of each patch."),
+          "of the geometry stays. 1 keeps the geometry's everywhere; elements of degree 1 hardly bend."),
+      option_key("refine", &Options::refine, 0, 10, "0",
+                 "How often every element is halved, after all that the other keys ask for."),
+      per_direction_key(
+          "elements_per_direction", &Options::elements_per_direction, 1, 10000, "as the geometry has",
+          "Least number of elements along each direction of each patch, before refine halves them."),
       custom_key<DiscretizationKeys>(
-          "max_size", type_name(dim::length), "Largest length of an element's edge.",
+          "max_size", type_name(dim::length), "Largest length of an element's edge, before refine halves it.",
           [](DiscretizationKeys& target, const ConfigValue& value) {
             target.options.max_size = read_quantity(value, "max_size", dim::length, positive);
           })
           .with_default("no limit"),
       option_key("continuity", &Options::continuity, 0, 9, "as smooth as degree and geometry allow",
                  "Highest continuity C^k across the knots inside a patch."),
-      integer_key<DiscretizationKeys>("points", &DiscretizationKeys::points, 0, 20,
-                                      "Gauss points per element and direction; 0 means degree + 1."),
+      integer_key<DiscretizationKeys>(
+          "points", &DiscretizationKeys::points, 0, 20,
+          "Gauss points per element and direction; 0 means degree + 1, and more in "
+          "directions in which the map of a patch is so curved that it needs them."),
   };
   return keys;
 }
@@ -178,10 +200,10 @@ const Keys<solvers::SolverOptions>& solver_keys() {
   static const Keys<O> keys = {
       custom_key<O>(
           "method", "\"auto\", \"direct\", \"cholmod\", \"mumps\", \"umfpack\", \"cg\" or \"minres\"",
-          "auto factorizes small problems (CHOLMOD for elimination, MUMPS for lagrange or several processes) "
-          "and "
-          "iterates on large ones and those whose factors would not fit (cg for elimination, minres for "
-          "lagrange); the summary says why. direct is another word for auto.",
+          "auto factorizes where that costs little (CHOLMOD for elimination, MUMPS for lagrange or several "
+          "processes) and iterates where factors would cost more or not fit (cg for elimination, minres for "
+          "lagrange); if the one fails it tries the other; the summary says why. direct is another word for "
+          "auto.",
           [](O& target, const ConfigValue& value) {
             std::vector<std::string> names;
             for (const auto& method : methods) names.push_back(method.first);
@@ -194,14 +216,14 @@ const Keys<solvers::SolverOptions>& solver_keys() {
           "energy."),
       integer_key<O>("max_iterations", &O::max_iterations, 1, 10000000,
                      "Most iterations of an iterative method."),
-      custom_key<O>(
-          "preconditioner", "\"multigrid\" or \"block_jacobi\"",
-          "Of cg. A multigrid needs some ten iterations more or less whatever the size and the degree; "
-          "block_jacobi needs many more and is there for comparison.",
-          [](O& target, const ConfigValue& value) {
-            target.preconditioner =
-                solvers::Preconditioner(read_choice(value, "preconditioner", preconditioners));
-          })
+      custom_key<O>("preconditioner", "\"multigrid\" or \"block_jacobi\"",
+                    "Of cg and minres. A multigrid needs some ten iterations more or less whatever the size "
+                    "and the degree; "
+                    "block_jacobi, for cg on one process, needs many more and is there for comparison.",
+                    [](O& target, const ConfigValue& value) {
+                      target.preconditioner =
+                          solvers::Preconditioner(read_choice(value, "preconditioner", preconditioners));
+                    })
           .with_default("\"multigrid\""),
       custom_key<O>(
           "operator", "\"auto\", \"assembled\" or \"matrix_free\"",
@@ -217,10 +239,10 @@ const Keys<solvers::SolverOptions>& solver_keys() {
                           static_cast<int>(read_integer(value, "smoothing_degree", 1, 20));
                     })
           .with_default("4"),
-      quantity_key<O>(
-          "memory_limit", &O::memory_limit, dim::none, {0, 1e15},
-          "Bytes that the run may take; 0 means what the machine has to spare. Runs that are expected "
-          "to take more are refused before they begin."),
+      quantity_key<O>("memory_limit", &O::memory_limit, dim::data, {0, 1e15},
+                      "What the run may take, of each process; 0 means what the machine, a control group or "
+                      "a batch job has to "
+                      "spare. Runs that are expected to take more are refused before the model is refined."),
   };
   return keys;
 }

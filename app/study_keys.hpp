@@ -13,6 +13,10 @@ struct ModelKeys {
   std::optional<std::string> generate;
   std::optional<ConfigValue> attach;
   double length_unit = 1;
+  bool gives_length_unit = false;
+  bool allow_partial = false;
+  double cad_time_limit = 0;
+  double cad_memory_limit = 0;
   double same_point = Tolerance{}.same_point;
   double near_miss = Tolerance{}.near_miss;
   double same_knot = Tolerance{}.same_knot;
@@ -55,8 +59,9 @@ struct LoadKeys {
   std::optional<Eigen::Vector3d> gravity;
 };
 
+/// Degree 1 does not bend, so that it has to be asked for.
 struct DiscretizationKeys {
-  iga::DiscretizationOptions options;
+  iga::DiscretizationOptions options = {.degree = {2, 2, 2}};
   int points = 0;
 };
 

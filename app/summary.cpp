@@ -7,8 +7,9 @@
 #include <numeric>
 
 #include "app/engineering_units.hpp"
-#include "app/internal/json_values.hpp"
+#include "app/internal/json_regions.hpp"
 #include "app/parameterization_scene.hpp"
+#include "app/resolution_warning.hpp"
 #include "iga/material.hpp"
 
 #ifndef ISOPATCH_VERSION
@@ -46,7 +47,7 @@ Json model_json(const StudyRun& run) {
           {"patches_not_certified", refused}};
 }
 
-Json discretization_json(const StudyRun& run) {
+Json discretization_json(const StudyRun& run, int asked_points) {
   const iga::ProblemSize& size = run.solution.size;
   std::array<int, 3> degree{};
   for (const auto& patch : run.built.problem.discretization.patches)
@@ -54,7 +55,13 @@ Json discretization_json(const StudyRun& run) {
       auto& highest = degree[static_cast<std::size_t>(d)];
       highest = std::max(highest, patch.degree(d));
     }
+  std::array<int, 3> points{};
+  for (int p = 0; p < run.built.problem.discretization.patch_count(); ++p) {
+    const iga::GaussPoints of_patch = run.built.problem.discretization.points_of(p, asked_points);
+    for (std::size_t d = 0; d < 3; ++d) points[d] = std::max(points[d], of_patch[d]);
+  }
   return {{"degree", degree},
+          {"gauss_points", points},
           {"elements", size.elements},
           {"control_points", size.control_points},
           {"dofs_uncoupled", size.dofs_uncoupled},
@@ -69,8 +76,7 @@ Json materials_json(const Study& study, const StudyRun& run) {
   Json result = Json::array();
   for (const MaterialInput& input : study.materials) {
     Json patches = Json::array();
-    for (const PatchId id :
-         select_patches(run.built.problem.discretization.model.patch_count(), input.patches))
+    for (const PatchId id : select_patches(run.built.problem.discretization.model, input.patches))
       patches.push_back(id.value);
     result.push_back({{"name", input.material.name},
                       {"patches", patches},
@@ -87,9 +93,11 @@ Json regions_json(const std::vector<CaughtRegion>& regions) {
   Json result = Json::array();
   for (const CaughtRegion& region : regions)
     result.push_back(
-        {{"name", region.name}, {"kind", region.kind}, {"faces", region.faces}, {"area", region.area}});
+        {{"name", region.key}, {"kind", region.kind}, {"faces", region.faces}, {"area", region.area}});
   return result;
 }
+
+}  // namespace
 
 Json supports_json(const std::vector<CaughtRegion>& supports) {
   Json result = regions_json(supports);
@@ -106,6 +114,8 @@ Json loads_json(const std::vector<CaughtRegion>& loads) {
   }
   return result;
 }
+
+namespace {
 
 Json solver_json(const solvers::SolveReport& report, double tolerance, std::int64_t predicted_bytes) {
   return {{"method", solvers::name(report.method)},
@@ -127,12 +137,14 @@ Json solver_json(const solvers::SolveReport& report, double tolerance, std::int6
           {"solve_seconds", report.solve_seconds}};
 }
 
-Json reactions_json(const iga::ElasticityResults& results) {
+Json reactions_json(const StudyRun& run) {
   Json reactions = Json::array();
-  for (const iga::Reaction& reaction : results.reactions)
-    reactions.push_back({{"support", reaction.support},
+  for (std::size_t i = 0; i < run.built.supports.size(); ++i) {
+    const iga::Reaction& reaction = run.solution.results.reactions[i];
+    reactions.push_back({{"support", run.built.supports[i].key},
                          {"force", to_json(reaction.force)},
                          {"moment", to_json(reaction.moment)}});
+  }
   return reactions;
 }
 
@@ -140,6 +152,7 @@ Json results_json(const StudyRun& run) {
   const iga::ElasticityResults& results = run.solution.results;
   const auto& model = run.built.problem.discretization.model;
   const auto at = [&](const iga::Extremum& e) {
+    if (e.patch < 0) return Json(nullptr);
     return Json{{"patch", e.patch},
                 {"parameter", to_json(Eigen::Vector3d(model.renamed(PatchId(e.patch), e.parameter)))}};
   };
@@ -151,9 +164,16 @@ Json results_json(const StudyRun& run) {
           {"max_von_mises", results.max_von_mises.value},
           {"max_von_mises_point", to_json(results.max_von_mises.place)},
           {"max_von_mises_at", at(results.max_von_mises)},
-          {"max_von_mises_sampled", "at the Gauss points"},
+          {"max_von_mises_sampled", "at Gauss points and on faces"},
+          {"points_left_out",
+           {{"folded", results.left_out.folded},
+            {"collapsed", results.left_out.collapsed},
+            {"worst_at", at(results.left_out.worst)}}},
+          {"max_strain", results.max_strain.value},
+          {"max_strain_at", at(results.max_strain)},
+          {"unresolved_energy_share", unresolved_share(results)},
           {"total_load", to_json(results.total_load)},
-          {"reactions", reactions_json(results)}};
+          {"reactions", reactions_json(run)}};
 }
 
 Json probes_json(const StudyRun& run) {
@@ -213,15 +233,35 @@ std::string probes_text(const StudyRun& run) {
   return text;
 }
 
+std::string von_mises_text(const iga::ElasticityResults& results, double size) {
+  std::string text = fmt::format("  max von Mises     {} at {} (of Gauss points and faces)\n",
+                                 with_unit(results.max_von_mises.value, "Pa"),
+                                 place_with_unit(results.max_von_mises.place, size));
+  const iga::LeftOut& left_out = results.left_out;
+  if (left_out.folded > 0)
+    text += fmt::format(
+        "    without         {} points where patches are folded, the worst at {} in patch {}\n",
+        with_separators(left_out.folded), place_with_unit(left_out.worst.place, size), left_out.worst.patch);
+  if (left_out.collapsed > 0)
+    text += fmt::format("    without         {} points on collapsed edges and faces\n",
+                        with_separators(left_out.collapsed));
+  return text;
+}
+
 std::string solver_text(const solvers::SolveReport& report) {
+  // What was asked for by name and did as it was told needs no explanation.
+  const std::string why =
+      report.reason == "asked for by name" ? "" : fmt::format("  chosen            {}\n", report.reason);
   if (report.levels == 0)
     return fmt::format("  solver            {}, relative residual {:.2g}\n", solvers::name(report.method),
-                       report.relative_residual);
+                       report.relative_residual) +
+           why;
   return fmt::format(
-      "  solver            {} with {} multigrid levels, {}: {} iterations to {:.2g} in energy\n",
-      solvers::name(report.method), report.levels,
-      report.form == solvers::Operator::assembled ? "matrix stored" : "matrix-free", report.iterations,
-      report.energy_error);
+             "  solver            {} with {} multigrid levels, {}: {} iterations to {:.2g} in energy\n",
+             solvers::name(report.method), report.levels,
+             report.form == solvers::Operator::assembled ? "matrix stored" : "matrix-free", report.iterations,
+             report.energy_error) +
+         why;
 }
 
 }  // namespace
@@ -236,7 +276,7 @@ std::string summary_json(const Study& study, const StudyRun& run) {
       {"materials", materials_json(study, run)},
       {"supports", supports_json(run.built.supports)},
       {"loads", loads_json(run.built.loads)},
-      {"discretization", discretization_json(run)},
+      {"discretization", discretization_json(run, study.options.quadrature_points)},
       {"coupling", iga::name(study.options.coupling)},
       {"solver",
        solver_json(run.solution.solver, study.options.solver.tolerance, run.solution.predicted_bytes)},
@@ -252,6 +292,16 @@ std::string summary_json(const Study& study, const StudyRun& run) {
   return file_text(json);
 }
 
+std::string with_phase(const std::string& summary, const iga::PhaseTime& time) {
+  Json json = Json::parse(summary);
+  Json& timings = json["timings"];
+  const double total = timings["total"].get<double>() + time.seconds;
+  timings.erase("total");
+  timings[time.phase] = time.seconds;
+  timings["total"] = total;
+  return file_text(json);
+}
+
 std::string summary_text(const Study& study, const StudyRun& run) {
   const auto& model = run.built.problem.discretization.model;
   const iga::ProblemSize& size = run.solution.size;
@@ -259,8 +309,10 @@ std::string summary_text(const Study& study, const StudyRun& run) {
   double total = 0;
   for (const iga::PhaseTime& time : run.timings) total += time.seconds;
   std::string text = study.title.empty() ? "" : study.title + "\n";
-  text += fmt::format("  model             {} patches, {} interfaces, {} boundary faces, volume {}\n",
+  const std::size_t bodies = run.built.report.bodies.size();
+  text += fmt::format("  model             {} patches, {} interfaces, {} boundary faces, {}, volume {}\n",
                       model.patch_count(), model.interfaces().size(), model.boundary_faces().size(),
+                      bodies == 1 ? "one body" : fmt::format("{} bodies", bodies),
                       with_unit(run.built.report.volume, "m^3"));
   text += regions_text(run);
   text += fmt::format("  unknowns          {} ({} free), {} elements, coupled by {}\n",
@@ -269,9 +321,7 @@ std::string summary_text(const Study& study, const StudyRun& run) {
   text += solver_text(run.solution.solver);
   text += fmt::format("  max displacement  {} at {}\n", with_unit(results.max_displacement.value, "m"),
                       place_with_unit(results.max_displacement.place, model.size()));
-  text += fmt::format("  max von Mises     {} at {} (largest of the Gauss points)\n",
-                      with_unit(results.max_von_mises.value, "Pa"),
-                      place_with_unit(results.max_von_mises.place, model.size()));
+  text += von_mises_text(results, model.size());
   text += fmt::format("  internal energy   {}\n", with_unit(results.internal_energy, "J"));
   text += reactions_text(run) + probes_text(run);
   text += fmt::format("  time, memory      {}, {}{}\n", seconds_text(total),

@@ -52,6 +52,15 @@ constexpr std::array units = {
     Unit{"deg", 3.14159265358979323846L / 180, dim::angle, false},
     Unit{"\u00b0", 3.14159265358979323846L / 180, dim::angle, false},
     Unit{"%", 0.01L, dim::none, false},
+    Unit{"B", 1, dim::data, false},
+    Unit{"kB", 1e3L, dim::data, false},
+    Unit{"MB", 1e6L, dim::data, false},
+    Unit{"GB", 1e9L, dim::data, false},
+    Unit{"TB", 1e12L, dim::data, false},
+    Unit{"KiB", 1024, dim::data, false},
+    Unit{"MiB", 1048576, dim::data, false},
+    Unit{"GiB", 1073741824, dim::data, false},
+    Unit{"TiB", 1099511627776, dim::data, false},
 };
 
 struct Prefix {
@@ -89,16 +98,16 @@ std::string lower(std::string_view text) {
 }
 
 std::string unknown_unit(std::string_view symbol) {
-  static const std::vector<std::string> known = {"m",   "mm",  "um",  "cm",  "km",  "g",  "kg",  "mg",  "t",
-                                                 "s",   "ms",  "N",   "kN",  "MN",  "Pa", "kPa", "MPa", "GPa",
-                                                 "bar", "J",   "mJ",  "kJ",  "W",   "in", "ft",  "lb",  "lbf",
-                                                 "psi", "ksi", "Msi", "rad", "deg", "%"};
+  static const std::vector<std::string> known = {
+      "m",   "mm",  "um",  "cm",  "km",  "g", "kg", "mg", "t",  "s",  "ms",  "N",   "kN",  "MN",
+      "Pa",  "kPa", "MPa", "GPa", "bar", "J", "mJ", "kJ", "W",  "in", "ft",  "lb",  "lbf", "psi",
+      "ksi", "Msi", "rad", "deg", "%",   "B", "kB", "MB", "GB", "TB", "KiB", "MiB", "GiB", "TiB"};
   for (const std::string& name : known)
     if (lower(name) == lower(symbol))
       return fmt::format("unknown unit '{}' (did you mean '{}'? Capitals matter)", symbol, name);
   return fmt::format(
       "unknown unit '{}'{}; known: m g s N Pa J W with prefixes (mm, kN, MPa, GPa, ...), t bar in ft lb lbf "
-      "psi ksi Msi deg rad %",
+      "psi ksi Msi deg rad %, of memory B kB MB GB TB KiB MiB GiB TiB",
       symbol, did_you_mean(symbol, known));
 }
 
@@ -108,6 +117,7 @@ void raise(Scale& scale, int exponent) {
   scale.dimension.mass *= exponent;
   scale.dimension.time *= exponent;
   scale.dimension.angle *= exponent;
+  scale.dimension.data *= exponent;
 }
 
 void multiply(Scale& scale, const Scale& other, int sign) {
@@ -116,6 +126,7 @@ void multiply(Scale& scale, const Scale& other, int sign) {
   scale.dimension.mass += sign * other.dimension.mass;
   scale.dimension.time += sign * other.dimension.time;
   scale.dimension.angle += sign * other.dimension.angle;
+  scale.dimension.data += sign * other.dimension.data;
 }
 
 /// Recursive descent over a product of units.
@@ -212,6 +223,7 @@ std::string_view trimmed(std::string_view text) {
 
 Quantity parse(std::string_view text, bool number_needed) {
   text = trimmed(text);
+  const std::string_view whole = text;
   double number = 1;
   const char* first = text.data() + (text.starts_with('+') ? 1 : 0);
   const auto [end, problem] = std::from_chars(first, text.data() + text.size(), number);
@@ -227,6 +239,9 @@ Quantity parse(std::string_view text, bool number_needed) {
       throw Error(ErrorCode::invalid_argument, fmt::format("'{}' is not a finite number", text));
     text.remove_prefix(static_cast<std::size_t>(end - text.data()));
   }
+  if (text.size() > 1 && text[0] == ',' && std::isdigit(static_cast<unsigned char>(text[1])))
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("'{}' has a decimal comma; numbers are written with a point", whole));
   text = trimmed(text);
   if (text.empty()) return {number, dim::none};
   const Scale scale = UnitParser(text).whole();
@@ -248,6 +263,7 @@ constexpr std::array known_dimensions = {
     KnownDimension{dim::volume, "m^3", "a volume", "5 mm^3"},
     KnownDimension{dim::mass, "kg", "a mass", "2 kg"},
     KnownDimension{dim::angle, "rad", "an angle", "36 deg"},
+    KnownDimension{dim::data, "B", "an amount of memory", "2 GB"},
     KnownDimension{dim::force, "N", "a force", "1 kN"},
     KnownDimension{dim::pressure, "Pa", "a pressure", "20 MPa"},
     KnownDimension{dim::energy, "J", "an energy or a moment", "2 J"},
@@ -285,6 +301,7 @@ std::string si_unit(const Dimension& dimension) {
   append("m", dimension.length);
   append("s", dimension.time);
   append("rad", dimension.angle);
+  append("B", dimension.data);
   return result;
 }
 

@@ -76,21 +76,41 @@ int automatic_pieces(const iga::ElasticField& field) {
   return elements <= 100'000 ? 4 : elements <= 1'000'000 ? 2 : 1;
 }
 
+/// Names of supports or loads with their faces as the input names them.
+using Regions = std::vector<std::pair<std::string, std::vector<std::string>>>;
+
+Regions regions_of(const std::vector<CaughtRegion>& caught) {
+  Regions result;
+  for (const CaughtRegion& region : caught) result.emplace_back(region.key, region.faces);
+  return result;
+}
+
+Regions regions_of(const Json& summary, const char* key) {
+  Regions result;
+  if (summary.is_object() && summary.contains(key))
+    for (const Json& region : summary[key])
+      result.emplace_back(region.value("name", ""), region.value("faces", std::vector<std::string>()));
+  return result;
+}
+
 /// The faces of regions, in the model's own naming; regions that act on none are left out.
-/// @param own  from a face as the input names it
-template <class Own>
-std::vector<geometry::Boundary> named_faces(
-    const std::vector<std::pair<std::string, std::vector<std::string>>>& regions, int patch_count,
-    const Own& own) {
+std::vector<geometry::Boundary> named_faces(const Regions& regions, const geometry::MultiPatch& model) {
   std::vector<geometry::Boundary> result;
   for (const auto& [name, labels] : regions) {
     geometry::Boundary boundary{name, {}};
     for (const std::string& label : labels)
-      for (const geometry::PatchFace& face : faces_named(label, patch_count, {}, {}))
-        boundary.faces.push_back(own(face));
+      for (const geometry::PatchFace& face : faces_named(label, model.patch_count(), {}, {}))
+        boundary.faces.push_back(model.renamed(face));
     if (!boundary.faces.empty()) result.push_back(std::move(boundary));
   }
   return result;
+}
+
+std::vector<FaceGroup> groups_of(const Regions& supports, const Regions& loads,
+                                 const geometry::MultiPatch& model) {
+  return {{"supports", named_faces(supports, model)},
+          {"loads", named_faces(loads, model)},
+          {"boundaries", model.boundaries()}};
 }
 
 }  // namespace
@@ -98,30 +118,12 @@ std::vector<geometry::Boundary> named_faces(
 std::vector<FaceGroup> face_groups(const std::vector<CaughtRegion>& supports,
                                    const std::vector<CaughtRegion>& loads,
                                    const geometry::MultiPatch& model) {
-  const auto faces = [&](const std::vector<CaughtRegion>& regions) {
-    std::vector<std::pair<std::string, std::vector<std::string>>> labels;
-    for (const CaughtRegion& region : regions) labels.emplace_back(region.name, region.faces);
-    return named_faces(labels, model.patch_count(),
-                       [&](const geometry::PatchFace& face) { return model.renamed(face); });
-  };
-  return {{"supports", faces(supports)}, {"loads", faces(loads)}, {"boundaries", model.boundaries()}};
+  return groups_of(regions_of(supports), regions_of(loads), model);
 }
 
-std::vector<FaceGroup> face_groups(const StoredModel& model, const std::string& summary) {
+std::vector<FaceGroup> face_groups(const geometry::MultiPatch& model, const std::string& summary) {
   const Json json = Json::parse(summary, nullptr, false);
-  const auto faces = [&](const char* key) {
-    std::vector<std::pair<std::string, std::vector<std::string>>> labels;
-    if (json.is_object() && json.contains(key))
-      for (const Json& region : json[key])
-        labels.emplace_back(region.value("name", ""), region.value("faces", std::vector<std::string>()));
-    return named_faces(labels, model.model.patch_count(), [&](geometry::PatchFace face) {
-      if (model.was_left_handed[static_cast<std::size_t>(face.patch.value)] && direction(face.side) == 0)
-        face.side = opposite(face.side);
-      return face;
-    });
-  };
-  return {
-      {"supports", faces("supports")}, {"loads", faces("loads")}, {"boundaries", model.model.boundaries()}};
+  return groups_of(regions_of(json, "supports"), regions_of(json, "loads"), model);
 }
 
 WrittenFields write_fields(const iga::ElasticField& field, const geometry::MultiPatch& model,
@@ -150,7 +152,7 @@ WrittenFields write_fields(const iga::ElasticField& field, const geometry::Multi
                                     options.pieces > 0 ? options.pieces : automatic_pieces(field));
   for_each_block("writing the fields", [&](const Block& block) {
     write("fields/" + block.file, [&](const geometry::PlacedByteSink& sink) {
-      written.left_out.add(output.write(block.patches, sink));
+      written.borrowed.add(output.write(block.patches, sink));
     });
   });
   collect("results.vtm", to_vtm(blocks, "fields/"));
@@ -179,15 +181,15 @@ WrittenFields write_fields(const iga::ElasticField& field, const geometry::Multi
   return written;
 }
 
-std::optional<Warning> left_out_warning(const iga::LeftOut& left_out, double model_size) {
-  if (left_out.count == 0) return std::nullopt;
+std::optional<Warning> borrowed_warning(const iga::BorrowedStress& borrowed, double model_size) {
+  if (borrowed.count == 0) return std::nullopt;
   return Warning{
       fmt::format(
           "{} of the {} points of results.vtm lie where a patch is folded or nearly so, the worst in "
           "patch {} at {} (scaled Jacobian {:.2g}); they show the stress of the nearest good point inside",
-          with_separators(left_out.count), with_separators(left_out.of), left_out.patch,
-          place_with_unit(left_out.place, model_size), left_out.scaled_jacobian),
-      left_out.patch, left_out.place};
+          with_separators(borrowed.count), with_separators(borrowed.of), borrowed.patch,
+          place_with_unit(borrowed.place, model_size), borrowed.scaled_jacobian),
+      borrowed.patch, borrowed.place};
 }
 
 }  // namespace isopatch::app

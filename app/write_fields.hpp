@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "app/caught_region.hpp"
-#include "app/stored_model.hpp"
 #include "app/study.hpp"
 #include "app/warning.hpp"
 #include "geometry/base/progress.hpp"
@@ -23,14 +22,14 @@ struct FaceGroup {
 /// Of a study that was solved.
 std::vector<FaceGroup> face_groups(const std::vector<CaughtRegion>& supports,
                                    const std::vector<CaughtRegion>& loads, const geometry::MultiPatch& model);
-/// Of stored results, as their summary tells.
-std::vector<FaceGroup> face_groups(const StoredModel& model, const std::string& summary);
+/// Of stored results, whose summary tells the faces of supports and loads.
+std::vector<FaceGroup> face_groups(const geometry::MultiPatch& model, const std::string& summary);
 
 /// What was written of the fields.
 struct WrittenFields {
   std::vector<std::string> collections;  ///< results.vtm and others beside it, the one to open first
   int files = 0;                         ///< with these
-  iga::LeftOut left_out;                 ///< points whose stress means nothing
+  iga::BorrowedStress borrowed;          ///< points whose stress means nothing
 };
 
 /// Writes the fields for ParaView, each file as it is computed, into fields/, and collections of them:
@@ -45,6 +44,6 @@ WrittenFields write_fields(const iga::ElasticField& field, const geometry::Multi
                            const std::filesystem::path& directory, const Progress& progress = {});
 
 /// Says how many points have no stress of their own, and where the worst is; nothing if there are none.
-std::optional<Warning> left_out_warning(const iga::LeftOut& left_out, double model_size);
+std::optional<Warning> borrowed_warning(const iga::BorrowedStress& borrowed, double model_size);
 
 }  // namespace isopatch::app

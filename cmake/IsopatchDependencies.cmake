@@ -12,7 +12,8 @@ find_package(MPI REQUIRED COMPONENTS C)
 pkg_check_modules(NLOPT REQUIRED IMPORTED_TARGET nlopt)
 find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
 find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
-find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel IOXML IOImage RenderingFreeType RenderingOpenGL2)
+find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel FiltersCore FiltersGeneral FiltersGeometry
+  FiltersSources IOXML IOImage RenderingFreeType RenderingOpenGL2)
 # By hand: the package file of Debian asks for libraries of OpenCASCADE's viewer, too.
 find_path(OPENCASCADE_INCLUDE_DIR Standard_Version.hxx PATH_SUFFIXES opencascade REQUIRED)
 set(OPENCASCADE_LIBRARIES)

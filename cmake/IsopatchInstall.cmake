@@ -8,12 +8,13 @@ get_property(libraries GLOBAL PROPERTY ISOPATCH_LIBRARIES)
 
 install(TARGETS isopatch RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
 install(TARGETS isopatch_drawing isopatch_brep_module LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/isopatch")
+install(TARGETS isopatch_cad_reader RUNTIME DESTINATION "${CMAKE_INSTALL_LIBDIR}/isopatch")
 install(TARGETS isopatch_settings ${libraries} EXPORT isopatch ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 install(EXPORT isopatch NAMESPACE isopatch:: FILE isopatchTargets.cmake DESTINATION "${config_folder}")
 
 # Headers keep their folders, so that they are included as in the tree: "geometry/multi_patch.hpp".
 install(DIRECTORY geometry segmentation solvers iga app DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/isopatch"
-  FILES_MATCHING PATTERN "*.hpp" PATTERN tests EXCLUDE PATTERN internal EXCLUDE PATTERN program EXCLUDE)
+  FILES_MATCHING PATTERN "*.hpp" PATTERN tests EXCLUDE PATTERN internal EXCLUDE PATTERN program EXCLUDE PATTERN cad_reader EXCLUDE)
 install(FILES LICENSE NOTICE.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
 configure_package_config_file(cmake/isopatchConfig.cmake.in "${PROJECT_BINARY_DIR}/isopatchConfig.cmake"

@@ -92,9 +92,9 @@ void check_near_misses(const std::vector<NurbsVolume>& patches, const std::vecto
     message = fmt::format(
         "faces {} and {} nearly meet: they differ by up to {:.3g} at {}, {:.2g} of the model's size, and "
         "{:.2g} is "
-        "allowed. Mend the model, or raise tolerance.same_point above {:.2g}; if the two are meant to be "
-        "apart, lower "
-        "tolerance.near_miss below it",
+        "allowed. Mend the model, or raise same_point (in a study: model.same_point) above {:.2g}; if the "
+        "two are "
+        "meant to be apart, lower near_miss (model.near_miss) below it",
         label(faces[i].face), label(faces[j].face), match.distance, text(match.first_point),
         match.distance / size, tolerance.same_point, match.distance / size);
   }
@@ -163,7 +163,7 @@ void check_listed(const std::vector<NurbsVolume>& patches, const std::vector<Int
         fmt::format(
             "the listed interface {} - {} is not one: the faces differ by up to {:.3g} at {}, {:.2g} of "
             "the model's size, and {:.2g} is allowed. Correct the list, mend the model, or raise "
-            "tolerance.same_point",
+            "same_point (in a study: model.same_point)",
             label(a), label(b), match.distance, text(match.first_point), match.distance / size,
             tolerance.same_point));
   }

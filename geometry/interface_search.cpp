@@ -43,7 +43,7 @@ void check_thickness(const std::vector<NurbsVolume>& patches, const Interface& f
         ErrorCode::not_conforming,
         fmt::format(
             "the patch between faces {} and {} is thinner than the tolerance for equal points, {:.3g}; "
-            "remove the patch or lower tolerance.same_point",
+            "remove the patch or lower same_point (in a study: model.same_point)",
             label(found.first), label(found.second), same_point));
 }
 

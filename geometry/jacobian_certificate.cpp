@@ -5,14 +5,17 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <queue>
+#include <utility>
 #include <vector>
 
 #include "geometry/base/error.hpp"
 #include "geometry/collapse.hpp"
+#include "geometry/element_bounds.hpp"
+#include "geometry/jacobian_grid.hpp"
 #include "geometry/jacobian_piece.hpp"
-#include "geometry/splines/refine.hpp"
 
 namespace isopatch::geometry {
 namespace {
@@ -55,20 +58,38 @@ std::vector<Cell> collapsed_cells(const NurbsVolume& unit) {
 
 /// Keeps the time bounded where det J is zero on a whole curve or surface.
 constexpr int max_pieces = 20000;
+/// And where very many elements may hold the lowest or highest coefficient: for each of the two, how many are
+/// expanded, and how many are looked at one by one.
+constexpr int max_expanded = 2000;
+constexpr int max_looked_at = 100000;
+/// Bounds this close, as a share of themselves, are not told apart.
+constexpr double same_bound = 1e-9;
+
+/// How well an element is known.
+enum class Known { from_patch, from_element, expanded };
 
 class Certifier {
  public:
-  Certifier(const NurbsVolume& volume, const CertificateOptions& options)
-      : volume_(volume), options_(options) {
+  Certifier(const NurbsVolume& volume, const CertificateOptions& options, const Progress& progress)
+      : volume_(volume),
+        options_(options),
+        progress_(progress),
+        unit_(centred(volume)),
+        elements_(unit_.volume) {
     certificate_.smallest = certificate_.lower = std::numeric_limits<double>::infinity();
     certificate_.upper = -std::numeric_limits<double>::infinity();
   }
 
   JacobianCertificate run() {
-    const CentredVolume unit = centred(volume_);
-    collapsed_ = collapsed_cells(unit.volume);
-    for (const NurbsVolume& element : bezier_pieces(unit.volume))
-      examine(jacobian_piece(element, unit.radius));
+    collapsed_ = collapsed_cells(unit_.volume);
+    progress_("bounding det J", 0);
+    bounds_ = element_bounds(unit_);
+    known_.assign(bounds_.size(), Known::from_patch);
+    note_corners();
+    examine_unclear();
+    sharpen(Lowest{});
+    progress_("bounding det J", 0.9);
+    sharpen(Highest{});
     int pieces = 0;
     while (!negative_ && !undecided_.empty() && undecided_.top().piece.depth < 3 * options_.max_depth &&
            pieces < max_pieces) {
@@ -94,6 +115,83 @@ class Certifier {
       return lower > other.lower;
     }  // the worst on top of the heap
   };
+
+  /// Which end of det J is being sharpened: a cost is larger the farther out an element may be.
+  struct Lowest {
+    static double reach(const Bounds& bounds) { return -bounds.low; }
+    static double& found(JacobianCertificate& certificate) { return certificate.lower; }
+    static double end(double reach) { return -reach; }
+  };
+  struct Highest {
+    static double reach(const Bounds& bounds) { return bounds.high; }
+    static double& found(JacobianCertificate& certificate) { return certificate.upper; }
+    static double end(double reach) { return reach; }
+  };
+
+  /// The values at the corners of the elements.
+  void note_corners() {
+    const GridParameters<3> breaks = {volume_.knots(0).breaks(), volume_.knots(1).breaks(),
+                                      volume_.knots(2).breaks()};
+    double smallest = std::numeric_limits<double>::infinity();
+    Parameter<3> where = volume_.low();
+    for_each_line(volume_, breaks, [&](const JacobianLine& line) {
+      Eigen::Index at = 0;
+      const double value = line.determinants().minCoeff(&at);
+      if (!(value < smallest)) return;
+      smallest = value;
+      where = {breaks[0][static_cast<std::size_t>(line.first)], breaks[1][static_cast<std::size_t>(at)],
+               breaks[2][static_cast<std::size_t>(line.third)]};
+    });
+    note_value(where);
+  }
+
+  /// Expands all elements whose sign is not clear from their control points.
+  void examine_unclear() {
+    for (int e = 0; e < elements_.count(); ++e) {
+      const auto k = static_cast<std::size_t>(e);
+      if (e % 4096 == 0) progress_("bounding det J", 0.1 + 0.6 * e / elements_.count());
+      if (bounds_[k].low > 0) continue;
+      know_better(k);
+      if (!(bounds_[k].low > 0)) know_better(k);
+    }
+  }
+
+  void know_better(std::size_t e) {
+    const NurbsVolume element = elements_[static_cast<int>(e)];
+    if (known_[e] == Known::from_patch) {
+      const Bounds found = element_bounds(element, unit_.radius);
+      bounds_[e] = {std::max(bounds_[e].low, found.low), std::min(bounds_[e].high, found.high)};
+      known_[e] = Known::from_element;
+    } else {
+      known_[e] = Known::expanded;
+      examine(jacobian_piece(element, unit_.radius));
+    }
+  }
+
+  // Expands the elements that may reach farthest until none of the others can reach farther.
+  template <class End>
+  void sharpen(End) {
+    using Reach = std::pair<double, std::size_t>;
+    std::vector<Reach> all;
+    for (std::size_t e = 0; e < bounds_.size(); ++e)
+      if (known_[e] != Known::expanded) all.emplace_back(End::reach(bounds_[e]), e);
+    std::priority_queue<Reach> open(std::less<Reach>{}, std::move(all));
+    double& found = End::found(certificate_);
+    int expanded = 0, looked_at = 0;
+    const auto settled = [&] {
+      const double best = End::reach({found, found});
+      return open.top().first <= best + same_bound * std::abs(best) || expanded == max_expanded ||
+             looked_at == max_looked_at;
+    };
+    while (!open.empty() && !settled()) {
+      const std::size_t e = open.top().second;
+      open.pop();
+      ++(known_[e] == Known::from_element ? expanded : looked_at);
+      know_better(e);
+      if (known_[e] != Known::expanded) open.emplace(End::reach(bounds_[e]), e);
+    }
+    if (!open.empty()) found = End::end(std::max(End::reach({found, found}), open.top().first));
+  }
 
   void examine(JacobianPiece piece) {
     const int corner = piece.lowest_corner();
@@ -164,6 +262,11 @@ class Certifier {
 
   const NurbsVolume& volume_;
   CertificateOptions options_;
+  const Progress& progress_;
+  CentredVolume unit_;
+  BezierElements elements_;
+  std::vector<Bounds> bounds_;  ///< of each element
+  std::vector<Known> known_;
   std::vector<Cell> collapsed_;
   std::priority_queue<Undecided> undecided_;
   JacobianCertificate certificate_;
@@ -173,11 +276,12 @@ class Certifier {
 
 }  // namespace
 
-JacobianCertificate certify_jacobian(const NurbsVolume& volume, const CertificateOptions& options) {
+JacobianCertificate certify_jacobian(const NurbsVolume& volume, const CertificateOptions& options,
+                                     const Progress& progress) {
   if (options.max_depth < 0 || options.max_depth > 30)
     throw Error(ErrorCode::invalid_argument,
                 fmt::format("max_depth is {}; its range is 0 .. 30", options.max_depth));
-  return Certifier(volume, options).run();
+  return Certifier(volume, options, progress).run();
 }
 
 }  // namespace isopatch::geometry

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "geometry/jacobian_grid.hpp"
 #include "geometry/quadrature.hpp"
 #include "geometry/splines/grid.hpp"
 #include "geometry/splines/tensor.hpp"
@@ -63,7 +64,7 @@ Eigen::Matrix4Xd slab(const Eigen::Matrix4Xd& homogeneous, std::array<int, D> si
   return values;
 }
 
-// Calls visit(parameter, weight, jacobian) at all Gauss points; `points(direction)` says how many per
+// Calls visit(parameter, weight, point, jacobian) at all Gauss points; `points(direction)` says how many per
 // element.
 template <int D, class Points, class Visit>
 void at_gauss_points(const Nurbs<D>& spline, Points points, Visit visit) {
@@ -99,7 +100,7 @@ void at_gauss_points(const Nurbs<D>& spline, Points points, Visit visit) {
         const auto h = derivatives[static_cast<std::size_t>(d)].col(i);
         jacobian.col(d) = (h.template head<3>() - h[3] * point) / values(3, i);
       }
-      visit(parameter, weight, jacobian);
+      visit(parameter, weight, point, jacobian);
     }
   }
 }
@@ -123,13 +124,21 @@ Eigen::AlignedBox3d box(const MultiPatch& model) {
   return result;
 }
 
+// By Gauss's theorem: a third of the flux of the position, seen from the middle, through the six sides.
 double volume(const NurbsVolume& patch) {
+  const Eigen::Vector3d middle = box(patch).center();
   double sum = 0;
-  at_gauss_points(
-      patch, [&](int d) { return points_for(patch, d); },
-      [&](const Parameter<3>&, double weight, const Eigen::Matrix3d& columns) {
-        sum += weight * columns.determinant();
-      });
+  for (const Side side : all_sides) {
+    const NurbsSurface surface = face_surface(patch, side);
+    // The two tangents and the outward normal are right-handed there.
+    const double sign = is_high(side) != (direction(side) == 1) ? 1 : -1;
+    at_gauss_points(
+        surface, [&](int d) { return points_for(surface, d); },
+        [&](const Parameter<2>&, double weight, const Eigen::Vector3d& point,
+            const Eigen::Matrix<double, 3, 2>& columns) {
+          sum += sign * weight * (point - middle).dot(columns.col(0).cross(columns.col(1))) / 3;
+        });
+  }
   return sum;
 }
 
@@ -137,7 +146,8 @@ double area(const NurbsSurface& surface) {
   double sum = 0;
   at_gauss_points(
       surface, [&](int d) { return points_for(surface, d); },
-      [&](const Parameter<2>&, double weight, const Eigen::Matrix<double, 3, 2>& columns) {
+      [&](const Parameter<2>&, double weight, const Eigen::Vector3d&,
+          const Eigen::Matrix<double, 3, 2>& columns) {
         sum += weight * columns.col(0).cross(columns.col(1)).norm();
       });
   return sum;
@@ -150,22 +160,29 @@ Eigen::Vector3d outward_normal(const NurbsVolume& patch, Side side, const Parame
   return is_high(side) ? along : Eigen::Vector3d(-along);
 }
 
-Quality quality(const NurbsVolume& patch, int points_per_direction) {
-  Quality result{std::numeric_limits<double>::infinity(), 0, std::numeric_limits<double>::infinity(), {}};
-  int count = 0;
-  at_gauss_points(
-      patch, [&](int d) { return points_per_direction > 0 ? points_per_direction : patch.degree(d) + 1; },
-      [&](const Parameter<3>& at, double, const Eigen::Matrix3d& columns) {
-        const double determinant = columns.determinant();
-        const double lengths = columns.colwise().norm().prod();
-        const double scaled = lengths > 0 ? determinant / lengths : 0;
-        result.min_scaled_jacobian = std::min(result.min_scaled_jacobian, scaled);
-        result.mean_scaled_jacobian += scaled;
-        ++count;
-        if (determinant >= result.min_jacobian) return;
-        result.min_jacobian = determinant;
-        result.worst_parameter = at;
-      });
+Quality quality(const NurbsVolume& patch, int points_per_direction, const Progress& progress) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Quality result{infinity, 0, infinity, {}};
+  GridParameters<3> nodes;
+  double count = 1;
+  for (int d = 0; d < 3; ++d) {
+    const int points = points_per_direction > 0 ? points_per_direction : patch.degree(d) + 1;
+    nodes[static_cast<std::size_t>(d)] = rule_on(patch.knots(d), points).nodes;
+    count *= static_cast<double>(nodes[static_cast<std::size_t>(d)].size());
+  }
+  const auto node = [&](std::size_t d, Eigen::Index i) { return nodes[d][static_cast<std::size_t>(i)]; };
+  for_each_line(patch, nodes, [&](const JacobianLine& line) {
+    if (line.first == 0) progress("measuring quality", double(line.third) / double(nodes[2].size()));
+    const Eigen::ArrayXd determinants = line.determinants(), squares = line.squared_lengths();
+    const Eigen::ArrayXd scaled = (squares > 0).select(determinants / squares.sqrt(), 0.0);
+    result.min_scaled_jacobian = std::min(result.min_scaled_jacobian, scaled.minCoeff());
+    result.mean_scaled_jacobian += scaled.sum();
+    Eigen::Index at = 0;
+    const double smallest = determinants.minCoeff(&at);
+    if (smallest >= result.min_jacobian) return;
+    result.min_jacobian = smallest;
+    result.worst_parameter = {node(0, line.first), node(1, at), node(2, line.third)};
+  });
   result.mean_scaled_jacobian /= count;
   return result;
 }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include "geometry/base/progress.hpp"
 #include "geometry/multi_patch.hpp"
 
 namespace isopatch::geometry {
@@ -10,8 +11,9 @@ namespace isopatch::geometry {
 Eigen::AlignedBox3d box(const NurbsVolume& volume);
 Eigen::AlignedBox3d box(const MultiPatch& model);
 
-/// Volume by Gauss quadrature, exact for B-splines; model units^3. Rational patches get 2 p + 8 points per
-/// element and direction, which integrates quarter arcs of degree 2 to round-off.
+/// Volume by Gauss's theorem and Gauss quadrature on the six sides, exact for B-splines; model units^3.
+/// Rational patches get 2 p + 8 points per element and direction, which integrates quarter arcs of degree 2
+/// to round-off.
 double volume(const NurbsVolume& patch);
 
 /// Area by Gauss quadrature with as many points as the volume; model units^2.
@@ -28,6 +30,7 @@ struct Quality {
   Parameter<3> worst_parameter;  ///< of min_jacobian
 };
 /// @param points_per_direction  Gauss points per element and direction; 0: degree + 1
-Quality quality(const NurbsVolume& patch, int points_per_direction = 0);
+/// @param progress  hears of the share of the points
+Quality quality(const NurbsVolume& patch, int points_per_direction = 0, const Progress& progress = {});
 
 }  // namespace isopatch::geometry

@@ -52,14 +52,14 @@ void check_input(const PatchSet& set, const Tolerance& tolerance) {
   if (set.patches.empty()) throw Error(ErrorCode::invalid_argument, "a model needs at least one patch");
   if (!(tolerance.same_point > 0 && tolerance.same_point < 1e-2))
     throw Error(ErrorCode::invalid_argument,
-                fmt::format("tolerance.same_point is {}; its range is (0, 1e-2)", tolerance.same_point));
+                fmt::format("same_point is {}; its range is (0, 1e-2)", tolerance.same_point));
   if (!(tolerance.near_miss > tolerance.same_point && tolerance.near_miss < 0.1))
     throw Error(ErrorCode::invalid_argument,
-                fmt::format("tolerance.near_miss is {}; its range is (same_point, 0.1), and same_point is {}",
+                fmt::format("near_miss is {}; its range is (same_point, 0.1), and same_point is {}",
                             tolerance.near_miss, tolerance.same_point));
   if (!(tolerance.same_knot > 0 && tolerance.same_knot < 1e-3))
     throw Error(ErrorCode::invalid_argument,
-                fmt::format("tolerance.same_knot is {}; its range is (0, 1e-3)", tolerance.same_knot));
+                fmt::format("same_knot is {}; its range is (0, 1e-3)", tolerance.same_knot));
   for (const Boundary& boundary : set.boundaries)
     for (const PatchFace& face : boundary.faces)
       check_face(face, set.patches.size(), fmt::format("boundary '{}'", boundary.name));
@@ -127,6 +127,11 @@ std::vector<std::vector<PatchId>> MultiPatch::bodies() const {
   return found;
 }
 
+std::string MultiPatch::patch_name(PatchId id) const {
+  const auto i = static_cast<std::size_t>(id.value);
+  return i < names_.size() ? names_[i] : "";
+}
+
 MultiPatch connect(PatchSet set, const Tolerance& tolerance) {
   check_input(set, tolerance);
   MultiPatch model;
@@ -143,6 +148,7 @@ MultiPatch connect(PatchSet set, const Tolerance& tolerance) {
     second = model.renamed(second);
   }
   model.boundaries_ = std::move(set.boundaries);
+  model.names_ = std::move(set.names);
 
   const FaceLabel label = [&](PatchFace face) { return model.label(face); };
   FaceCensus census = find_interfaces(model.patches_, tolerance, model.size_, label);

@@ -45,6 +45,8 @@ struct PatchSet {
   std::vector<Boundary> boundaries;
   /// Pairs that the file lists as interfaces; `connect` holds them against the geometry. May be empty.
   std::vector<std::pair<PatchFace, PatchFace>> listed_interfaces;
+  /// What patches are called; as many as there are patches, fewer or none.
+  std::vector<std::string> names = {};
 };
 
 /// Volume patches and how they meet.
@@ -71,6 +73,8 @@ class MultiPatch {
   /// Between a face, or a parameter, as the input names it and as `patches()` does; each is its own inverse.
   PatchFace renamed(PatchFace face) const;
   Parameter<3> renamed(PatchId id, const Parameter<3>& parameter) const;
+  /// What the input calls the patch; "" where it has no name for it.
+  std::string patch_name(PatchId id) const;
   /// "3:north", in the input's names: for messages and reports.
   std::string label(PatchFace face) const;
 
@@ -87,6 +91,7 @@ class MultiPatch {
   std::vector<PatchFace> degenerate_faces_;
   std::vector<Boundary> boundaries_;
   std::vector<bool> reversed_;
+  std::vector<std::string> names_;
   Tolerance tolerance_;
   double size_ = 0;
 };

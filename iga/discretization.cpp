@@ -2,86 +2,21 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-
 #include "geometry/base/error.hpp"
 #include "geometry/splines/refine.hpp"
-#include "geometry/splines/transfer.hpp"
+#include "iga/internal/parallel_for.hpp"
 #include "iga/matching_spaces.hpp"
+#include "iga/solution_knots.hpp"
 
 namespace isopatch::iga {
 namespace {
 
-using geometry::KnotVector;
 using geometry::NurbsVolume;
 
 void check_range(const char* field, double value, double low, double high) {
   if (!(value >= low && value <= high))
     throw Error(ErrorCode::invalid_argument,
                 fmt::format("{} is {}; its range is {} .. {}", field, value, low, high));
-}
-
-// Every span cut into `parts` equal ones, all inner knots with at least the given multiplicity.
-KnotVector subdivided(const KnotVector& knots, int parts, int least_multiplicity) {
-  const std::vector<double> breaks = knots.breaks();
-  const std::vector<int> multiplicities = knots.multiplicities();
-  std::vector<double> inserted;
-  for (std::size_t e = 0; e + 1 < breaks.size(); ++e) {
-    if (e > 0)
-      inserted.insert(inserted.end(),
-                      static_cast<std::size_t>(std::max(0, least_multiplicity - multiplicities[e])),
-                      breaks[e]);
-    for (int k = 1; k < parts; ++k)
-      inserted.insert(inserted.end(), static_cast<std::size_t>(std::max(1, least_multiplicity)),
-                      breaks[e] + (breaks[e + 1] - breaks[e]) * k / parts);
-  }
-  return geometry::with_knots(knots, inserted);
-}
-
-// Bound of the length of any element along a direction if it is cut into equal parts: degree times the
-// longest leg of the control polygon of its Bezier form bounds the speed (up to the weights' ratio for
-// rational patches).
-double longest_element(const NurbsVolume& patch, int direction) {
-  auto knots = patch.knots();
-  knots[static_cast<std::size_t>(direction)] = geometry::bezier_knots(patch.knots(direction));
-  const NurbsVolume split = geometry::refined(patch, knots);
-  const int p = split.degree(direction);
-  int stride = 1;
-  for (int d = 0; d < direction; ++d) stride *= split.size(d);
-  double longest = 0;
-  for (int i = 0; i < split.size(); ++i) {
-    const int along = (i / stride) % split.size(direction);
-    if (along + 1 >= split.size(direction)) continue;
-    longest = std::max(longest,
-                       p * (split.control_points().col(i + stride) - split.control_points().col(i)).norm());
-  }
-  return longest;
-}
-
-// Parts per span, equal for all directions that interfaces tie together.
-std::vector<int> parts_per_span(const geometry::MultiPatch& model, const DirectionKnots& knots,
-                                const DiscretizationOptions& options) {
-  std::vector<int> parts(knots.size(), 1 << options.refine);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const std::size_t d = i % 3;
-    const int elements = knots[i].element_count();
-    parts[i] = std::max(parts[i], (options.elements_per_direction[d] + elements - 1) / elements);
-    if (options.max_size > 0) {
-      const double longest = longest_element(model.patches()[i / 3], static_cast<int>(d));
-      parts[i] =
-          std::max(parts[i], static_cast<int>(std::min(1e4, std::ceil(longest / options.max_size - 1e-9))));
-    }
-  }
-  const std::vector<int> classes = tied_directions(model);
-  std::vector<int> most(parts.size(), 1);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    int& of_class = most[static_cast<std::size_t>(classes[i])];
-    of_class = std::max(of_class, parts[i]);
-  }
-  for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = most[static_cast<std::size_t>(classes[i])];
-  return parts;
 }
 
 }  // namespace
@@ -105,21 +40,8 @@ std::int64_t Discretization::element_count() const {
 }
 
 Discretization discretize(const geometry::MultiPatch& model, const DiscretizationOptions& options) {
-  validate(options);
-  DirectionKnots knots;
-  for (const NurbsVolume& patch : model.patches())
-    for (int d = 0; d < 3; ++d)
-      knots.push_back(geometry::with_degree_raised(
-          patch.knots(d), std::max(0, options.degree[static_cast<std::size_t>(d)] - patch.degree(d))));
-  knots = matched(model, std::move(knots));
-  const std::vector<int> parts = parts_per_span(model, knots, options);
-  for (std::size_t i = 0; i < knots.size(); ++i) {
-    const int smoothness =
-        options.continuity < 0 ? knots[i].degree() - 1 : std::min(options.continuity, knots[i].degree() - 1);
-    knots[i] = subdivided(knots[i], parts[i], knots[i].degree() - smoothness);
-  }
-
-  Discretization result{model, {}, {0}};
+  const DirectionKnots knots = solution_knots(model, options);
+  Discretization result{model, {}, {0}, {}};
   for (std::size_t i = 0; i < model.patches().size(); ++i) {
     const double nodes = result.first_node.back() +
                          1.0 * knots[3 * i].size() * knots[3 * i + 1].size() * knots[3 * i + 2].size();
@@ -134,6 +56,11 @@ Discretization discretize(const geometry::MultiPatch& model, const Discretizatio
   for (std::size_t i = 0; i < model.patches().size(); ++i)
     result.patches.push_back(
         geometry::refined(model.patches()[i], {knots[3 * i], knots[3 * i + 1], knots[3 * i + 2]}));
+  result.gauss_points.resize(result.patches.size());
+  parallel_for(static_cast<std::int64_t>(result.patches.size()), [&](std::int64_t i, int) {
+    const auto patch = static_cast<std::size_t>(i);
+    result.gauss_points[patch] = gauss_points(result.patches[patch]);
+  });
   check_traces(model, result.patches);
   return result;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geometry/multi_patch.hpp"
+#include "iga/gauss_points.hpp"
 
 namespace isopatch::iga {
 
@@ -12,11 +13,12 @@ struct DiscretizationOptions {
   /// Degree per direction, raised where the geometry's is lower and never lowered; 0 keeps the geometry's.
   /// Raising keeps the continuity of the geometry at its knots. Range 0 .. 10.
   std::array<int, 3> degree = {0, 0, 0};
-  /// Halvings of every knot span. Range 0 .. 10.
+  /// Halvings of every element that the other options make. Range 0 .. 10.
   int refine = 0;
-  /// Least number of elements per direction of each patch; 0: as many as the geometry has. Range 0 .. 10000.
+  /// Least number of elements per direction of each patch, before `refine`; 0: as many as the geometry has.
+  /// Range 0 .. 10000.
   std::array<int, 3> elements_per_direction = {0, 0, 0};
-  /// Largest length of an element's edge, model units; 0: no limit.
+  /// Largest length of an element's edge before `refine`, model units; 0: no limit.
   double max_size = 0;
   /// Highest continuity C^k across knots inside a patch; -1: as smooth as degree and geometry allow. Range -1
   /// .. 9.
@@ -31,9 +33,14 @@ struct Discretization {
   geometry::MultiPatch model;
   std::vector<geometry::NurbsVolume> patches;  ///< the model's patches in the solution space
   std::vector<int> first_node;                 ///< of each patch, and the number of nodes at the end
+  std::vector<GaussPoints> gauss_points;       ///< of each patch, as many as its map needs
 
   int node_count() const { return first_node.back(); }
   int patch_count() const { return static_cast<int>(patches.size()); }
+  /// Gauss points in a patch if `asked` for so many in all directions, or with 0 for what its map needs.
+  GaussPoints points_of(int patch, int asked) const {
+    return asked > 0 ? GaussPoints{asked, asked, asked} : gauss_points[static_cast<std::size_t>(patch)];
+  }
   /// Elements (nonempty knot spans) summed over the patches.
   std::int64_t element_count() const;
 };

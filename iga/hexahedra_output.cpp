@@ -85,7 +85,8 @@ HexahedraOutput::HexahedraOutput(const ElasticField& field, const geometry::Mult
       grids_(grids_of(field, model, least)),
       surface_(model, field.patches, grids_) {}
 
-LeftOut HexahedraOutput::write(const std::vector<int>& patches, const geometry::PlacedByteSink& sink) const {
+BorrowedStress HexahedraOutput::write(const std::vector<int>& patches,
+                                      const geometry::PlacedByteSink& sink) const {
   std::vector<geometry::VtuGrid> grids;
   std::vector<int> materials;
   std::vector<std::int64_t> first = {0};
@@ -96,7 +97,7 @@ LeftOut HexahedraOutput::write(const std::vector<int>& patches, const geometry::
   }
   geometry::VtuFile file(geometry::VtuCell::hexahedron, grids, fields,
                          {{"patch", patches}, {"material", materials}}, sink);
-  LeftOut left_out;
+  BorrowedStress borrowed;
   for_each_plane<FieldPlane>(
       first,
       [&](std::size_t i, const auto& take) {
@@ -111,10 +112,10 @@ LeftOut HexahedraOutput::write(const std::vector<int>& patches, const geometry::
       },
       [&](const FieldPlane& plane, std::int64_t at) {
         write_plane(plane, at, file);
-        left_out.add(plane.left_out);
+        borrowed.add(plane.borrowed);
       });
   file.finish();
-  return left_out;
+  return borrowed;
 }
 
 void HexahedraOutput::write_faces(const std::vector<geometry::PatchFace>& faces,

@@ -33,7 +33,7 @@ class HexahedraOutput {
   /// their faces; small ones some at a time.
   /// @return  the nodes whose stress means nothing
   /// @cost    some 0.3 us and 150 bytes of the file per node; in parallel
-  LeftOut write(const std::vector<int>& patches, const geometry::PlacedByteSink& sink) const;
+  BorrowedStress write(const std::vector<int>& patches, const geometry::PlacedByteSink& sink) const;
 
   /// Faces as a .vtu file of quadrilaterals with the same nodes and fields, their normals outward.
   void write_faces(const std::vector<geometry::PatchFace>& faces, const geometry::PlacedByteSink& sink) const;

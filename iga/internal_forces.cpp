@@ -3,6 +3,7 @@
 #include "iga/internal/element_batches.hpp"
 #include "iga/internal/element_tensors.hpp"
 #include "iga/internal/folded_patch.hpp"
+#include "iga/internal/highest_modes.hpp"
 #include "iga/internal/point_fields.hpp"
 #include "iga/results.hpp"
 
@@ -15,26 +16,41 @@ constexpr std::int64_t elements_per_batch = 8192;
 struct Scratch {
   TensorBuffers<8> fields;
   TensorBuffers<4> test;
+  PointStresses stresses, modes;
+  Eigen::VectorXd measures;
+};
+
+// The largest of an element's points and where it is.
+struct Largest {
+  double value = -1;
+  Eigen::Index point = 0;
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+
+  void take(double other, Eigen::Index at, const Eigen::Vector3d& where) {
+    if (is_larger(other, value)) *this = {other, at, where};
+  }
 };
 
 struct ElementForces {
   std::vector<double> forces;  // three of each function
   double energy = 0;
-  double max_von_mises = 0;
-  Eigen::Index worst_point = 0;
-  Eigen::Vector3d worst_place;
+  Largest von_mises, strain;
+  std::int64_t folded = 0;
+  Largest worst = {-2, 0, Eigen::Vector3d::Zero()};  // minus the scaled Jacobian
+  UnresolvedEnergy modes;
 };
 
 class PatchForces {
  public:
   PatchForces(const Discretization& d, int patch, const Material& material,
-              const Eigen::Matrix3Xd& displacement, int points)
+              const Eigen::Matrix3Xd& displacement, const GaussPoints& points)
       : d_(d),
         index_(patch),
         patch_(d.patches[static_cast<std::size_t>(patch)]),
         material_(material),
         displacement_(displacement.data() + 3 * d.first_node[static_cast<std::size_t>(patch)]),
-        tensors_(patch_, points) {}
+        tensors_(patch_, gauss_rules(points)),
+        modes_(points, {patch_.degree(0), patch_.degree(1), patch_.degree(2)}) {}
 
   const ElementTensors& tensors() const { return tensors_; }
 
@@ -43,9 +59,14 @@ class PatchForces {
     tensors_.gradients(element, scratch.fields);
     for (auto& at : scratch.test.at) at.resize(static_cast<std::size_t>(tensors_.point_count()));
     out.energy = 0;
-    out.max_von_mises = -1;
+    out.von_mises = out.strain = {};
+    out.folded = 0;
+    out.worst = {-2, 0, Eigen::Vector3d::Zero()};
+    scratch.stresses.resize(6, tensors_.point_count());
+    scratch.measures.resize(tensors_.point_count());
     tensors_.for_each_point(
         element, [&](Eigen::Index q, double weight) { at_point(element, q, weight, scratch, out); });
+    out.modes = modes_.energies(scratch.stresses, scratch.measures, material_, scratch.modes);
     tensors_.test_with_gradients(element, scratch.test);
     out.forces.resize(static_cast<std::size_t>(3 * tensors_.function_count()));
     tensors_.for_each_function(element, [&](Eigen::Index a, Eigen::Index i) {
@@ -76,11 +97,19 @@ class PatchForces {
     scratch.test.at[0][q] << (-on_cube * rate).array(), 0.0;
     for (int k = 0; k < 3; ++k)
       scratch.test.at[static_cast<std::size_t>(k + 1)][q] << on_cube.col(k).array(), 0.0;
+    scratch.measures[point] = measure;
+    scratch.stresses.col(point) << sigma(0, 0), sigma(1, 1), sigma(2, 2), sigma(0, 1), sigma(1, 2),
+        sigma(2, 0);
+    double scaled = 0;
+    if (map_state(place.derivatives, scaled) != MapState::sound) {
+      ++out.folded;
+      out.worst.take(-scaled, point, place.value);
+      return;
+    }
     const double equivalent = von_mises(sigma);
-    if (equivalent <= out.max_von_mises) return;
-    out.max_von_mises = equivalent;
-    out.worst_point = point;
-    out.worst_place = place.value;
+    require_finite(equivalent, index_, place.value);
+    out.von_mises.take(equivalent, point, place.value);
+    out.strain.take((0.5 * (gradient + gradient.transpose())).norm(), point, place.value);
   }
 
   const Discretization& d_;
@@ -89,6 +118,7 @@ class PatchForces {
   const Material& material_;
   const double* displacement_;
   ElementTensors tensors_;
+  HighestModes modes_;
 };
 
 // The elements of a part, which follow each other: direction 3 is the slowest.
@@ -110,13 +140,13 @@ InternalForces internal_forces(const Discretization& d, const std::vector<Materi
                                int points, const Progress& progress) {
   InternalForces result;
   result.forces = Eigen::Matrix3Xd::Zero(3, d.node_count());
-  result.max_von_mises.value = -1;
+  result.max_von_mises.value = result.max_strain.value = -1;
   std::int64_t total = 0, done = 0;
   for (const PatchPart& part : parts) total += elements_of(d, part).count;
   for (const PatchPart& part : parts) {
     const int p = part.patch;
     const auto patch = static_cast<std::size_t>(p);
-    const PatchForces of_patch(d, p, materials[patch], displacement, points);
+    const PatchForces of_patch(d, p, materials[patch], displacement, d.points_of(p, points));
     double* const forces = result.forces.data() + 3 * d.first_node[patch];
     const auto [begin, count] = elements_of(d, part);
     in_batches<Scratch, ElementForces>(
@@ -131,9 +161,16 @@ InternalForces internal_forces(const Discretization& d, const std::vector<Materi
               Eigen::Map<Eigen::Vector3d>(forces + 3 * i) +=
                   Eigen::Map<const Eigen::Vector3d>(&element.forces[static_cast<std::size_t>(3 * a)]);
             });
-            if (element.max_von_mises > result.max_von_mises.value)
-              result.max_von_mises = {element.max_von_mises, element.worst_place, p,
-                                      of_patch.tensors().parameter(begin + first, element.worst_point)};
+            const auto take = [&](const Largest& found, Extremum& so_far) {
+              if (is_larger(found.value, so_far.value))
+                so_far = {found.value, found.place, p,
+                          of_patch.tensors().parameter(begin + first, found.point)};
+            };
+            take(element.von_mises, result.max_von_mises);
+            take(element.strain, result.max_strain);
+            take(element.worst, result.left_out.worst);
+            result.left_out.folded += element.folded;
+            result.unresolved += element.modes;
             ++first;
           }
           done += static_cast<std::int64_t>(elements.size());
@@ -154,6 +191,10 @@ InternalForces summed(InternalForces share, const solvers::Processes& processes)
   processes.sum(Eigen::Map<Eigen::VectorXd>(share.forces.data(), share.forces.size()));
   share.energy = processes.sum(share.energy);
   share.max_von_mises = largest(share.max_von_mises, processes);
+  share.max_strain = largest(share.max_strain, processes);
+  share.left_out = summed(share.left_out, processes);
+  for (double& along : share.unresolved.along) along = processes.sum(along);
+  share.unresolved.volumetric = processes.sum(share.unresolved.volumetric);
   return share;
 }
 

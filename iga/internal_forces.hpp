@@ -13,11 +13,15 @@ namespace isopatch::iga {
 struct InternalForces {
   Eigen::Matrix3Xd
       forces;  ///< K u per node before any coupling, (3, nodes), N; from the stresses, not from a matrix
-  double energy = 0;       ///< half the integral of stress : strain, J
-  Extremum max_von_mises;  ///< over the Gauss points, Pa
+  double energy = 0;            ///< half the integral of stress : strain, J
+  Extremum max_von_mises;       ///< over the Gauss points that are not left out, Pa
+  Extremum max_strain;          ///< Frobenius norm, over the same points
+  LeftOut left_out;             ///< Gauss points where the map is folded
+  UnresolvedEnergy unresolved;  ///< of the highest modes
 };
 
 /// @param displacement  coefficients per node, (3, nodes), m
+/// @param points        Gauss points per element and direction; 0: as many as each map needs
 /// @throws Error fold_over  a Gauss point with det J <= 0, naming patch, parameter (the input's names) and
 /// place
 /// @cost  O((degree + 1)^4) per element, in parallel; the same for any number of threads

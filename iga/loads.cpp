@@ -134,11 +134,11 @@ using ElementLoad = std::vector<double>;
 // each function N = w B / W.
 class PatchWeight {
  public:
-  PatchWeight(const Discretization& d, int patch, const VolumeLoad& load, int points)
+  PatchWeight(const Discretization& d, int patch, const VolumeLoad& load, const GaussPoints& points)
       : index_(patch),
         patch_(d.patches[static_cast<std::size_t>(patch)]),
         load_(load),
-        tensors_(patch_, points) {}
+        tensors_(patch_, gauss_rules(points)) {}
 
   const ElementTensors& tensors() const { return tensors_; }
 
@@ -178,7 +178,7 @@ void add_volume_load(const ElasticityProblem& problem, const VolumeLoad& volume_
     if (patch.value < 0 || patch.value >= d.patch_count())
       throw Error(ErrorCode::invalid_argument, fmt::format("'{}': there is no patch {}; the model has {}",
                                                            volume_load.name, patch.value, d.patch_count()));
-    const PatchWeight weight(d, patch.value, volume_load, points);
+    const PatchWeight weight(d, patch.value, volume_load, d.points_of(patch.value, points));
     double* const sums = load.data() + 3 * d.first_node[static_cast<std::size_t>(patch.value)];
     in_batches<TensorBuffers<4>, ElementLoad>(
         weight.tensors().element_count(), elements_per_batch,

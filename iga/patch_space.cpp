@@ -7,7 +7,8 @@ std::vector<PatchSpace> isoparametric_spaces(const Discretization& discretizatio
   for (std::size_t p = 0; p < discretization.patches.size(); ++p) {
     const geometry::NurbsVolume& patch = discretization.patches[p];
     spaces.push_back({&patch, patch.knots(), patch.is_rational() ? patch.weights() : Eigen::VectorXd(),
-                      discretization.model.was_reversed(PatchId(static_cast<int>(p)))});
+                      discretization.model.was_reversed(PatchId(static_cast<int>(p))),
+                      discretization.gauss_points[p]});
   }
   return spaces;
 }

@@ -19,10 +19,16 @@ struct PatchSpace {
   std::array<geometry::KnotVector, 3> knots;        ///< of the functions
   Eigen::VectorXd weights;                          ///< w, one per function; empty: polynomial
   bool reversed = false;  ///< whether the input has the first direction the other way round; for messages
+  GaussPoints points = {0, 0, 0};  ///< per element of the functions; 0: degree + 1
 
   std::array<int, 3> sizes() const { return {knots[0].size(), knots[1].size(), knots[2].size()}; }
   int size() const { return knots[0].size() * knots[1].size() * knots[2].size(); }
   bool is_rational() const { return weights.size() > 0; }
+  /// Gauss points along a direction if `asked` for so many everywhere, or with 0 for what suits the space.
+  int points_along(int direction, int asked) const {
+    const auto d = static_cast<std::size_t>(direction);
+    return asked > 0 ? asked : points[d] > 0 ? points[d] : knots[d].degree() + 1;
+  }
 };
 
 /// The elements of one patch whose third knot span is one of first_layer .. last_layer - 1: a whole patch, or

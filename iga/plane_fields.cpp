@@ -71,7 +71,7 @@ bool is_usable(double scaled_jacobian, double typical) {
   return scaled_jacobian > least_share * typical;
 }
 
-void LeftOut::add(const LeftOut& other) {
+void BorrowedStress::add(const BorrowedStress& other) {
   count += other.count;
   of += other.of;
   if (other.count == 0 || (patch >= 0 && other.scaled_jacobian >= scaled_jacobian)) return;
@@ -139,7 +139,7 @@ struct PlaneFields::State {
     out.strain.col(at) = six(strain);
     out.stress.col(at) = six(stress);
     out.von_mises[at] = von_mises(stress);
-    left_out[static_cast<std::size_t>(at)] = node.usable == 0 && !node.collapsed;
+    borrowed[static_cast<std::size_t>(at)] = node.usable == 0 && !node.collapsed;
   }
 
   void row(int j, int k, GridSums::Row& buffer, std::vector<NodeSums>& nodes) {
@@ -163,12 +163,12 @@ struct PlaneFields::State {
              static_cast<Eigen::Index>(i) + static_cast<Eigen::Index>(n) * j);
   }
 
-  void sum_up_left_out() {
-    out.left_out = {};
-    for (std::size_t i = 0; i < left_out.size(); ++i) {
-      LeftOut point{left_out[i] ? 1 : 0, 1, patch, out.points.col(static_cast<Eigen::Index>(i)),
-                    out.scaled_jacobian[static_cast<Eigen::Index>(i)]};
-      out.left_out.add(point);
+  void sum_up_borrowed() {
+    out.borrowed = {};
+    for (std::size_t i = 0; i < borrowed.size(); ++i) {
+      BorrowedStress point{borrowed[i] ? 1 : 0, 1, patch, out.points.col(static_cast<Eigen::Index>(i)),
+                           out.scaled_jacobian[static_cast<Eigen::Index>(i)]};
+      out.borrowed.add(point);
     }
   }
 
@@ -185,7 +185,7 @@ struct PlaneFields::State {
   double typical;
   std::vector<Scratch> rows;
   std::array<GridSums::Plane, 2> planes;
-  std::vector<char> left_out;
+  std::vector<char> borrowed;
   FieldPlane out;
 };
 
@@ -202,7 +202,7 @@ FieldPlane& PlaneFields::plane(int k) {
   State& s = *state_;
   const auto [m, n, o] = s.sums.sizes();
   s.resize(static_cast<Eigen::Index>(m) * n);
-  s.left_out.assign(static_cast<std::size_t>(m) * static_cast<std::size_t>(n), 0);
+  s.borrowed.assign(static_cast<std::size_t>(m) * static_cast<std::size_t>(n), 0);
   const std::vector<int>& begin = s.sums.line(2).begin;
   const int first = begin[static_cast<std::size_t>(k)];
   for (int c = first; c < begin[static_cast<std::size_t>(k) + 1]; ++c)
@@ -211,7 +211,7 @@ FieldPlane& PlaneFields::plane(int k) {
     State::Scratch& scratch = s.rows[static_cast<std::size_t>(thread)];
     s.row(static_cast<int>(j), k, scratch.row, scratch.nodes);
   });
-  s.sum_up_left_out();
+  s.sum_up_borrowed();
   return s.out;
 }
 

@@ -12,14 +12,14 @@
 namespace isopatch::iga {
 
 /// Points at which a map is folded or has no volume, so that its stress there means nothing.
-struct LeftOut {
+struct BorrowedStress {
   std::int64_t count = 0;
   std::int64_t of = 0;                              ///< points looked at
   int patch = -1;                                   ///< of the worst one
   Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< of the worst one, m
   double scaled_jacobian = 1;                       ///< there
 
-  void add(const LeftOut& other);
+  void add(const BorrowedStress& other);
 };
 
 /// All fields at the points of one plane of a grid, the first direction fastest.
@@ -31,7 +31,7 @@ struct FieldPlane {
   Eigen::RowVectorXd von_mises;        ///< of this stress, Pa
   Eigen::RowVectorXd scaled_jacobian;  ///< det J over the product of its columns' lengths, -1 .. 1
   Eigen::RowVectorXd weights;          ///< the denominator of rational functions
-  LeftOut left_out;
+  BorrowedStress borrowed;
 };
 
 /// The fields of one patch on a grid of parameters, evaluated from the coefficients, a plane of direction 3

@@ -93,8 +93,7 @@ const int QuadratureGeometry::block_size = register_size;
 QuadratureGeometry::QuadratureGeometry(const PatchSpace& space, int points) : space_(&space) {
   for (int d = 0; d < 3; ++d) {
     const auto k = static_cast<std::size_t>(d);
-    const int count = points > 0 ? points : space.knots[k].degree() + 1;
-    tables_[k] = direction_table(space.knots[k], geometry::gauss_legendre(count));
+    tables_[k] = direction_table(space.knots[k], geometry::gauss_legendre(space.points_along(d, points)));
     for (const DirectionTable::Element& element : tables_[k].elements) {
       nodes_[k].insert(nodes_[k].end(), element.nodes.begin(), element.nodes.end());
       weights_[k].insert(weights_[k].end(), element.weights.begin(), element.weights.end());

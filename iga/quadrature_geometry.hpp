@@ -20,7 +20,7 @@ namespace isopatch::iga {
 class QuadratureGeometry {
  public:
   /// @param space   must outlive this
-  /// @param points  Gauss points per element and direction; 0: the functions' degree + 1 in each
+  /// @param points  Gauss points per element and direction; 0: as many as the space says
   QuadratureGeometry(const PatchSpace& space, int points);
 
   /// The functions of direction d at its points.

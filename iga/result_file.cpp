@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "geometry/base/error.hpp"
-#include "geometry/io/hdf5_file.hpp"
+#include "geometry/io/hdf5_connections.hpp"
 
 namespace isopatch::iga {
 namespace {
@@ -14,7 +14,7 @@ using geometry::KnotVector;
 using geometry::NurbsVolume;
 
 constexpr const char* format_name = "isopatch result";
-constexpr std::int64_t format_version = 1;
+constexpr std::int64_t format_version = 2;
 
 std::string patch_group(std::size_t patch) {
   return fmt::format("/patches/{:05}", patch);
@@ -60,12 +60,14 @@ void read_patch(const Hdf5Reader& file, const std::string& group, ElasticField& 
 }  // namespace
 
 void write_hdf5(const ElasticField& field, const std::vector<Multiplier>& multipliers,
-                const std::string& study, const std::string& summary, const geometry::ByteSink& sink) {
+                const geometry::PatchConnections& connections, const std::string& study,
+                const std::string& summary, const geometry::ByteSink& sink) {
   Hdf5Writer file;
   file.write("/format", format_name);
   file.write("/version", format_version);
   file.write("/study", study);
   file.write("/summary", summary);
+  geometry::write_connections(file, "/model", connections);
   for (std::size_t p = 0; p < field.patches.size(); ++p) write_patch(file, field, p);
   std::vector<std::int64_t> nodes;
   nodes.reserve(2 * multipliers.size());
@@ -82,21 +84,31 @@ void write_hdf5(const ElasticField& field, const std::vector<Multiplier>& multip
 
 std::string to_hdf5(const StoredResult& result) {
   std::string bytes;
-  write_hdf5(result.field, result.multipliers, result.study, result.summary,
+  write_hdf5(result.field, result.multipliers, result.connections, result.study, result.summary,
              [&](std::string_view all) { bytes = all; });
   return bytes;
+}
+
+geometry::MultiPatch model_of(const StoredResult& result) {
+  return geometry::connected(result.field.patches, result.connections);
 }
 
 StoredResult read_result(const std::filesystem::path& path) {
   const Hdf5Reader file(path);
   if (!file.contains("/format") || file.text("/format") != format_name)
     throw Error(ErrorCode::bad_format, path.string() + ": an HDF5 file, but not a result of isopatch");
-  if (file.integer("/version") != format_version)
-    throw Error(ErrorCode::unsupported, fmt::format("{}: result format {}, this program reads format {}",
-                                                    path.string(), file.integer("/version"), format_version));
+  if (const std::int64_t version = file.integer("/version"); version != format_version)
+    throw Error(
+        ErrorCode::unsupported,
+        fmt::format("{}: results in format {}, this program reads format {}; run the study again, or use "
+                    "the version of isopatch that wrote them",
+                    path.string(), version, format_version));
   StoredResult result;
   try {
-    for (const std::string& name : file.names("/patches")) read_patch(file, "/patches/" + name, result.field);
+    result.connections = geometry::read_connections(file, "/model");
+    for (std::size_t p = 0; p < result.connections.reversed.size(); ++p)
+      read_patch(file, patch_group(p), result.field);
+    geometry::validate(result.connections, result.field.patches.size());
   } catch (const Error& error) {
     if (error.code() != ErrorCode::invalid_argument) throw;
     throw Error(ErrorCode::bad_format, path.string() + ": " + error.what());

@@ -35,7 +35,7 @@ Longest longest_in(const ElementTensors& tensors, const geometry::NurbsVolume& p
     for (std::size_t q = 0; q < buffers.at[0].size(); ++q) {
       const Packet<4>& u = buffers.at[0][q];
       const double squared = u.head<3>().matrix().squaredNorm() / (u[3] * u[3]);
-      if (squared > result.squared) result = {squared, element, static_cast<Eigen::Index>(q)};
+      if (is_larger(squared, result.squared)) result = {squared, element, static_cast<Eigen::Index>(q)};
     }
   }
   return result;
@@ -64,9 +64,10 @@ Extremum max_displacement(const ElasticField& field, const std::vector<PatchPart
                      buffers[static_cast<std::size_t>(thread)]);
     });
     // The first of equal ones, for any number of threads.
-    const Longest& longest = *std::max_element(
-        found.begin(), found.end(), [](const Longest& a, const Longest& b) { return a.squared < b.squared; });
-    if (std::sqrt(longest.squared) <= result.value) continue;
+    Longest longest;
+    for (const Longest& other : found)
+      if (is_larger(other.squared, longest.squared)) longest = other;
+    if (!is_larger(std::sqrt(longest.squared), result.value)) continue;
     const geometry::Parameter<3> parameter = tensors.parameter(longest.element, longest.point);
     result = {std::sqrt(longest.squared), patch.point(parameter), part.patch, parameter};
   }
@@ -78,23 +79,6 @@ Extremum max_displacement(const ElasticField& field) {
   for (std::size_t p = 0; p < field.patches.size(); ++p)
     parts.push_back({static_cast<int>(p), 0, field.patches[p].knots(2).element_count()});
   return max_displacement(field, parts);
-}
-
-Extremum largest(const Extremum& extremum, const solvers::Processes& processes) {
-  struct Plain {
-    double value;
-    int patch;
-    double place[3], parameter[3];
-  };
-  const auto& [value, place, patch, parameter] = extremum;
-  const Plain mine{value, patch, {place[0], place[1], place[2]}, {parameter[0], parameter[1], parameter[2]}};
-  Plain best = processes.from(0, mine);
-  for (int rank = 1; rank < processes.count(); ++rank) {
-    const Plain other = processes.from(rank, mine);
-    if (other.value > best.value || (other.value == best.value && other.patch < best.patch)) best = other;
-  }
-  return {best.value, Eigen::Map<const Eigen::Vector3d>(best.place), best.patch,
-          Eigen::Map<const Eigen::Vector3d>(best.parameter)};
 }
 
 std::vector<Reaction> support_reactions(const ElasticityProblem& problem, const NodeClasses& classes,

@@ -13,10 +13,6 @@ Extremum max_displacement(const ElasticField& field);
 /// The same over the elements of some parts; a value of -1 in no patch if there are none.
 Extremum max_displacement(const ElasticField& field, const std::vector<PatchPart>& parts);
 
-/// The largest of the values that the processes have, on all of them; of equal ones that of the first patch,
-/// and of the first process.
-Extremum largest(const Extremum& extremum, const solvers::Processes& processes);
-
 /// Force and moment of every support on the part, from the residual K u - f of the fixed components.
 /// @param forces  internal forces minus loads per node, (3, nodes), N
 std::vector<Reaction> support_reactions(const ElasticityProblem& problem, const NodeClasses& classes,

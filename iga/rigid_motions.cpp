@@ -20,32 +20,58 @@ std::string text(const Eigen::Vector3d& v) {
   return fmt::format("({:.4g}, {:.4g}, {:.4g})", clean(v[0]), clean(v[1]), clean(v[2]));
 }
 
-// A direction and its opposite are the same motion; the first clear component is shown positive.
-Eigen::Vector3d shown(const Eigen::Vector3d& v) {
-  const Eigen::Vector3d unit = v.normalized();
+// A direction and its opposite are the same motion; the first clear component is shown positive. Coordinate
+// axes by their names.
+std::string direction_text(const Eigen::Vector3d& unit) {
   for (int d = 0; d < 3; ++d)
-    if (std::abs(unit[d]) > 1e-6) return unit[d] > 0 ? unit : Eigen::Vector3d(-unit);
-  return unit;
+    if (std::abs(unit[d]) > 1 - 1e-9) return std::string(1, "xyz"[d]);
+  for (int d = 0; d < 3; ++d)
+    if (std::abs(unit[d]) > 1e-6) return text(unit[d] > 0 ? unit : Eigen::Vector3d(-unit));
+  return text(unit);
+}
+
+// Orthonormal directions of the space that the given ones span, as near to the coordinate axes as they can
+// be: of a plane that holds y and z these, whatever the given ones are.
+std::vector<Eigen::Vector3d> readable_directions(const std::vector<Eigen::Vector3d>& orthonormal) {
+  Eigen::Matrix3d projection = Eigen::Matrix3d::Zero();
+  for (const Eigen::Vector3d& direction : orthonormal) projection += direction * direction.transpose();
+  std::vector<Eigen::Vector3d> result;
+  for (std::size_t k = 0; k < orthonormal.size(); ++k) {
+    int nearest = 0;
+    for (int d = 1; d < 3; ++d)
+      if (projection(d, d) > projection(nearest, nearest) + 1e-9) nearest = d;
+    result.push_back(projection.col(nearest).normalized());
+    projection -= result.back() * result.back().transpose();
+  }
+  return result;
 }
 
 // Motions u(x) = t + w x (x - centre) / size with coordinates (t, w), spanned by the columns of `null_space`:
 // pure translations first, then one rotation for each remaining dimension.
 std::vector<std::string> described(const Eigen::MatrixXd& null_space, const Eigen::Vector3d& centre,
                                    double size) {
-  std::vector<std::string> motions;
   const Eigen::MatrixXd turning = null_space.bottomRows<3>();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> rotations(turning.transpose() * turning);
   const Eigen::MatrixXd mixed = null_space * rotations.eigenvectors();
+  std::vector<Eigen::Vector3d> shifts, turns, shifts_of_turns;
   for (Eigen::Index k = 0; k < mixed.cols(); ++k) {
-    const Eigen::Vector3d t = mixed.col(k).head<3>();
-    const Eigen::Vector3d w = mixed.col(k).tail<3>() / size;
-    if (rotations.eigenvalues()[k] < 1e-12) {
-      motions.push_back("translation along " + text(shown(t)));
+    const double square = rotations.eigenvalues()[k];
+    if (square < 1e-12) {
+      shifts.push_back(mixed.col(k).head<3>());
     } else {
-      const Eigen::Vector3d through = centre + w.cross(t) / w.squaredNorm();
-      motions.push_back(
-          fmt::format("rotation about the axis through {} m along {}", text(through), text(shown(w))));
+      turns.push_back(mixed.col(k).tail<3>() / std::sqrt(square));
+      shifts_of_turns.push_back(mixed.col(k).head<3>() / std::sqrt(square));
     }
+  }
+  std::vector<std::string> motions;
+  for (const Eigen::Vector3d& direction : readable_directions(shifts))
+    motions.push_back("translation along " + direction_text(direction));
+  for (const Eigen::Vector3d& direction : readable_directions(turns)) {
+    Eigen::Vector3d t = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k < turns.size(); ++k) t += turns[k].dot(direction) * shifts_of_turns[k];
+    const Eigen::Vector3d through = centre + size * direction.cross(t);
+    motions.push_back(fmt::format("rotation about the axis through {} m along {}", text(through),
+                                  direction_text(direction)));
   }
   return motions;
 }

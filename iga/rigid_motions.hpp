@@ -11,7 +11,7 @@ namespace isopatch::iga {
 struct FreeBody {
   std::vector<PatchId> patches;
   std::vector<std::string>
-      motions;  ///< "translation along (0, 0, 1)", "rotation about the axis through (...) along (...)"
+      motions;  ///< "translation along z", "rotation about the axis through (...) m along (0.6, 0.8, 0)"
 };
 
 /// Bodies whose supports leave rigid motions. Empty if the problem is well posed.

@@ -3,16 +3,18 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 #include <numeric>
 
 #include "geometry/base/error.hpp"
 #include "iga/distribution.hpp"
+#include "iga/face_stresses.hpp"
+#include "iga/idle_loads.hpp"
 #include "iga/internal_forces.hpp"
-#include "iga/iterative_solution.hpp"
 #include "iga/loads.hpp"
+#include "iga/planned_solution.hpp"
 #include "iga/results.hpp"
 #include "iga/rigid_motions.hpp"
-#include "iga/solver_choice.hpp"
 
 namespace isopatch::iga {
 namespace {
@@ -88,22 +90,23 @@ ElasticField field_of(const ElasticityProblem& problem, const Eigen::Matrix3Xd& 
   return field;
 }
 
-NodalSolution solved(const SolutionTask& task, const solvers::SolverOptions& options,
-                     std::int64_t& predicted_bytes, const Progress& progress) {
-  const SolverChoice choice = choose_solver(task, options);
-  predicted_bytes = choice.predicted_bytes;
-  const bool multigrid = options.preconditioner == solvers::Preconditioner::multigrid;
-  if (choice.method == solvers::Method::cg && multigrid) {
-    NodalSolution result = solve_eliminated(task, options, choice.form, progress);
-    result.report.reason = choice.reason;
-    return result;
-  }
-  if (choice.method == solvers::Method::minres) {
-    NodalSolution result = solve_with_multipliers(task, options, progress);
-    result.report.reason = choice.reason;
-    return result;
-  }
-  return solve_assembled(task, options, progress);
+PlannedSolution solved(const SolutionTask& task, const solvers::SolverOptions& options,
+                       const Progress& progress) {
+  const SizeForecast size = forecast_size(task.problem.discretization, task.problem.materials, task.coupling,
+                                          task.processes.count());
+  const std::vector<SolverPlan> plans = solver_plans(size, options, available_bytes(options, task.processes));
+  return solve_as_planned(task, plans, options, progress);
+}
+
+// What a method that stands in for another one gives must hold by itself: the energy of the stresses is the
+// work.
+void require_balance(const ElasticityResults& results, const solvers::SolveReport& report) {
+  constexpr double most = 1e-6;
+  const double scale = std::max(std::abs(results.internal_energy), std::abs(results.external_work));
+  if (std::abs(results.internal_energy - results.external_work) <= most * scale) return;
+  throw Error(ErrorCode::not_converged,
+              fmt::format("{}; but the energy of its stresses is {:.6g} J and the work of the loads {:.6g} J",
+                          report.reason, results.internal_energy, results.external_work));
 }
 
 }  // namespace
@@ -140,10 +143,16 @@ ElasticitySolution solve_elasticity(const ElasticityProblem& problem, const Elas
                           processes,
                           options.coupling,
                           options.quadrature_points};
-  const NodalSolution nodal = solved(task, options.solver, solution.predicted_bytes, progress);
+  const PlannedSolution planned = solved(task, options.solver, progress);
+  const NodalSolution& nodal = planned.solution;
+  solution.predicted_bytes = static_cast<std::int64_t>(planned.predicted_bytes);
   solution.solver = nodal.report;
   watch.lap("solve", nodal.report.assembly_seconds, "assembly");
   const Eigen::Matrix3Xd& displacement = nodal.displacement;
+  if (!displacement.allFinite())
+    throw Error(ErrorCode::singular_system,
+                "the displacements are not finite numbers: the equations have no solution; look at the "
+                "supports and at the materials' constants");
   solution.field = field_of(problem, displacement);
 
   const InternalForces internal =
@@ -156,7 +165,12 @@ ElasticitySolution solve_elasticity(const ElasticityProblem& problem, const Elas
   solution.multipliers = multipliers_in_space(rows, frames, multipliers);
   ElasticityResults& results = solution.results;
   results.max_displacement = largest(max_displacement(solution.field, parts), processes);
-  results.max_von_mises = internal.max_von_mises;
+  const FaceStresses on_faces = summed(stresses_on_faces(solution.field, parts), processes);
+  results.max_von_mises = larger(internal.max_von_mises, on_faces.max_von_mises);
+  results.max_strain = internal.max_strain;
+  results.left_out = together(internal.left_out, on_faces.left_out);
+  results.unresolved = internal.unresolved;
+  results.idle_loads = idle_loads(problem, classes, frames);
   results.internal_energy = internal.energy;
   results.reactions = support_reactions(problem, classes, frames, unbalanced);
   results.total_load = load.rowwise().sum();
@@ -166,6 +180,7 @@ ElasticitySolution solve_elasticity(const ElasticityProblem& problem, const Elas
     work += unbalanced.col(node).dot(
         frames[static_cast<std::size_t>(classes.class_of[static_cast<std::size_t>(node)])].prescribed);
   results.external_work = 0.5 * work;
+  if (!planned.is_first) require_balance(results, nodal.report);
   watch.lap("results");
   return solution;
 }

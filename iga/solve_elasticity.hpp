@@ -9,6 +9,8 @@
 #include "iga/elastic_field.hpp"
 #include "iga/nodal_solution.hpp"
 #include "iga/problem.hpp"
+#include "iga/stress_points.hpp"
+#include "iga/unresolved_energy.hpp"
 #include "solvers/processes.hpp"
 #include "solvers/solve.hpp"
 
@@ -17,7 +19,8 @@ namespace isopatch::iga {
 struct ElasticityOptions {
   Coupling coupling = Coupling::elimination;
   solvers::SolverOptions solver = {};
-  /// Gauss points per element and direction in volumes; 0: degree + 1. Range 0 .. 20.
+  /// Gauss points per element and direction in volumes; 0: degree + 1, and more where the map of a patch needs
+  /// them (`Discretization::gauss_points`). Range 0 .. 20.
   int quadrature_points = 0;
   /// Among which the elements are spread. All of them call `solve_elasticity` with the same problem and
   /// options and get the same solution.
@@ -52,18 +55,14 @@ struct Reaction {
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< about the origin, N m
 };
 
-/// A largest value and where it is.
-struct Extremum {
-  double value = 0;
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< undeformed, m
-  int patch = -1;
-  geometry::Parameter<3> parameter = geometry::Parameter<3>::Zero();
-};
-
 struct ElasticityResults {
   Extremum max_displacement;   ///< length of the displacement, m; on a grid of degree + 1 points per element
                                ///< and direction, ends included
-  Extremum max_von_mises;      ///< Pa; at the Gauss points
+  Extremum max_von_mises;      ///< Pa; of the Gauss points and of a grid on the faces of all patches
+  LeftOut left_out;            ///< points that `max_von_mises` does not look at
+  Extremum max_strain;         ///< Frobenius norm of the strain; at the Gauss points that are not left out
+  UnresolvedEnergy unresolved;
+  std::vector<std::string> idle_loads;  ///< surface loads that act where supports take them all
   double internal_energy = 0;  ///< half the integral of stress : strain, J
   double external_work = 0;    ///< half the work of loads and of reactions on prescribed displacements, J
   std::vector<Reaction> reactions;                       ///< one per support
@@ -98,6 +97,7 @@ struct ElasticitySolution {
 /// @throws Error conflict    supports that contradict each other
 /// @throws Error free_body   naming the body's patches and its rigid motions left
 /// @throws Error fold_over   a Gauss point with a Jacobian determinant that is not positive, saying where
+/// @throws Error singular_system  a solution with values that are not finite
 /// @throws Error             whatever `solvers::solve` throws
 ElasticitySolution solve_elasticity(const ElasticityProblem& problem, const ElasticityOptions& options = {},
                                     const Progress& progress = {});

@@ -18,7 +18,7 @@ void check_reason(KSPConvergedReason reason, int iterations) {
         ErrorCode::singular_system,
         fmt::format(
             "conjugate gradients met a direction without positive energy in iteration {}: the matrix is "
-            "singular or indefinite; look for a part that can move freely",
+            "singular or indefinite",
             iterations));
 }
 

@@ -69,14 +69,14 @@ double largest_eigenvalue(const LinearOperator& product, const LinearOperator& p
   const double first = rz;
   std::vector<double> alpha;
   std::vector<double> beta;
-  for (int k = 0; k < steps && rz > 1e-20 * first; ++k) {
+  for (int k = 0; k < steps && !(rz <= 1e-20 * first); ++k) {
     const Eigen::VectorXd image = product(direction);
     const double energy = rows.dot(direction, image);
     if (!(energy > 0) || !(rz > 0))
       throw Error(
           ErrorCode::singular_system,
           fmt::format("the matrix or its preconditioner is not positive definite (energy {:.3g} in step "
-                      "{}): a part can move freely, or a patch is folded",
+                      "{})",
                       energy, k));
     alpha.push_back(rz / energy);
     residual -= alpha.back() * image;

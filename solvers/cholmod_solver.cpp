@@ -68,9 +68,32 @@ class Cholesky {
     const BlasThreads threads;
     Api::factorize(&view_, factor_.get(), workspace_.get());
     check_status();
-    check_pivots();
     matrix_bytes_ = lower_.bytes();
+    diagonal_.resize(matrix_.rows());
+    for (int column = 0; column < matrix_.rows(); ++column)
+      diagonal_[column] = lower_.values[lower_.row_start[column]];
     lower_ = {};
+  }
+
+  // A singular matrix usually passes CHOLMOD's own test, which asks for positive pivots and no more.
+  void check_pivots() {
+    const auto* const first_column = static_cast<const Index*>(factor_->super);
+    const auto* const row_start = static_cast<const Index*>(factor_->pi);
+    const auto* const value_start = static_cast<const Index*>(factor_->px);
+    const auto* const values = static_cast<const double*>(factor_->x);
+    const double smallest = smallest_pivot_ratio(matrix_.rows());
+    for (std::size_t s = 0; s < factor_->nsuper; ++s) {
+      const std::int64_t height = row_start[s + 1] - row_start[s];
+      for (std::int64_t k = 0; k < first_column[s + 1] - first_column[s]; ++k) {
+        const std::int64_t column = first_column[s] + k;
+        const double root = values[value_start[s] + k * (height + 1)];
+        const double ratio = root * root / diagonal_[column];
+        if (!(ratio > smallest))
+          fail_at(
+              static_cast<std::size_t>(column),
+              fmt::format("a pivot of {:.1e} times its diagonal entry, so zero but for round-off,", ratio));
+      }
+    }
   }
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b) {
@@ -126,8 +149,7 @@ class Cholesky {
     throw Error(
         ErrorCode::singular_system,
         fmt::format(
-            "the matrix is not positive definite: {} at block row {}, component {} of 3; it is "
-            "singular if a part can still move as a rigid body, indefinite if it was assembled wrongly",
+            "the matrix is not positive definite to working precision: {} at block row {}, component {} of 3",
             finding, ordering_.order[column / 3], column % 3));
   }
 
@@ -140,31 +162,11 @@ class Cholesky {
                   fmt::format("CHOLMOD's factorization failed with status {}", workspace_->status));
   }
 
-  // A singular matrix usually passes CHOLMOD's own test, which asks for positive pivots and no more.
-  void check_pivots() {
-    const auto* const first_column = static_cast<const Index*>(factor_->super);
-    const auto* const row_start = static_cast<const Index*>(factor_->pi);
-    const auto* const value_start = static_cast<const Index*>(factor_->px);
-    const auto* const values = static_cast<const double*>(factor_->x);
-    const double smallest = smallest_pivot_ratio(matrix_.rows());
-    for (std::size_t s = 0; s < factor_->nsuper; ++s) {
-      const std::int64_t height = row_start[s + 1] - row_start[s];
-      for (std::int64_t k = 0; k < first_column[s + 1] - first_column[s]; ++k) {
-        const std::int64_t column = first_column[s] + k;
-        const double root = values[value_start[s] + k * (height + 1)];
-        const double ratio = root * root / lower_.values[lower_.row_start[column]];
-        if (!(ratio > smallest))
-          fail_at(
-              static_cast<std::size_t>(column),
-              fmt::format("a pivot of {:.1e} times its diagonal entry, so zero but for round-off,", ratio));
-      }
-    }
-  }
-
   const SymmetricBlockMatrix& matrix_;
   const BlockOrdering& ordering_;
   CompressedRows<Index> lower_;
   std::int64_t matrix_bytes_ = 0;
+  Eigen::VectorXd diagonal_;
   CholmodWorkspace<Index> workspace_;
   cholmod_sparse view_;
   CholmodFactor<Index> factor_;
@@ -177,6 +179,7 @@ LinearSolution factorize_and_solve(Cholesky<Index>& cholesky, const LinearSystem
   report.analysis_seconds = watch.lap();
   progress("factorization", 0);
   cholesky.factorize();
+  cholesky.check_pivots();
   report.factorization_seconds = watch.lap();
   progress("solution", 0);
   const ScaledSystem scaled(system);

@@ -19,8 +19,9 @@ namespace isopatch::solvers {
 LinearSolution solve_with_cholmod(const LinearSystem& system, const SolverOptions& options,
                                   const Progress& progress);
 
-/// A factorization to be used many times, without refinement: the coarsest level of a multigrid.
-/// @throws Error singular_system, out_of_memory  as solve_with_cholmod
+/// A factorization to be used many times, without refinement: the coarsest level of a multigrid. Any positive
+/// pivot will do, since who iterates judges the result by the true residual.
+/// @throws Error singular_system, out_of_memory  for pivots that are not positive, and as solve_with_cholmod
 LinearOperator cholmod_inverse(SymmetricBlockMatrix matrix);
 
 }  // namespace isopatch::solvers

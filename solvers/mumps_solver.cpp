@@ -87,11 +87,10 @@ class SymmetricFactorization {
   void check_inertia(std::int64_t negative) const {
     const int zero = get(infog::null_pivots), found = get(infog::negative_pivots);
     if (zero > 0)
-      throw Error(
-          ErrorCode::singular_system,
-          fmt::format("the matrix of {} rows is singular: {} of its pivots are zero to working precision; a "
-                      "part can move as a rigid body, or constraints depend on each other",
-                      rows_, zero));
+      throw Error(ErrorCode::singular_system,
+                  fmt::format("the matrix of {} rows is singular: {} of its pivots are zero to working "
+                              "precision",
+                              rows_, zero));
     if (found != negative)
       throw Error(
           ErrorCode::singular_system,

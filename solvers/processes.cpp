@@ -1,13 +1,13 @@
 #include "solvers/processes.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
 
 #include "geometry/base/error.hpp"
+#include "solvers/internal/launcher.hpp"
 #include "solvers/internal/mpi_session.hpp"
 
 namespace isopatch::solvers {
@@ -39,6 +39,8 @@ Processes Processes::launched() {
   Processes result;
   const int expected = launch().count;
   if (expected == 1) return result;
+  if (const std::string objection = launcher_objection(expected); !objection.empty())
+    throw Error(ErrorCode::unsupported, objection);
   start_mpi();
   MPI_Comm_rank(MPI_COMM_WORLD, &result.rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &result.count_);
@@ -87,22 +89,6 @@ void Processes::broadcast(void* bytes, std::size_t count, int rank) const {
 
 void Processes::barrier() const {
   if (count_ > 1) MPI_Barrier(MPI_COMM_WORLD);
-}
-
-int Processes::on_this_computer() const {
-  if (count_ == 1) return 1;
-  MPI_Comm computer;
-  MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, rank_, MPI_INFO_NULL, &computer);
-  int neighbours = 1;
-  MPI_Comm_size(computer, &neighbours);
-  MPI_Comm_free(&computer);
-  return neighbours;
-}
-
-int Processes::fair_threads(int allowed) const {
-  if (count_ == 1) return allowed;
-  const auto cores = static_cast<int>(::sysconf(_SC_NPROCESSORS_ONLN));
-  return std::clamp(cores / on_this_computer(), 1, std::max(1, allowed));
 }
 
 int Processes::fortran_communicator() const {

@@ -9,10 +9,8 @@ namespace {
 
 void check_finite(const Eigen::VectorXd& z) {
   if (!z.allFinite())
-    throw Error(
-        ErrorCode::singular_system,
-        "the factors gave values that are not finite: the matrix is singular to working precision; look for "
-        "a part that can move freely, or for entries of extreme size");
+    throw Error(ErrorCode::singular_system,
+                "the factors gave values that are not finite: the matrix is singular to working precision");
 }
 
 }  // namespace

@@ -57,7 +57,8 @@ int ScaledSystem::rows() const {
 }
 
 double ScaledSystem::norm(const Eigen::VectorXd& z) const {
-  if (!system_.rows.is_distributed()) return z.stableNorm();
+  if (!system_.rows.is_distributed())
+    return z.allFinite() ? z.stableNorm() : std::numeric_limits<double>::quiet_NaN();
   return std::hypot(system_.rows.norm(unknowns(z)),
                     system_.multiplier_rows.norm(z.tail(system_.constraints.rows())));
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "solvers/internal/mpi_session.hpp"
@@ -177,8 +178,11 @@ double SharedRows::dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const
 }
 
 double SharedRows::norm(const Eigen::VectorXd& x) const {
-  if (!is_distributed()) return x.stableNorm();
-  const double size = state_->processes.largest(x.size() == 0 ? 0 : x.cwiseAbs().maxCoeff());
+  // Eigen's largest coefficient passes over what is no number, and with it the stable norm.
+  if (!is_distributed()) return x.allFinite() ? x.stableNorm() : std::numeric_limits<double>::quiet_NaN();
+  const double own = x.size() == 0 ? 0 : x.cwiseAbs().maxCoeff();
+  const double size =
+      state_->processes.largest(x.allFinite() ? own : std::numeric_limits<double>::infinity());
   if (size == 0) return 0;
   const Eigen::VectorXd unit = x / size;
   return size * std::sqrt(dot(unit, unit));

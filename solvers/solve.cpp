@@ -63,16 +63,22 @@ void check_values(const LinearSystem& system) {
 }
 
 void check_method(const LinearSystem& system, Method method) {
+  if (method == Method::automatic)
+    refuse(
+        "method 'auto' is not for a matrix alone; name one: 'cholmod' without constraints, 'mumps' with "
+        "them");
+  if (method == Method::minres)
+    refuse("method 'minres' needs a multigrid, which a matrix alone does not give");
   if (system.has_constraints() && (method == Method::cholmod || method == Method::cg))
     refuse(fmt::format(
         "method '{}' cannot treat the {} constraints; use 'auto', 'mumps' or 'umfpack', or eliminate "
         "the interfaces",
         name(method), system.constraint_count()));
-  if (system.rows.is_distributed() && (method == Method::cholmod || method == Method::umfpack))
-    refuse(
-        fmt::format("method '{}' works on one process, and there are {}; use 'auto' or 'mumps', or start "
-                    "one process with more threads",
-                    name(method), system.rows.processes().count()));
+  if (system.rows.is_distributed() && method != Method::mumps)
+    refuse(fmt::format(
+        "method '{}' with a matrix works on one process, and there are {}; use 'mumps', or start one "
+        "process with more threads",
+        name(method), system.rows.processes().count()));
 }
 
 std::int64_t matrix_nonzeros(const LinearSystem& system) {
@@ -94,9 +100,9 @@ LinearSolution solve_with(Method method, const LinearSystem& system, const Solve
     case Method::cg:
       return solve_with_cg(system, options, progress);
     case Method::minres:
-      refuse("method 'minres' needs a multigrid, which a matrix alone does not give");
+      break;
   }
-  throw Error(ErrorCode::internal, "no method was chosen");
+  throw Error(ErrorCode::internal, "a method that needs more than a matrix came to a matrix");
 }
 
 // Computes the residual afresh and insists on it.
@@ -111,15 +117,14 @@ LinearSolution verified(LinearSolution solution, const LinearSystem& system, con
   constexpr double worst_rounding_level = 1e-6;
   const double level = scaled.rounding_level(z);
   if (level <= worst_rounding_level && report.relative_residual <= level) {
-    report.reason += fmt::format("; the relative residual of {:.1e} is what double precision allows",
-                                 report.relative_residual);
+    report.reason = fmt::format("the relative residual of {:.1e} is what double precision allows",
+                                report.relative_residual);
     return solution;
   }
-  const std::string_view advice = report.method == Method::cg
-                                      ? "raise max_iterations, or use a direct method ('cholmod')"
-                                      : "the matrix is badly conditioned: look for parts that are hardly "
-                                        "held, for extreme differences of "
-                                        "stiffness and for badly shaped patches, or loosen the tolerance";
+  const std::string_view advice =
+      report.method == Method::cg ? "raise max_iterations, or use a direct method ('cholmod')"
+                                  : "the matrix is badly conditioned; use an iterative method, or loosen the "
+                                    "tolerance";
   throw Error(
       ErrorCode::not_converged,
       fmt::format(
@@ -127,48 +132,15 @@ LinearSolution verified(LinearSolution solution, const LinearSystem& system, con
           name(report.method), report.relative_residual, options.tolerance, report.iterations, advice));
 }
 
-LinearSolution zero_solution(const LinearSystem& system, Method method, std::string reason) {
+LinearSolution zero_solution(const LinearSystem& system, Method method) {
   LinearSolution solution;
   solution.x = Eigen::VectorXd::Zero(system.load.size());
   solution.multipliers = Eigen::VectorXd::Zero(system.constraints.rows());
   solution.report.method = method;
-  solution.report.reason = std::move(reason);
+  solution.report.reason = "nothing to solve: the load is zero";
   solution.report.residual_history = {0};
   solution.report.matrix_nonzeros = matrix_nonzeros(system);
   return solution;
-}
-
-LinearSolution solve_by_choice(const LinearSystem& system, const SolverOptions& options,
-                               const Progress& progress) {
-  if (!system.has_constraints() && !system.rows.is_distributed()) {
-    LinearSolution solution = solve_with(Method::cholmod, system, options, progress);
-    solution.report.reason = "no constraints, so the matrix is positive definite: supernodal Cholesky";
-    return verified(std::move(solution), system, options);
-  }
-  if (system.rows.is_distributed()) {
-    LinearSolution solution = solve_with(Method::mumps, system, options, progress);
-    solution.report.reason = "several processes, over which LDL^T is spread";
-    return verified(std::move(solution), system, options);
-  }
-  try {
-    LinearSolution solution = solve_with(Method::mumps, system, options, progress);
-    solution.report.reason = "constraints make the matrix indefinite: LDL^T with pivoting";
-    return verified(std::move(solution), system, options);
-  } catch (const Error& error) {
-    // LU needs twice the memory and finds a singular matrix just as singular.
-    if (error.code() == ErrorCode::singular_system || error.code() == ErrorCode::out_of_memory) throw;
-    LinearSolution solution = solve_with(Method::umfpack, system, options, progress);
-    solution.report.reason =
-        fmt::format("constraints make the matrix indefinite, and MUMPS failed ({})", error.what());
-    return verified(std::move(solution), system, options);
-  }
-}
-
-LinearSolution solve_by_name(const LinearSystem& system, const SolverOptions& options,
-                             const Progress& progress) {
-  LinearSolution solution = solve_with(options.method, system, options, progress);
-  solution.report.reason = "asked for by name";
-  return verified(std::move(solution), system, options);
 }
 
 }  // namespace
@@ -179,15 +151,9 @@ LinearSolution solve(const LinearSystem& system, const SolverOptions& options, c
   check_columns(system.stiffness);
   check_values(system);
   check_method(system, options.method);
-  if (system.rows.norm(system.load) == 0) {
-    const Method fallback =
-        system.has_constraints() || system.rows.is_distributed() ? Method::mumps : Method::cholmod;
-    return zero_solution(system, options.method == Method::automatic ? fallback : options.method,
-                         "nothing to solve: the load is zero");
-  }
+  if (system.rows.norm(system.load) == 0) return zero_solution(system, options.method);
   try {
-    if (options.method == Method::automatic) return solve_by_choice(system, options, progress);
-    return solve_by_name(system, options, progress);
+    return verified(solve_with(options.method, system, options, progress), system, options);
   } catch (const std::bad_alloc&) {
     throw Error(
         ErrorCode::out_of_memory,

@@ -13,7 +13,7 @@ namespace isopatch::solvers {
 
 /// Ways to solve a LinearSystem.
 enum class Method {
-  automatic,  ///< cholmod without constraints, mumps with them
+  automatic,  ///< left to who knows where the system comes from; `solve` refuses it
   cholmod,    ///< supernodal Cholesky with METIS ordering; no constraints
   mumps,      ///< LDL^T with pivoting; with or without constraints
   umfpack,    ///< LU with pivoting; fallback for both
@@ -50,7 +50,7 @@ void validate(const SolverOptions& options);
 
 struct SolveReport {
   Method method = Method::automatic;  ///< the one used, never automatic
-  std::string reason;                 ///< why this method, one sentence
+  std::string reason;  ///< why this method, and what was tried before it; from `solve` only why not exacter
   int iterations = 0;  ///< Krylov iterations, or steps of iterative refinement of a direct method
   /// ||(f - K x - B^T y, s B x)|| / ||f||, computed afresh at the end; s is the mean of |diag K|, which turns
   /// the constraints' error into a force.
@@ -77,9 +77,9 @@ struct LinearSolution {
   SolveReport report;
 };
 
-/// Solves a linear system.
+/// Solves a linear system by the method that the options name.
 ///
-/// @throws Error invalid_argument  options out of range, a method that cannot treat constraints
+/// @throws Error invalid_argument  options out of range, no method named or one that cannot treat the system
 /// @throws Error singular_system   a zero or negative pivot, saying at which block row
 /// @throws Error not_converged     with the residual reached and advice
 /// @throws Error out_of_memory     with the memory that was asked for where the library says it

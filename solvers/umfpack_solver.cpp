@@ -68,7 +68,7 @@ class UnsymmetricFactorization {
         ErrorCode::singular_system,
         fmt::format(
             "the matrix of {} rows is singular to working precision: its smallest pivot is {:.1e} times "
-            "its largest; a part can move as a rigid body, or constraints depend on each other",
+            "its largest",
             rows(), info_[UMFPACK_RCOND]));
   }
 

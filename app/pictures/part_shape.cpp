@@ -150,7 +150,8 @@ double visible_deformation(const iga::PartSamples& samples, double model_size) {
   return power * (leading >= 5 ? 5 : leading >= 2 ? 2 : 1);
 }
 
-Surface outer_surface(const geometry::MultiPatch& model, const std::vector<PatchShape>& shape) {
+Surface outer_surface(const geometry::MultiPatch& model, const std::vector<PatchShape>& shape,
+                      const std::map<PatchFace, double>& values) {
   int count = 0;
   for (const PatchFace& face : model.boundary_faces()) count += FaceGrid(shape, face).count();
   Surface surface;
@@ -161,6 +162,8 @@ Surface outer_surface(const geometry::MultiPatch& model, const std::vector<Patch
   for (const PatchFace& face : model.boundary_faces()) {
     const FaceGrid grid(shape, face);
     add_face(surface, grid, start);
+    if (const auto found = values.find(face); found != values.end())
+      surface.values.segment(start, grid.count()).setConstant(found->second);
     start += grid.count();
   }
   surface.normals = smooth_normals(surface);

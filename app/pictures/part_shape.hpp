@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -10,7 +11,7 @@
 namespace isopatch::app {
 
 /// What the colours of a picture show.
-enum class PictureField { none, patch, jacobian, displacement, von_mises };
+enum class PictureField { none, patch, jacobian, displacement, von_mises, conditions };
 
 struct ShapeOptions {
   PictureField field = PictureField::patch;
@@ -24,7 +25,7 @@ struct PatchShape {
   std::array<std::vector<int>, 3> element_ends;
   Eigen::Matrix3Xd undeformed;
   Eigen::Matrix3Xd points;
-  Eigen::VectorXd values;  ///< SI units; the patch's number for `patch`, zeros for `none`
+  Eigen::VectorXd values;  ///< SI units; the patch's number for `patch`, zeros for `none` and `conditions`
 
   int index(int i, int j, int k) const { return i + sizes[0] * (j + sizes[1] * k); }
 };
@@ -37,7 +38,9 @@ std::vector<PatchShape> part_shape(const iga::PartSamples& samples, const ShapeO
 double visible_deformation(const iga::PartSamples& samples, double model_size);
 
 /// The faces that no other patch shares, with normals.
-Surface outer_surface(const geometry::MultiPatch& model, const std::vector<PatchShape>& shape);
+/// @param values  one for all points of some of these faces, in place of the patches' own
+Surface outer_surface(const geometry::MultiPatch& model, const std::vector<PatchShape>& shape,
+                      const std::map<geometry::PatchFace, double>& values = {});
 
 /// Edges of the outer faces.
 Lines patch_edges(const geometry::MultiPatch& model, const std::vector<PatchShape>& shape);

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <regex>
+
 #include "app/tests/program_fixture.hpp"
 #include "geometry/brep/read_brep.hpp"
 #include "geometry/brep/write_brep.hpp"
@@ -90,10 +92,43 @@ TEST_F(Blocks, ANonManifoldEdgeIsShownWithItsFaces) {
   EXPECT_GE(faulty(data["faults"]["lines"]).size(), 2u);
 }
 
+/// A STEP file whose last plane lies elsewhere: all coordinates of the point that it goes through grow.
+std::string with_last_plane_moved(const std::string& step, double distance) {
+  const auto find = [&](const std::string& pattern) {
+    std::smatch found, last;
+    for (auto from = step.begin(); std::regex_search(from, step.end(), found, std::regex(pattern));
+         from = found.suffix().first)
+      last = found;
+    return last;
+  };
+  const std::string frame = find(R"(PLANE\('',#(\d+)\))")[1];
+  const std::string origin = find("#" + frame + R"( = AXIS2_PLACEMENT_3D\('',#(\d+))")[1];
+  const std::smatch point = find("#" + origin + R"( = CARTESIAN_POINT\('',\(([^,]+),([^,]+),([^)]+)\)\))");
+  const auto moved = [&](std::size_t i) { return fmt::format("{:#.15g}", std::stod(point[i]) + distance); };
+  const std::string now =
+      fmt::format("#{} = CARTESIAN_POINT('',({},{},{}))", origin, moved(1), moved(2), moved(3));
+  return std::string(step.begin(), point[0].first) + now + std::string(point[0].second, step.end());
+}
+
+TEST_F(Blocks, AFaceOffItsEdgesIsShownAndRefused) {
+  write_file(file("part.off"), off(corners, sides));
+  geometry::write_brep(file("part.step"), geometry::read_brep(file("part.off")).brep, {.unit = "m"});
+  write_file(file("part.step"), with_last_plane_moved(read_file(file("part.step")), 0.125));
+  EXPECT_EQ(run({"info", file("part.step")}), 2);
+  EXPECT_THAT(out_, HasSubstr("ready for repair"));
+  EXPECT_THAT(out_, HasSubstr("largest gap between an edge and its face 125 mm (edge "));
+  EXPECT_THAT(err_, HasSubstr("lies 0.125 m (0.072 of the size) off its edge"));
+  EXPECT_EQ(run({"parameterize", file("part.step"), "-o", file("p.xml"), "--report", file("p.html")}), 2);
+  EXPECT_FALSE(fs::exists(file("p.xml")));
+  EXPECT_THAT(err_, HasSubstr("part.step: the geometry contradicts itself: face "));
+  const json data = page_data(file("p.html"));
+  EXPECT_EQ(faulty(data["faults"]["faces"]).size(), 1u);
+}
+
 TEST_F(Blocks, AFiveCorneredFaceIsShownWithItsCorners) {
   const json data = refused(
       off(corners + "0.5 0 0\n", "5 0 3 2 1 8\n4 4 5 6 7\n5 0 8 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n"));
-  EXPECT_THAT(err_, HasSubstr("face 'face 0' has 5 corners"));
+  EXPECT_THAT(err_, HasSubstr("face 0 has 5 corners"));
   EXPECT_THAT(faulty(data["faults"]["faces"]), ElementsAre("part: face 0"));
   EXPECT_EQ(data["faults"]["faces"][0]["remark"], "5 corners");
   EXPECT_THAT(names(data["faults"]["places"]),
@@ -169,6 +204,67 @@ traction = [0, 10, 0]
   EXPECT_THAT(err_, HasSubstr("no boundary is named \"#336698\" (did you mean '#336699'?)"));
 }
 
+TEST_F(Blocks, BodiesOfStepFilesHaveOneNameInEveryCommandAndInStudies) {
+  for (const auto& [name, points] : {std::pair("foot", corners), std::pair("leg", next_corners)}) {
+    write_file(file("part.off"), off(points, sides));
+    geometry::write_brep(file(std::string(name) + ".step"), geometry::read_brep(file("part.off")).brep,
+                         {.unit = "m"});
+    std::string text = read_file(file(std::string(name) + ".step"));
+    const std::size_t product = text.find("PRODUCT('");
+    ASSERT_NE(product, text.npos);
+    const std::size_t end = text.find('\'', product + 9), second = text.find('\'', end + 1);
+    text.replace(second + 1, text.find('\'', second + 1) - second - 1, "the " + std::string(name));
+    write_file(file(std::string(name) + ".step"), text);
+  }
+  ASSERT_EQ(run({"info", file("foot.step")}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("1 body, unit of length: m\n"));
+  EXPECT_THAT(out_, HasSubstr("body 0 'the foot'"));
+  const std::string text = R"(title = "stool"
+[model]
+blocks = ["foot.step", "leg.step"]
+[[material]]
+patches = ["the foot"]
+name = "hard"
+young = 2000
+poisson = 0
+[[material]]
+patches = ["the leg"]
+name = "soft"
+young = 1000
+poisson = 0
+[[support]]
+faces = ["the foot:face 0", "the leg:face 0"]
+displacement = [0, 0, 0]
+[[load]]
+faces = ["the foot:face 1"]
+traction = [0, 0, 10]
+)";
+  ASSERT_EQ(run_text(text), 0) << err_;
+  const json summary = json::parse(read_file(results() / "summary.json"));
+  EXPECT_EQ(summary["materials"][0]["patches"], json({0}));
+  EXPECT_EQ(summary["materials"][1]["patches"], json({1}));
+  EXPECT_EQ(run_text(replaced(text, "[\"the leg\"]", "[\"the lag\"]")), 2);
+  EXPECT_THAT(err_, HasSubstr("no patch is called \"the lag\" (did you mean 'the leg'?)"));
+}
+
+TEST_F(Blocks, WhatOfAFileCannotBeReadIsAnErrorUnlessTheStudyAllowsIt) {
+  write_file(file("cube.off"), off(corners, sides));
+  geometry::write_brep(file("cube.step"), geometry::read_brep(file("cube.off")).brep);
+  std::string step = read_file(file("cube.step"));
+  step.insert(step.rfind("ENDSEC;"), "#9000 = OFFSET_SURFACE('',#9999,1.,.F.);\n");
+  write_file(file("cube.step"), step);
+  EXPECT_EQ(run({"info", file("cube.step")}), 2);
+  EXPECT_THAT(out_, HasSubstr("ready for parameterization"));
+  EXPECT_THAT(err_, HasSubstr("#9000 = OFFSET_SURFACE refers to #9999, which is not in the file"));
+  EXPECT_EQ(run({"info", file("cube.step"), "--allow-partial"}), 0) << err_;
+  EXPECT_THAT(err_, HasSubstr("warning"));
+  const fs::path patches = folder_ / "patches.xml";
+  EXPECT_EQ(run({"parameterize", file("cube.step"), "-o", patches.string()}), 2);
+  EXPECT_THAT(err_, HasSubstr("--allow-partial"));
+  EXPECT_EQ(run({"parameterize", file("cube.step"), "-o", patches.string(), "--allow-partial"}), 0) << err_;
+  EXPECT_THAT(err_, HasSubstr("refers to #9999"));
+}
+
 TEST_F(Blocks, AWrongPairIsShownInTheReportOfARun) {
   write_file(file("a.off"), off(corners, sides));
   write_file(file("b.off"), off(next_corners, sides));
@@ -186,6 +282,17 @@ TEST_F(Blocks, AWrongPairIsShownInTheReportOfARun) {
   fs::remove_all(results());
   EXPECT_EQ(run_text(text, {"--set", "output.report=false"}), 2);
   EXPECT_FALSE(fs::exists(results()));
+}
+
+TEST_F(Blocks, SolidsThatAreWrongCostNoEarlierResults) {
+  write_file(file("a.off"), off(corners, sides));
+  write_file(file("b.off"), off(next_corners, sides));
+  ASSERT_EQ(run_text(cube_study), 0) << err_;
+  const std::string before = read_file(results() / "results.h5");
+  write_file(file("pairs.txt"), "a 3 b 3\n");
+  EXPECT_EQ(run_text(replaced(cube_study, "\"b.off\"]", "\"b.off\"]\npairs = \"pairs.txt\"")), 2);
+  EXPECT_EQ(read_file(results() / "results.h5"), before);
+  EXPECT_TRUE(fs::exists(results() / "summary.json"));
 }
 
 TEST_F(Blocks, TheReportOfARunHasDeviationAndCertificate) {
@@ -221,6 +328,20 @@ TEST_F(Blocks, ParameterizeWritesPatchesAndTheirPage) {
   EXPECT_EQ(data["summary"]["parameterization"]["certified"], true);
   EXPECT_EQ(run({"info", file("a.xml")}), 0) << err_;
   EXPECT_THAT(out_, HasSubstr("1 patch"));
+}
+
+TEST_F(Blocks, ParameterizeTakesAllOptionsOfTheStudysSection) {
+  write_file(file("a.off"), off(corners, sides));
+  ASSERT_EQ(run({"parameterize", file("a.off"), "-o", file("a.xml"), "--degree", "4", "--start-spans", "2",
+                 "--max-spans", "8", "--wanted-quality", "0.1", "--no-optimize", "--same-point", "1e-4",
+                 "--tolerance", "1e-5", "--method", "shared"}),
+            0)
+      << err_;
+  ASSERT_EQ(run({"info", file("a.xml"), "--json"}), 0) << err_;
+  EXPECT_EQ(json::parse(out_)["patches"][0]["degree"], json({4, 4, 4}));
+  EXPECT_EQ(json::parse(out_)["patches"][0]["elements"], json({2, 2, 2}));
+  EXPECT_EQ(run({"parameterize", file("a.off"), "-o", file("a.xml"), "--max-spans", "500"}), 2);
+  EXPECT_THAT(err_, HasSubstr("max_spans is 500; its range is start_spans to 256"));
 }
 
 // Its top has a corner of more than 180 degrees.

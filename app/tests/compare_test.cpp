@@ -7,6 +7,7 @@
 #include "app/comparison_plots.hpp"
 #include "app/comparison_report.hpp"
 #include "app/tests/program_fixture.hpp"
+#include "solvers/memory.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -23,7 +24,7 @@ TEST_F(Program, CompareSaysWhereTheCouplingsDifferMost) {
       << err_;
   const json difference = compared(results())["difference"];
   for (const std::string what : {"max_displacement", "max_von_mises"}) {
-    EXPECT_LT(difference[what], 1e-9) << what;
+    EXPECT_LT(difference[what], what == "max_von_mises" ? 1e-2 : 1e-9) << what;  // of 10 MPa and 20 mm
     EXPECT_GT(difference[what], 0) << what;
     const json at = difference[what + "_at"];
     std::string parameter;
@@ -47,8 +48,8 @@ TEST_F(Program, CompareWritesTheForceOfEachInterface) {
   EXPECT_EQ(interfaces[0]["first"], "0:east");
   EXPECT_EQ(interfaces[0]["second"], "1:west");
   EXPECT_NEAR(interfaces[0]["area"], 1, 1e-12);
-  EXPECT_NEAR(interfaces[0]["force"][0], 10, 1e-8);  // the second patch pulls the first along x
-  EXPECT_NEAR(interfaces[0]["force"][1], 0, 1e-8);
+  EXPECT_NEAR(interfaces[0]["force"][0], 1e7, 1e-2);  // the second patch pulls the first along x
+  EXPECT_NEAR(interfaces[0]["force"][1], 0, 1e-2);
 }
 
 TEST_F(Program, CompareGoesThroughLevels) {
@@ -73,6 +74,24 @@ TEST_F(Program, CompareGoesThroughLevels) {
               HasSubstr("difference in displacement, energy, multipliers\n       1      1  elimination"));
 }
 
+TEST_F(Program, CompareOfOnePatchHasNothingToCouple) {
+  ASSERT_EQ(run({"compare", study(), "--set", "model.patches=[1,1,1]"}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("there is nothing to couple"));
+  EXPECT_THAT(out_, testing::Not(HasSubstr("agree")));
+  const json all = compared(results());
+  EXPECT_EQ(all["coupled"], false);
+  EXPECT_EQ(all["agree"], true);
+}
+
+TEST_F(Program, CompareHalvesElementsWhateverKeyMadeThem) {
+  ASSERT_EQ(
+      run({"compare", study(), "--levels", "2", "--set", "discretization.elements_per_direction=[4,1,1]"}), 0)
+      << err_;
+  const json levels = compared(results())["levels"];
+  EXPECT_EQ(levels[0]["elements"], 2 * 4);
+  EXPECT_EQ(levels[1]["elements"], 2 * 4 * 8);
+}
+
 TEST_F(Program, CompareEstimatesConditionsWhereItFactorizes) {
   ASSERT_EQ(run({"compare", study(), "--condition"}), 0) << err_;
   EXPECT_THAT(out_, HasSubstr("condition"));
@@ -86,7 +105,8 @@ TEST_F(Program, CompareEstimatesConditionsWhereItFactorizes) {
 }
 
 TEST_F(Program, CompareKeepsWhatIsFinishedWhenMemoryEnds) {
-  EXPECT_EQ(run({"compare", study(), "--levels", "6", "--set", "solver.memory_limit=5e5"}), 1);
+  const std::string memory_limit = fmt::format("solver.memory_limit={}", 120e6 + solvers::resident_memory());
+  EXPECT_EQ(run({"compare", study(), "--levels", "6", "--set", memory_limit}), 1);
   EXPECT_THAT(err_, HasSubstr("isopatch: error: no memory for refine = "));
   const std::size_t finished = compared(results())["levels"].size();
   EXPECT_GE(finished, 1);
@@ -224,8 +244,8 @@ TEST_F(Program, ComparesPageDrawsTractionsOnInterfacesAlone) {
     ASSERT_EQ(std::isnan(tractions[i]), !on_cut && !on_middle);
     if (!on_cut || on_middle) continue;
     ++on_cross_section;
-    EXPECT_NEAR(tractions[i], 10, 1e-5);
-    EXPECT_NEAR(tractions[i + 1], 0, 1e-5);
+    EXPECT_NEAR(tractions[i], 1e7, 10);
+    EXPECT_NEAR(tractions[i + 1], 0, 10);
   }
   EXPECT_GT(on_cross_section, 0);
   EXPECT_EQ(scene["fields"].back()["key"], "traction");

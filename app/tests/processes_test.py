@@ -217,6 +217,35 @@ class Processes(unittest.TestCase):
         run = self.start(2, "--version")
         self.assertEqual((run.returncode, run.stdout.count("isopatch")), (0, 1), run.stdout)
 
+    # MUMPS starts MPI for one process, too.
+    def solve_in(self, command, *more):
+        line = f"'{PROGRAM}' run '{self.study()}' --quiet --set solver.method=mumps --output '{self.folder}'/"
+        run = subprocess.run([*more, "sh", "-c", command.replace("RUN ", line)], cwd=self.folder, text=True,
+                             env=self.environment, stdin=subprocess.DEVNULL, capture_output=True, timeout=60)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        for name in ("one", "two"):
+            self.assertEqual(json.loads((self.folder / name / "summary.json").read_text())["solver"]["method"], "mumps")
+
+    def test_one_process_of_a_launcher_runs_as_often_as_one_likes(self):
+        self.solve_in("RUN one && RUN two", os.environ["ISOPATCH_MPIEXEC"], "-n", "1")
+
+    def test_one_process_of_a_launcher_runs_twice_at_once(self):
+        self.solve_in("RUN one & first=$!; RUN two && wait $first", os.environ["ISOPATCH_MPIEXEC"], "-n", "1")
+
+    def test_one_process_runs_in_a_shell_of_slurm(self):
+        self.environment.update(SLURM_NTASKS="1", SLURM_PROCID="0", SLURM_JOB_ID="1", SLURM_JOBID="1", SLURM_STEPID="0",
+                                SLURM_STEP_ID="0", SLURM_NODELIST="here", SLURM_STEP_NUM_TASKS="1", SLURM_LOCALID="0")
+        self.solve_in("RUN one && RUN two")
+        # As the second program of a step with PMIx finds it.
+        self.environment.update(PMIX_NAMESPACE="slurm.pmix.1.0", PMIX_RANK="0", PMIX_SERVER_URI4="gone;tcp4://127.0.0.1:9")
+        self.solve_in("RUN one && RUN two")
+
+    def test_threads_of_all_processes_are_counted(self):
+        run = self.start(2, "run", self.study(), "--quiet", "--threads", str(os.cpu_count()))
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual(run.stderr.count("isopatch: warning: 2 processes with"), 1, run.stderr)
+        self.assertIn("use --threads", run.stderr)
+
     def test_a_batch_script_of_slurm_is_no_launcher(self):
         self.environment.update(SLURM_NTASKS="4", SLURM_PROCID="0", SLURM_JOB_ID="1")
         self.summary(1, self.study(), [])

@@ -26,7 +26,7 @@ generate = "box"
 size = [2, 1, 1]
 patches = [2, 1, 1]
 [[material]]
-young = 1000
+young = 1e9
 poisson = 0.25
 [[support]]
 name = "guides"
@@ -34,7 +34,7 @@ faces = ["x_min", "y_min", "z_min"]
 roller = true
 [[load]]
 faces = ["x_max"]
-traction = [10, 0, 0]
+traction = [1e7, 0, 0]
 [[probe]]
 name = "end"
 point = [2, 1, 1]

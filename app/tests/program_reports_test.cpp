@@ -1,16 +1,18 @@
 #include "app/tests/program_fixture.hpp"
 
+#include "geometry/base/larger.hpp"
+
 namespace isopatch::app {
 namespace {
 
 TEST_F(Program, SaysWhatEverySupportAndLoadCaught) {
-  ASSERT_EQ(run_text(replaced(bar, "young = 1000", "young = 1000\ndensity = 2") +
+  ASSERT_EQ(run_text(replaced(bar, "young = 1e9", "young = 1e9\ndensity = 2") +
                      "[[load]]\nname = \"weight\"\npatches = 1\ngravity = [0, 0, -1]\n"),
             0)
       << err_;
   const json summary = json::parse(read_file(results() / "summary.json"));
   const json& guides = summary["supports"][0];
-  EXPECT_EQ(guides["name"], "support 1 (guides)");
+  EXPECT_EQ(guides["name"], "guides");
   EXPECT_EQ(guides["kind"], "roller");
   EXPECT_THAT(guides["faces"], testing::ElementsAre("0:west", "0:south", "0:front", "1:south", "1:front"));
   EXPECT_NEAR(guides["area"], 5, 1e-13);
@@ -21,7 +23,7 @@ TEST_F(Program, SaysWhatEverySupportAndLoadCaught) {
   EXPECT_EQ(summary["loads"][1]["kind"], "gravity");
   EXPECT_THAT(summary["loads"][1]["patches"], testing::ElementsAre(1));
   EXPECT_NEAR(summary["loads"][1]["volume"], 1, 1e-13);
-  EXPECT_NEAR(summary["loads"][0]["total"][0], 10, 1e-12);
+  EXPECT_NEAR(summary["loads"][0]["total"][0], 1e7, 1e-5);
   EXPECT_NEAR(summary["loads"][1]["total"][2], -2, 1e-12);
   EXPECT_THAT(out_, HasSubstr("  support           support 1 (guides): roller on 5 faces, 5 m^2\n"));
   EXPECT_THAT(out_, HasSubstr("  load              load 1: traction on 1 face, 1 m^2\n"));
@@ -50,13 +52,13 @@ TEST_F(Program, NamesFacesInTheInputsNamingAndWarnsOfThoseMissedByLittle) {
 }
 
 TEST_F(Program, ListsEveryMaterialOnceWithItsPatches) {
-  ASSERT_EQ(run_text((replaced(bar, "young = 1000", "patches = 1\nyoung = 1000") +
+  ASSERT_EQ(run_text((replaced(bar, "young = 1e9", "patches = 1\nyoung = 1e9") +
                       "[[material]]\npatches = 0\nname = \"steel\"\n")),
             0)
       << err_;
   const json materials = json::parse(read_file(results() / "summary.json"))["materials"];
   ASSERT_EQ(materials.size(), 2u);
-  EXPECT_EQ(materials[0]["young"], 1000.0);
+  EXPECT_EQ(materials[0]["young"], 1e9);
   EXPECT_THAT(materials[0]["patches"], testing::ElementsAre(1));
   EXPECT_EQ(materials[1]["name"], "steel");
   EXPECT_THAT(materials[1]["patches"], testing::ElementsAre(0));
@@ -70,18 +72,18 @@ TEST_F(Program, RoundOffIsPrintedAsZeroInTextsOnly) {
   const std::string text = replaced(replaced(bar, "poisson = 0.25", "poisson = 0"), "size = [2, 1, 1]",
                                     "size = [2, 1, 1]\ndistortion = 0.2");
   ASSERT_EQ(run_text(text), 0) << err_;
-  EXPECT_THAT(out_, HasSubstr("displacement (20, 0, 0) mm, von Mises 10 Pa"));
-  EXPECT_THAT(out_, HasSubstr("reaction          (-10, 0, 0) N"));
+  EXPECT_THAT(out_, HasSubstr("displacement (20, 0, 0) mm, von Mises 10 MPa"));
+  EXPECT_THAT(out_, HasSubstr("reaction          (-10, 0, 0) MN"));
   const std::string file = (results() / "results.h5").string();
   ASSERT_EQ(run({"probe", file, "--point", "1,0.4,0.3"}), 0) << err_;
   EXPECT_THAT(out_, HasSubstr("displacement  (0.01, 0, 0) m\n"));
-  EXPECT_THAT(out_, HasSubstr("stress        xx 10, yy 0, zz 0, xy 0, yz 0, zx 0 Pa\n"));
+  EXPECT_THAT(out_, HasSubstr("stress        xx 1e+07, yy 0, zz 0, xy 0, yz 0, zx 0 Pa\n"));
   ASSERT_EQ(run({"probe", file, "--point", "1,0.4,0.3", "--json"}), 0) << err_;
   const json values = json::parse(out_);
   double largest = 0;
-  for (int i = 1; i < 6; ++i) largest = std::max(largest, std::abs(values["stress"][i].get<double>()));
+  for (int i = 1; i < 6; ++i) largest = larger(largest, std::abs(values["stress"][i].get<double>()));
   EXPECT_GT(largest, 0);
-  EXPECT_LT(largest, 1e-11);
+  EXPECT_LT(largest, 1e-5);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <omp.h>
 
 #include "app/tests/program_fixture.hpp"
 #include "solvers/blas_core.hpp"
@@ -12,13 +13,60 @@ TEST_F(Program, ALauncherOfAnotherMpiIsNamed) {
   ::setenv("SLURM_STEP_NUM_TASKS", "2", 1);
   ::setenv("SLURM_PROCID", "0", 1);
   EXPECT_EQ(run({"run", study()}), 2);
-  EXPECT_THAT(err_, HasSubstr("2 processes were started, but MPI connects 1"));
+  EXPECT_THAT(err_, HasSubstr("2 processes were started that cannot find each other"));
+  EXPECT_THAT(err_, HasSubstr("srun --mpi=pmix"));
+  // A step that was started from a shell of another one, whose variables are still there.
+  ::setenv("PMIX_NAMESPACE", "slurm.pmix.7.0", 1);
+  ::setenv("SLURM_JOB_ID", "7", 1);
+  ::setenv("SLURM_STEP_ID", "1", 1);
+  EXPECT_EQ(run({"run", study()}), 2);
+  EXPECT_THAT(err_, HasSubstr("srun --mpi=pmix"));
   ::setenv("SLURM_PROCID", "1", 1);
   EXPECT_EQ(run({"run", study()}), 0);  // the first one speaks
   EXPECT_EQ(err_, "");
   EXPECT_FALSE(fs::exists(results()));
-  ::unsetenv("SLURM_STEP_NUM_TASKS");
-  ::unsetenv("SLURM_PROCID");
+  for (const char* name :
+       {"SLURM_STEP_NUM_TASKS", "SLURM_PROCID", "PMIX_NAMESPACE", "SLURM_JOB_ID", "SLURM_STEP_ID"})
+    ::unsetenv(name);
+}
+
+TEST_F(Program, WarnsOfMoreThreadsThanCores) {
+  const int cores = omp_get_num_procs(), before = omp_get_max_threads();
+  EXPECT_EQ(run({"run", study(), "-q", "--threads", std::to_string(cores)}), 0);
+  EXPECT_EQ(err_, "");
+  EXPECT_EQ(run({"run", study(), "-q", "--threads", std::to_string(cores + 1)}), 0);
+  EXPECT_THAT(err_, HasSubstr(fmt::format("warning: {} threads on {} core", cores + 1, cores)));
+  EXPECT_THAT(err_, HasSubstr(fmt::format("--threads {}\n", cores)));
+  omp_set_num_threads(before);
+}
+
+TEST_F(Program, CountsTheCoresThatItMayUse) {
+  const std::string said = (folder_ / "said").string();
+  const auto warning = [&](const std::string& before) {
+    EXPECT_EQ(shell(fmt::format("env -u OMP_NUM_THREADS {} {} run {} -q 2> {}", before, ISOPATCH_PROGRAM,
+                                study(), said)),
+              0);
+    return read_file(said);
+  };
+  EXPECT_EQ(warning("taskset -c 0"), "");
+  EXPECT_THAT(warning("taskset -c 0 env OMP_NUM_THREADS=2"), HasSubstr("2 threads on 1 core:"));
+  // Binding puts the first thread on one core, which takes none from the others.
+  EXPECT_EQ(warning("env OMP_PROC_BIND=true"), "");
+}
+
+TEST_F(Program, ThreadsThatWaitSleepUnlessTheUserSaysOtherwise) {
+  const auto shown = [&](const std::string& before) {
+    const std::string said = (folder_ / "said").string();
+    EXPECT_EQ(
+        shell(fmt::format("env -u OMP_WAIT_POLICY -u GOMP_SPINCOUNT OMP_DISPLAY_ENV=verbose {} {} --version "
+                          "> /dev/null 2> {}",
+                          before, ISOPATCH_PROGRAM, said)),
+        0);
+    return read_file(said);
+  };
+  EXPECT_THAT(shown(""), HasSubstr("OMP_WAIT_POLICY = 'PASSIVE'"));
+  EXPECT_THAT(shown("OMP_WAIT_POLICY=active"), HasSubstr("OMP_WAIT_POLICY = 'ACTIVE'"));
+  EXPECT_THAT(shown("GOMP_SPINCOUNT=4321"), HasSubstr("GOMP_SPINCOUNT = '4321'"));
 }
 
 TEST_F(Program, TheBlasHasOneThreadOutsideOfFactorizations) {
@@ -83,18 +131,6 @@ TEST_F(Program, AFailedRunLeavesEarlierResultsAlone) {
   EXPECT_NE(run({"run", study(), "-q", "--set", "load.0.faces=[\"x_min\", \"0:east\"]"}), 0);
   EXPECT_EQ(read_file(results() / "summary.json"), before);
   EXPECT_TRUE(fs::exists(results() / "fields/patch_001.vtu"));
-}
-
-TEST_F(Program, AFullDiskInTheMiddleLeavesNothingOfAnEarlierRun) {
-  ASSERT_EQ(run({"run", study(), "-q", "--set", "model.patches=[3,1,1]"}), 0) << err_;
-  // Cells of one piece fit the shell's limit, 8 blocks of 512 bytes, results.h5 does not.
-  EXPECT_EQ(shell(fmt::format("(ulimit -f 8; exec {} run {} -q --set output.pieces=1) 2>/dev/null",
-                              ISOPATCH_PROGRAM, study())),
-            3);
-  EXPECT_THAT(files_below(results()), testing::Contains("fields/exact_patch_001.vtu"));
-  EXPECT_THAT(files_below(results()), testing::Not(testing::Contains("fields/exact_patch_002.vtu")));
-  for (const char* file : {"results.h5", "report.html", "summary.json"})
-    EXPECT_FALSE(fs::exists(results() / file)) << file;
 }
 
 TEST_F(Program, TheStudySaysHowFineAndHowExactFieldsAre) {

@@ -231,5 +231,34 @@ TEST_F(Render, CtrlCEndsTheVirtualDisplayToo) {
   EXPECT_TRUE(gone);
 }
 
+TEST_F(Render, MarksSupportsAndLoadsOfAStudy) {
+  ASSERT_EQ(run({"render", study(), "-o", picture(), "--field", "conditions", "--size", "320x240", "--view",
+                 "1,-1,1", "--edges", "none"}),
+            0)
+      << err_;
+  EXPECT_THAT(out_, HasSubstr("2 patches, supports blue, loads red"));
+  // x_max is loaded, y_min held, z_max neither.
+  int red = 0;
+  int blue = 0;
+  int grey = 0;
+  const Pixels drawn(picture());
+  for (int y = 0; y < drawn.height(); ++y)
+    for (int x = 60; x < drawn.width(); ++x) {
+      const auto [r, g, b] = drawn.colour(x, y);
+      red += r > 2 * b && r > 2 * g;
+      blue += b > 2 * r;
+      grey += std::abs(r - b) < 60 && r < 240 && g > r;
+    }
+  EXPECT_GT(red, 1000);
+  EXPECT_GT(blue, 1000);
+  EXPECT_GT(grey, 1000);
+  EXPECT_EQ(run({"render", result(), "-o", picture("none.png"), "--field", "conditions"}), 2);
+  EXPECT_THAT(err_, HasSubstr("give a study"));
+  EXPECT_EQ(run({"render", study(), "-o", picture("none.png"), "--field", "conditions", "--set",
+                 "load.0.faces=[\"x_mx\"]"}),
+            2);
+  EXPECT_THAT(err_, HasSubstr("did you mean"));
+}
+
 }  // namespace
 }  // namespace isopatch::app

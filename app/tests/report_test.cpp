@@ -1,8 +1,4 @@
-#include "app/stored_model.hpp"
 #include "app/tests/program_fixture.hpp"
-#include "geometry/base/error.hpp"
-#include "geometry/models/box.hpp"
-#include "iga/result_file.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -20,7 +16,11 @@ TEST_F(Program, WritesTheSameReportFromStoredResults) {
   EXPECT_EQ(data["kind"], "report");
   EXPECT_EQ(data["title"], "bar");
   EXPECT_EQ(data["study"], bar);
-  EXPECT_EQ(data["summary"], json::parse(read_file(results() / "summary.json")));
+  // All but the time that writing took, which is not known before the page is written.
+  json summary = json::parse(read_file(results() / "summary.json"));
+  summary["timings"].erase("output");
+  summary["timings"]["total"] = data["summary"]["timings"]["total"];
+  EXPECT_EQ(data["summary"], summary);
   ASSERT_EQ(run({"report", (results() / "results.h5").string(), "-o", (folder_ / "again.html").string()}), 0);
   EXPECT_EQ(read_file(folder_ / "again.html"), written);
   EXPECT_EQ(out_, (folder_ / "again.html").string() + " written; open it in a browser\n");
@@ -45,7 +45,7 @@ TEST_F(Program, MarksPlacesOfTheReportWithTheSummarysValues) {
     return std::hypot(v[0].get<double>(), v[1].get<double>(), v[2].get<double>());
   };
   EXPECT_NEAR(length(markers[0]["displacement"]), summary["results"]["max_displacement"], 1e-15);
-  EXPECT_NEAR(markers[1]["von_mises"].get<double>(), summary["results"]["max_von_mises"], 1e-9);
+  EXPECT_NEAR(markers[1]["von_mises"].get<double>(), summary["results"]["max_von_mises"], 1e-2);
   EXPECT_EQ(markers[2]["name"], summary["probes"][0]["name"]);
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_NEAR(markers[2]["displacement"][i].get<double>(), summary["probes"][0]["displacement"][i], 1e-15);
@@ -61,8 +61,8 @@ TEST_F(Program, MarksPlacesOfTheReportWithTheSummarysValues) {
       }
   EXPECT_THAT(held, testing::UnorderedElementsAreArray(
                         summary["supports"][0]["faces"].get<std::vector<std::string>>()));
-  EXPECT_NEAR(data["scene"]["loads"][0]["total"][0].get<double>(), 10, 1e-12);
-  EXPECT_NEAR(data["scene"]["supports"][0]["reaction"][0].get<double>(), -10, 1e-9);
+  EXPECT_NEAR(data["scene"]["loads"][0]["total"][0].get<double>(), 1e7, 1e-5);
+  EXPECT_NEAR(data["scene"]["supports"][0]["reaction"][0].get<double>(), -1e7, 1e-2);
 }
 
 TEST_F(Program, SaysWhatIsWrongWithResultsForAReport) {
@@ -73,27 +73,6 @@ TEST_F(Program, SaysWhatIsWrongWithResultsForAReport) {
   ASSERT_EQ(run({"run", study()}), 0);
   EXPECT_EQ(run({"report", (results() / "results.h5").string(), "-o", "/proc/none/report.html"}), 3);
   EXPECT_THAT(err_, HasSubstr("/proc/none"));
-}
-
-TEST(StoredModel, KeepsGapsThatTheSummaryKnows) {
-  geometry::PatchSet set = geometry::box_model({.patches = {2, 1, 1}});
-  Eigen::Matrix3Xd moved = set.patches[1].control_points();
-  moved.row(0).array() += 1e-4;
-  set.patches[1] = geometry::NurbsVolume(set.patches[1].knots(), moved);
-  EXPECT_THROW(stored_model(set.patches, ""), Error) << "a gap";
-  const StoredModel model = stored_model(set.patches, R"({"model": {"largest_gap": 1e-4}})");
-  EXPECT_EQ(model.model.interfaces().size(), 1u);
-}
-
-TEST(StoredModel, NamesFacesAsTheInputDid) {
-  const auto patches = geometry::box_model({.patches = {2, 1, 1}}).patches;
-  const StoredModel model =
-      stored_model(patches, R"({"model": {"largest_gap": 0, "left_handed_patches": [1, 7, "x"]}})");
-  EXPECT_EQ(model.label({PatchId(0), geometry::Side::west}), "0:west");
-  EXPECT_EQ(model.label({PatchId(1), geometry::Side::west}), "1:east");
-  EXPECT_EQ(model.label({PatchId(1), geometry::Side::north}), "1:north");
-  EXPECT_EQ(model.renamed(1, {0.25, 0.5, 0})[0], 0.75);
-  EXPECT_EQ(model.renamed(0, {0.25, 0.5, 0})[0], 0.25);
 }
 
 }  // namespace

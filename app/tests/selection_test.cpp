@@ -118,11 +118,22 @@ TEST(Selection, NamesTheFacesThatMissTheToleranceByLittle) {
   EXPECT_THAT(select_faces(model, turned).near_misses, testing::IsEmpty());
 }
 
-TEST(Selection, PatchesAreRangesOrAll) {
-  EXPECT_EQ(select_patches(4, {}).size(), 4u);
-  EXPECT_THAT(select_patches(6, {.ranges = {{4, 5}, {0, 0}, {4, 4}}}),
+TEST(Selection, PatchesAreRangesNamesOrAll) {
+  geometry::PatchSet set = geometry::box_model({.patches = {6, 1, 1}});
+  set.names = {"foot", "leg", "leg", "leg", "seat"};
+  const geometry::MultiPatch model = geometry::connect(std::move(set));
+  EXPECT_EQ(select_patches(model, {}).size(), 6u);
+  EXPECT_THAT(select_patches(model, {.ranges = {{4, 5}, {0, 0}, {4, 4}}}),
               testing::ElementsAre(PatchId(0), PatchId(4), PatchId(5)));
-  EXPECT_THROW(select_patches(4, {.ranges = {{3, 4}}}), Error);
+  EXPECT_THAT(select_patches(model, {.ranges = {{5, 5}}, .names = {"leg"}}),
+              testing::ElementsAre(PatchId(1), PatchId(2), PatchId(3), PatchId(5)));
+  EXPECT_THROW(select_patches(model, {.ranges = {{5, 6}}}), Error);
+  try {
+    select_patches(model, {.names = {"lag"}});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("no patch is called \"lag\" (did you mean 'leg'?)"));
+  }
 }
 
 }  // namespace

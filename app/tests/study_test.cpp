@@ -90,6 +90,7 @@ method = "lagrange"
 method = "mumps"
 tolerance = 1e-9
 max_iterations = 77
+memory_limit = "2 GB"
 [[probe]]
 name = "p"
 point = ["1 mm", 0, 0]
@@ -151,6 +152,7 @@ hdf5 = false
   EXPECT_EQ(study.options.solver.method, solvers::Method::mumps);
   EXPECT_EQ(study.options.solver.tolerance, 1e-9);
   EXPECT_EQ(study.options.solver.max_iterations, 77);
+  EXPECT_EQ(study.options.solver.memory_limit, 2e9);
   ASSERT_EQ(study.probes.size(), 2u);
   EXPECT_EQ(*study.probes[0].point, Eigen::Vector3d(0.001, 0, 0));
   EXPECT_EQ(study.probes[1].patch, 2);

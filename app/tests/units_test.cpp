@@ -55,6 +55,18 @@ TEST(Units, AnAlgebraOfDimensionsJoinsThem) {
   EXPECT_EQ(si_unit(parse_quantity("1 kg^2 m").dimension), "kg^2 m");
 }
 
+TEST(Units, MeasureMemoryInPowersOf1000And1024) {
+  EXPECT_EQ(parse_quantity("2 GB").value, 2e9);
+  EXPECT_EQ(parse_quantity("1.5 MB").value, 1.5e6);
+  EXPECT_EQ(parse_quantity("4 KiB").value, 4096);
+  EXPECT_EQ(parse_quantity("3 GiB").value, 3221225472.0);
+  EXPECT_EQ(parse_quantity("1 TB").dimension, dimensions::data);
+  EXPECT_EQ(describe(dimensions::data), "an amount of memory");
+  EXPECT_EQ(si_unit(parse_quantity("1 B/s").dimension), "s^-1 B");
+  EXPECT_THAT(refusal("2 gb"), HasSubstr("did you mean 'GB'?"));
+  EXPECT_THAT(refusal("2 KB"), HasSubstr("did you mean 'kB'?"));
+}
+
 TEST(Units, RefuseWhatIsNoQuantity) {
   EXPECT_THAT(refusal("nan"), HasSubstr("not a finite number"));
   EXPECT_THAT(refusal("inf m"), HasSubstr("not a finite number"));

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -41,18 +42,36 @@ void remove_and_exit(int signal) {
               fmt::format("cannot {} {}: {}{}", verb, path.string(), std::strerror(reason), advice));
 }
 
+/// Interrupts wait as long as it lives.
+class WithoutInterrupts {
+ public:
+  WithoutInterrupts() {
+    ::sigset_t interrupts;
+    ::sigemptyset(&interrupts);
+    ::sigaddset(&interrupts, SIGINT);
+    ::sigaddset(&interrupts, SIGTERM);
+    ::pthread_sigmask(SIG_BLOCK, &interrupts, &before_);
+  }
+  ~WithoutInterrupts() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  WithoutInterrupts(const WithoutInterrupts&) = delete;
+
+ private:
+  ::sigset_t before_ = {};
+};
+
 class TemporaryFile {
  public:
   explicit TemporaryFile(const std::filesystem::path& target)
       : target_(target), path_(target.string() + ".unfinished") {
     if (path_.size() + 1 > sizeof(unfinished)) fail("write", target_, ENAMETOOLONG);
     std::memcpy(unfinished, path_.c_str(), path_.size() + 1);
-    has_unfinished = true;
-    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (descriptor_ < 0) {
-      has_unfinished = false;
-      give_up();
+    {
+      const WithoutInterrupts together;
+      while (!take()) {
+      }
+      has_unfinished = true;
     }
+    if (::ftruncate(descriptor_, 0) != 0) give_up();
   }
   ~TemporaryFile() {
     if (descriptor_ >= 0) ::close(descriptor_);
@@ -81,14 +100,37 @@ class TemporaryFile {
   }
   void finish() {
     if (::fsync(descriptor_) != 0 && errno != EINVAL) give_up();
+    // Closed after it has its name: the lock must not end while the file can be taken for a left one.
+    if (::rename(path_.c_str(), target_.c_str()) != 0) give_up();
+    has_unfinished = false;
     const int closed = ::close(descriptor_);
     descriptor_ = -1;
     if (closed != 0) give_up();
-    if (::rename(path_.c_str(), target_.c_str()) != 0) give_up();
-    has_unfinished = false;
   }
 
  private:
+  // Opens the file, which a killed process may have left, and locks it against other processes.
+  // @return  whether it is still the one of that name
+  bool take() {
+    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) give_up();
+    // File systems that know no locks let everybody in.
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+      ::close(descriptor_);
+      throw Error(ErrorCode::io,
+                  fmt::format("cannot write {}: another process is writing it; wait until it is "
+                              "done, or choose another name",
+                              target_.string()));
+    }
+    struct stat mine = {};
+    struct stat named = {};
+    if (::fstat(descriptor_, &mine) != 0) give_up();
+    if (::stat(path_.c_str(), &named) == 0 && mine.st_dev == named.st_dev && mine.st_ino == named.st_ino)
+      return true;
+    ::close(descriptor_);
+    descriptor_ = -1;
+    return false;
+  }
   [[noreturn]] void give_up() { fail("write", target_, errno); }
   std::filesystem::path target_;
   std::string path_;

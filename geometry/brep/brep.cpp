@@ -122,15 +122,19 @@ double Brep::size() const {
 std::array<Eigen::Vector3d, 2> Brep::box() const {
   return kernel_->tables().box;
 }
-double Brep::volume() const {
+Measure Brep::measured_volume() const {
   return kernel_->volume();
 }
-double Brep::area(FaceId face) const {
+Measure Brep::measured_area(FaceId face) const {
   return checked(kernel_, face).area(face);
 }
-double Brep::area() const {
-  double sum = 0;
-  for (std::size_t i = 0; i < faces().size(); ++i) sum += kernel_->area(FaceId(static_cast<int>(i)));
+Measure Brep::measured_area() const {
+  Measure sum;
+  for (std::size_t i = 0; i < faces().size(); ++i) {
+    const Measure area = kernel_->area(FaceId(static_cast<int>(i)));
+    sum.value += area.value;
+    sum.error += area.error;
+  }
   return sum;
 }
 

@@ -4,26 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <tuple>
 
 #include "geometry/brep/require_solid.hpp"
 
 namespace isopatch::geometry {
 namespace {
-
-double largest_gap(const Brep& brep) {
-  constexpr int samples = 17;
-  double result = 0;
-  for (std::size_t f = 0; f < brep.faces().size(); ++f)
-    for (const auto& loop : brep.faces()[f].loops)
-      for (const EdgeUse use : loop)
-        for (int i = 0; i < samples; ++i) {
-          const FaceId face(static_cast<int>(f));
-          const double t = double(i) / (samples - 1);
-          const Eigen::Vector3d on_face = brep.point(face, brep.domain_point(face, use, t));
-          result = std::max(result, (on_face - brep.point(use.edge, t)).norm());
-        }
-  return result;
-}
 
 EdgeId shortest(const Brep& brep) {
   const auto& edges = brep.edges();
@@ -93,6 +80,20 @@ void add_angle_findings(const BrepReport& report, std::vector<std::string>& find
   }
 }
 
+BrepStage stage_of(const EdgeGraph& graph, const BrepReport& report) {
+  if (!report.contradictions.empty()) return BrepStage::repair;
+  if (!report.connectivity.three_connected) return BrepStage::preprocessing;
+  return is_cube(graph, report.connectivity) ? BrepStage::parameterization : BrepStage::decomposition;
+}
+
+void add_quadrature_findings(const BrepReport& report, std::vector<std::string>& findings) {
+  for (const auto& [what, value, error] : {std::tuple("volume", report.volume, report.volume_error),
+                                           std::tuple("surface", report.area, report.area_error)})
+    if (!Measure{value, error}.converged())
+      findings.push_back(fmt::format("the {} is known to {:.1g} of itself only, not to {:g}", what,
+                                     error / std::abs(value), Measure::promised));
+}
+
 }  // namespace
 
 const char* name(BrepStage stage) {
@@ -114,32 +115,31 @@ int BrepReport::count(Convexity convexity) const {
                                         [&](const EdgeAngles& edge) { return edge.convexity == convexity; }));
 }
 
-BrepReport check(const Brep& brep, const EdgeAngleOptions& options) {
+BrepReport check(const Brep& brep, const CheckOptions& options) {
   const EdgeGraph graph = edge_graph(brep);
   BrepReport report;
   report.boundary = boundary(graph);
   report.topology = topology(graph, report.boundary);
   report.connectivity = connectivity(graph, report.topology);
-  report.angles = edge_angles(brep, options);
+  report.angles = edge_angles(brep, options.angles);
   report.area = brep.area();
-  report.largest_gap = largest_gap(brep);
+  report.area_error = brep.measured_area().error;
+  report.gap = largest_gap(brep);
+  report.largest_gap = report.gap.distance;
   report.shortest_edge = shortest(brep);
+  report.contradictions = contradictions(brep, report.boundary, options.soundness);
   const std::string problem = boundary_problem(brep, report.boundary);
-  if (!problem.empty()) {
-    report.findings.push_back(problem);
-    return report;
-  }
+  if (!problem.empty()) report.findings.push_back(problem);
+  for (const Contradiction& found : report.contradictions) report.findings.push_back(found.text);
+  if (!problem.empty()) return report;
   report.volume = brep.volume();
+  report.volume_error = brep.measured_volume().error;
   add_topology_findings(report.topology, report.boundary.shells, report.findings);
   add_connectivity_findings(brep, report.connectivity, report.findings);
-  if (!report.connectivity.three_connected)
-    report.stage = BrepStage::preprocessing;
-  else if (is_cube(graph, report.connectivity))
-    report.stage = BrepStage::parameterization;
-  else
-    report.stage = BrepStage::decomposition;
+  report.stage = stage_of(graph, report);
   if (report.stage != BrepStage::parameterization || report.count(Convexity::non_convex) > 0)
     add_angle_findings(report, report.findings);
+  add_quadrature_findings(report, report.findings);
   return report;
 }
 

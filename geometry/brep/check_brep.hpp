@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geometry/brep/brep.hpp"
+#include "geometry/brep/contradictions.hpp"
 #include "geometry/brep/edge_angles.hpp"
 #include "geometry/brep/edge_graph.hpp"
 #include "geometry/brep/graph_connectivity.hpp"
@@ -12,7 +13,7 @@ namespace isopatch::geometry {
 
 /// Where on the way from a solid to patches a solid can go in. Each is nearer to the end than the one before.
 enum class BrepStage {
-  repair,         ///< the faces do not bound one solid
+  repair,         ///< the faces do not bound one solid, or the geometry contradicts itself
   preprocessing,  ///< holes, cavities, inner loops, seams or a graph that is not 3-connected have to go first
   decomposition,  ///< cutting loops can take it apart
   parameterization,  ///< a topological hexahedron
@@ -27,8 +28,12 @@ struct BrepReport {
   std::vector<EdgeAngles> angles;  ///< of each edge
   double volume = 0;               ///< m^3; 0 for an open boundary
   double area = 0;                 ///< m^2
+  double volume_error = 0;         ///< m^3, estimate of the quadrature
+  double area_error = 0;           ///< m^2
   double largest_gap = 0;          ///< m, between an edge and its curve on a face
+  EdgeGap gap;                     ///< the same, and where it is
   EdgeId shortest_edge;
+  std::vector<Contradiction> contradictions;  ///< of the geometry with itself
   BrepStage stage = BrepStage::repair;
   std::vector<std::string>
       findings;  ///< sentences: what stands between the solid and the next stage, entities named
@@ -36,9 +41,14 @@ struct BrepReport {
   int count(Convexity convexity) const;
 };
 
+struct CheckOptions {
+  EdgeAngleOptions angles = {};
+  SoundnessOptions soundness = {};
+};
+
 /// Checks a solid: closed, manifold, oriented, one shell, contractible, simple and 3-connected, angles at
-/// edges.
-/// @cost  that of the volume, and samples x edges evaluations
-BrepReport check(const Brep& brep, const EdgeAngleOptions& options = {});
+/// edges; whether the geometry is what the edge graph says and the figures have converged.
+/// @cost  that of the volume and of one triangulation, and samples x edges evaluations
+BrepReport check(const Brep& brep, const CheckOptions& options = {});
 
 }  // namespace isopatch::geometry

@@ -52,6 +52,8 @@ const char* name(Convexity convexity) {
       return "flat";
     case Convexity::seam:
       return "seam";
+    case Convexity::overused:
+      return "overused";
     case Convexity::free:
       break;
   }
@@ -67,6 +69,7 @@ EdgeAngles edge_angles(const Brep& brep, EdgeId edge, const EdgeAngleOptions& op
                 fmt::format("flat is {} degrees; it must lie in (0, 45)", options.flat.degrees()));
   const std::vector<Side> at = sides(brep, edge);
   EdgeAngles result;
+  if (at.size() > 2) result.convexity = Convexity::overused;
   if (at.size() != 2) return result;
   double low = 2 * std::numbers::pi, high = 0;
   for (int i = 0; i < options.samples; ++i) {

@@ -13,13 +13,14 @@ enum class Convexity {
   non_convex,  ///< more than 180 degrees somewhere
   flat,        ///< 180 degrees everywhere: the faces have the same tangent planes
   seam,        ///< both sides are the same face, which continues across
-  free,        ///< not between two faces
+  overused,    ///< between more than two faces
+  free,        ///< of one face only
 };
 const char* name(Convexity convexity);
 
 struct EdgeAngles {
   Convexity convexity = Convexity::free;
-  Angle smallest, largest;  ///< inner dihedral angle, in (0, 360) degrees; 0 for free edges
+  Angle smallest, largest;  ///< inner dihedral angle, in (0, 360) degrees; 0 for free and overused edges
 };
 
 struct EdgeAngleOptions {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
 
 #include "geometry/base/error.hpp"
 #include "geometry/brep/brep.hpp"
@@ -43,11 +44,12 @@ class Union {
   std::vector<std::size_t> parent_;
 };
 
-int shells(const EdgeGraph& graph, const std::vector<std::vector<EdgeGraph::Place>>& used) {
+// Faces that hang together along edges.
+Union shells(const EdgeGraph& graph, const std::vector<std::vector<EdgeGraph::Place>>& used) {
   Union faces(graph.faces.size());
   for (const auto& at : used)
     for (const EdgeGraph::Place& place : at) faces.join(index(at.front().face), index(place.face));
-  return faces.count();
+  return faces;
 }
 
 // The edge ends at a vertex are joined by the corners of faces; more than one piece is a pinch.
@@ -145,7 +147,7 @@ BoundaryReport boundary(const EdgeGraph& graph) {
       report.misoriented_edges.push_back(id);
   }
   report.pinched_vertices = pinched(graph);
-  report.shells = shells(graph, used);
+  report.shells = shells(graph, used).count();
   return report;
 }
 
@@ -170,6 +172,36 @@ TopologyReport topology(const EdgeGraph& graph, const BoundaryReport& boundary) 
     report.contractible = boundary.shells == 1 && report.genus == 0;
   }
   return report;
+}
+
+std::vector<ShellCharacteristic> shell_characteristics(const EdgeGraph& graph) {
+  const auto used = places(graph);
+  Union joined = shells(graph, used);
+  std::map<std::size_t, std::size_t> number;  // of a shell, by its root
+  std::vector<ShellCharacteristic> result;
+  std::vector<std::set<int>> vertices;
+  const auto shell_of = [&](FaceId face) {
+    const auto [found, is_new] = number.try_emplace(joined.root(index(face)), result.size());
+    if (is_new) {
+      result.emplace_back();
+      vertices.emplace_back();
+    }
+    return found->second;
+  };
+  for (std::size_t f = 0; f < graph.faces.size(); ++f) {
+    const FaceId id(static_cast<int>(f));
+    ShellCharacteristic& shell = result[shell_of(id)];
+    shell.faces.push_back(id);
+    shell.value += 2 - static_cast<int>(graph.faces[f].loops.size());
+  }
+  for (std::size_t e = 0; e < used.size(); ++e) {
+    if (used[e].empty()) continue;
+    const std::size_t shell = shell_of(used[e].front().face);
+    --result[shell].value;
+    vertices[shell].insert({graph.edges[e].start.value, graph.edges[e].end.value});
+  }
+  for (std::size_t s = 0; s < result.size(); ++s) result[s].value += static_cast<int>(vertices[s].size());
+  return result;
 }
 
 }  // namespace isopatch::geometry

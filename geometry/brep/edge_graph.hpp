@@ -87,4 +87,12 @@ struct TopologyReport {
 /// @param boundary  of the same graph; genus and contractibility are 0 and false unless it bounds a solid
 TopologyReport topology(const EdgeGraph& graph, const BoundaryReport& boundary);
 
+/// V - E + F of one shell, F being 2 - loops for each face: 2 less twice the handles on any closed surface.
+struct ShellCharacteristic {
+  int value = 0;
+  std::vector<FaceId> faces;
+};
+/// Of each shell, by its lowest face.
+std::vector<ShellCharacteristic> shell_characteristics(const EdgeGraph& graph);
+
 }  // namespace isopatch::geometry

@@ -27,8 +27,8 @@ class BrepKernel {
 
   virtual const BrepTables& tables() const = 0;
 
-  virtual double volume() const = 0;
-  virtual double area(FaceId face) const = 0;
+  virtual Measure volume() const = 0;
+  virtual Measure area(FaceId face) const = 0;
 
   virtual Eigen::Vector3d point(EdgeId edge, double t) const = 0;
   virtual Eigen::Vector3d tangent(EdgeId edge, double t) const = 0;

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "geometry/brep/kernel.hpp"
@@ -21,14 +23,40 @@ struct KernelSolid {
   double largest_correction = 0;  ///< m
 };
 
+/// What the library says about an entity of a file.
+struct EntityRemark {
+  std::int64_t entity = 0;  ///< number of the STEP instance or IGES entity; 0 where it is none
+  std::string text;
+};
+
+/// What came of a file.
+struct KernelFile {
+  std::vector<KernelSolid> bodies;
+  int listed = 0;  ///< bodies that the file lists and the library delivered, each where it is placed
+  std::size_t loose_faces = 0;        ///< that belong to no body of the file
+  std::vector<EntityRemark> lost;     ///< bodies and faces that the library could not make
+  std::vector<EntityRemark> remarks;  ///< what else it could not read of shapes
+};
+
+/// A file to be read.
+struct KernelSource {
+  std::filesystem::path path;
+  BrepFormat format = BrepFormat::step;
+  std::string_view text = {};  ///< of a STEP file, made ready; the path's content otherwise
+  double metres =
+      1e-3;  ///< that a unit of the shapes measures: a millimetre of STEP and IGES, a unit of a .brep file
+};
+
 /// What the module of the CAD library offers besides the solids themselves. Lengths in m.
 class BrepModule {
  public:
   virtual ~BrepModule() = default;
 
-  /// @param metres  that a unit of a .brep file measures
-  virtual std::vector<KernelSolid> read(const std::filesystem::path& path, BrepFormat format, double metres,
-                                        const SewOptions& options) const = 0;
+  /// In this very process, which the library may end or keep for ever if the file is damaged.
+  virtual KernelFile read(const KernelSource& source, const SewOptions& options) const = 0;
+  /// Bodies of `read` as bytes that another process of the same build can take up, bit for bit.
+  virtual std::string to_bytes(const std::vector<KernelSolid>& bodies) const = 0;
+  virtual std::vector<KernelSolid> from_bytes(const std::string& bytes) const = 0;
   /// @param unit  "mm", "m" or "in", of the file's coordinates; a .brep file does not say it
   virtual void write(const std::filesystem::path& path, BrepFormat format, const BrepKernel& kernel,
                      const std::string& unit) const = 0;

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/error.hpp"
+#include "geometry/brep/internal/cad_file.hpp"
 #include "geometry/brep/internal/file_format.hpp"
+#include "geometry/brep/internal/sentences.hpp"
 #include "geometry/brep/make_brep.hpp"
-#include "geometry/brep/module.hpp"
 #include "geometry/brep/require_solid.hpp"
 #include "geometry/brep/solid_error.hpp"
 #include "geometry/io/read_gismo_solid.hpp"
@@ -26,14 +28,11 @@ void check(const ReadBrepOptions& options) {
   validate(options.sew);
 }
 
-std::vector<BrepFile> from_module(const fs::path& path, BrepFormat format, const ReadBrepOptions& options) {
-  if (format != BrepFormat::brep && options.length_unit)
-    throw Error(ErrorCode::invalid_argument,
-                fmt::format("{}: the file states its unit of length; leave length_unit out", path.string()));
-  read_file(path);  // says why, if it cannot
-  std::vector<BrepFile> result;
-  for (KernelSolid& solid : brep_module().read(path, format, options.length_unit.value_or(1), options.sew))
-    result.push_back({Brep(std::move(solid.kernel)), std::move(solid.name), solid.largest_correction});
+BrepSet from_module(const fs::path& path, BrepFormat format, const ReadBrepOptions& options) {
+  CadFile file = read_cad_file_guarded(path, format, options);
+  BrepSet result{{}, std::move(file.missing), std::move(file.warnings), std::move(file.unit)};
+  for (KernelSolid& solid : file.bodies)
+    result.bodies.push_back({Brep(std::move(solid.kernel)), std::move(solid.name), solid.largest_correction});
   return result;
 }
 
@@ -42,6 +41,10 @@ TrimmedSurface scaled(const TrimmedSurface& surface, double metres) {
   result.surface = NurbsSurface(surface.surface.knots(), metres * surface.surface.control_points(),
                                 surface.surface.weights());
   return result;
+}
+
+std::string unit_taken(const ReadBrepOptions& options) {
+  return options.length_unit ? "as given" : "m, since the format states none";
 }
 
 // As many faces have surfaces, none or all; corners make the rest.
@@ -53,7 +56,7 @@ BrepFile from_boundary(const SolidBoundary& boundary, const std::string& source,
   if (given == 0) {
     Polyhedron corners = boundary.corners;
     corners.vertices *= metres;
-    return {make_brep(corners, options.sew), boundary.name, 0};
+    return {make_brep(corners, options.sew), "", 0};
   }
   if (given < static_cast<std::ptrdiff_t>(boundary.surfaces.size()))
     throw Error(ErrorCode::unsupported,
@@ -62,25 +65,25 @@ BrepFile from_boundary(const SolidBoundary& boundary, const std::string& source,
   std::vector<TrimmedSurface> faces;
   for (const auto& surface : boundary.surfaces) faces.push_back(scaled(*surface, metres));
   SewnBrep sewn = sew(faces, options.sew);
-  return {std::move(sewn.brep), boundary.name, sewn.largest_correction};
+  return {std::move(sewn.brep), "", sewn.largest_correction};
 }
 
-std::vector<BrepFile> from_gismo(const fs::path& path, const ReadBrepOptions& options) {
-  std::vector<BrepFile> result;
+BrepSet from_gismo(const fs::path& path, const ReadBrepOptions& options) {
+  BrepSet result{{}, {}, {}, unit_taken(options)};
   const std::string text = read_file(path);
   if (!is_gismo_solid(text))
     throw Error(ErrorCode::unsupported,
                 fmt::format("{}: no Solid and no TrimSurface in the file; volume patches need no solid",
                             path.string()));
   for (const SolidBoundary& boundary : read_gismo_solids(text, path.string()))
-    result.push_back(from_boundary(boundary, path.string(), options));
+    result.bodies.push_back(from_boundary(boundary, path.string(), options));
   return result;
 }
 
-std::vector<BrepFile> from_off(const fs::path& path, const ReadBrepOptions& options) {
+BrepSet from_off(const fs::path& path, const ReadBrepOptions& options) {
   Polyhedron polyhedron = read_off(read_file(path), path.string());
   polyhedron.vertices *= options.length_unit.value_or(1);
-  return {{make_brep(polyhedron, options.sew), "", 0}};
+  return {{{make_brep(polyhedron, options.sew), "", 0}}, {}, {}, unit_taken(options)};
 }
 
 // Errors of the making of solids get the file's name in front, if they lack it.
@@ -98,14 +101,55 @@ auto named(const fs::path& path, Make make) {
   }
 }
 
-std::vector<BrepFile> read(const fs::path& path, const ReadBrepOptions& options) {
+BrepSet read(const fs::path& path, const ReadBrepOptions& options) {
   const std::string end = file_ending(path);
+  read_file(path);  // says why, if it cannot
   if (const auto format = module_format(end)) return from_module(path, *format, options);
   if (end == ".xml") return from_gismo(path, options);
   if (end == ".off") return from_off(path, options);
   throw Error(ErrorCode::unsupported,
-              fmt::format("{}: solids are read from .step, .stp, .iges, .igs, .brep, .xml (G+Smo) and .off",
-                          path.string()));
+              fmt::format("{}: solids are read from {}", path.string(), brep_formats));
+}
+
+/// Every body gets a name of its own.
+void set_names(std::vector<BrepFile>& bodies, const std::string& fallback) {
+  std::map<std::string, int> count;
+  for (BrepFile& body : bodies) {
+    if (body.name.empty()) body.name = fallback;
+    const int before = count[body.name]++;
+    if (before > 0) body.name += fmt::format("#{}", before);
+  }
+}
+
+/// What could not be read is a warning or an error.
+void require_all(BrepSet& set, const ReadBrepOptions& options) {
+  if (set.missing.empty()) return;
+  const std::string what = fmt::format("not all of the file could be read: {}", listed(set.missing));
+  if (!options.allow_partial)
+    throw Error(ErrorCode::bad_format,
+                fmt::format("{}. Mend the file, or take what is left: --allow-partial (in a study, "
+                            "[model] allow_partial = true)",
+                            what));
+  set.warnings.push_back(what);
+  set.missing.clear();
+}
+
+/// Bodies that are not closed are left out with a warning, or refused.
+void require_solids(BrepSet& set, const ReadBrepOptions& options) {
+  std::vector<BrepFile> solids;
+  for (BrepFile& body : set.bodies) try {
+      require_solid(body.brep);
+      solids.push_back(std::move(body));
+    } catch (const SolidError& error) {
+      const std::string message =
+          set.bodies.size() > 1 ? fmt::format("body '{}': {}", body.name, error.what()) : error.what();
+      if (!options.allow_partial) throw SolidError(error.code(), message, of_solid(error.fault(), body.name));
+      set.warnings.push_back(message + "; it is left out");
+    }
+  if (solids.empty())
+    throw Error(ErrorCode::not_manifold,
+                fmt::format("no body of the file is closed: {}", set.warnings.back()));
+  set.bodies = std::move(solids);
 }
 
 }  // namespace
@@ -115,18 +159,19 @@ bool is_brep_file(const fs::path& path) {
   return module_format(end).has_value() || end == ".off";
 }
 
-std::vector<BrepFile> read_breps(const fs::path& path, const ReadBrepOptions& options) {
+BrepSet read_breps(const fs::path& path, const ReadBrepOptions& options) {
   check(options);
   return named(path, [&] {
-    std::vector<BrepFile> solids = read(path, options);
-    if (!options.sew.accept_open)
-      for (const BrepFile& solid : solids) require_solid(solid.brep);
-    return solids;
+    BrepSet set = read(path, options);
+    set_names(set.bodies, path.stem().string());
+    if (options.allow_partial || !options.sew.accept_open) require_all(set, options);
+    if (!options.sew.accept_open) require_solids(set, options);
+    return set;
   });
 }
 
 BrepFile read_brep(const fs::path& path, const ReadBrepOptions& options) {
-  std::vector<BrepFile> solids = read_breps(path, options);
+  std::vector<BrepFile> solids = read_breps(path, options).bodies;
   if (solids.size() == 1) return std::move(solids.front());
   std::string names;
   for (std::size_t i = 0; i < solids.size(); ++i)

@@ -27,9 +27,10 @@ std::string describe(const Brep& brep, EdgeId id) {
   const BrepEdge& edge = brep.edge(id);
   std::vector<int> faces;
   for (const FaceId face : edge.faces) faces.push_back(face.value);
+  std::string listed = fmt::format("{}", fmt::join(faces, ", "));
+  if (faces.size() > 1) listed.replace(listed.rfind(", "), 2, " and ");
   return fmt::format("edge {} from {} to {}, of {} {}", id.value, describe(brep, edge.start),
-                     describe(brep, edge.end), faces.size() == 1 ? "face" : "faces",
-                     fmt::join(faces, " and "));
+                     describe(brep, edge.end), faces.size() == 1 ? "face" : "faces", listed);
 }
 
 std::string describe(const Brep& brep, VertexId id) {

@@ -14,7 +14,8 @@ namespace isopatch::geometry {
 ///
 /// Datasets are named by their path, "/fields/displacement"; groups on the way are created. Matrices are
 /// stored with one row of the file per column here, so that points (3, n) become n rows of 3 for other
-/// readers.
+/// readers. Each dataset has an attribute "checksum" (isopatch::content_hash), by which `Hdf5Reader` sees
+/// bytes that have changed since.
 class Hdf5Writer {
  public:
   Hdf5Writer();
@@ -61,7 +62,8 @@ class Hdf5Reader {
   /// Names inside a group, sorted.
   std::vector<std::string> names(const std::string& group) const;
 
-  /// @throws Error bad_format  for each: no such dataset, another type or shape, too large, damaged
+  /// @throws Error bad_format  for each: no such dataset, another type or shape, too large, damaged or
+  ///                           changed since it was written
   /// @param rows  number of rows the matrix must have; -1: any
   Eigen::MatrixXd matrix(const std::string& path, int rows = -1) const;
   /// @param size  number of entries the vector must have; -1: any

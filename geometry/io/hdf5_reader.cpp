@@ -79,9 +79,24 @@ struct Hdf5Reader::State {
       fail(name, fmt::format("dataset '{}' is larger than the file; the file may be cut off", path));
   }
 
-  void read(hid_t dataset, const std::string& path, hid_t type, void* data) const {
+  void read(hid_t dataset, const std::string& path, hid_t type, const std::vector<hsize_t>& shape,
+            void* data) const {
     if (H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0)
       fail(name, fmt::format("dataset '{}' cannot be read; the file may be cut off or damaged", path));
+    std::size_t bytes = H5Tget_size(type);
+    for (const hsize_t extent : shape) bytes *= extent;
+    require_unchanged(dataset, path, dataset_checksum(shape, data, bytes));
+  }
+
+  // Files by other programs have no checksums, which is no fault of theirs.
+  void require_unchanged(hid_t dataset, const std::string& path, std::uint64_t found) const {
+    if (H5Aexists(dataset, checksum_name) <= 0) return;
+    const Hdf5Handle attribute(H5Aopen(dataset, checksum_name, H5P_DEFAULT), H5Aclose);
+    std::uint64_t written = 0;
+    if (attribute && H5Aread(attribute, H5T_NATIVE_UINT64, &written) >= 0 && written == found) return;
+    fail(name, fmt::format("dataset '{}' is not as it was written: the file has been changed or damaged; "
+                           "copy it anew, or make it again",
+                           path));
   }
 };
 
@@ -90,7 +105,10 @@ Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : state_(std::make_uni
   state_->name = path.string();
   check_readable(path);
   if (H5Fis_hdf5(path.c_str()) <= 0) fail(state_->name, "not an HDF5 file");
-  state_->file = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  // Whatever a damaged file leaves open is closed with it.
+  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  if (access) H5Pset_fclose_degree(access, H5F_CLOSE_STRONG);
+  state_->file = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access ? access : H5P_DEFAULT), H5Fclose);
   if (!state_->file) fail(state_->name, "the HDF5 file cannot be opened; it may be cut off or damaged");
 }
 
@@ -127,7 +145,7 @@ Eigen::MatrixXd Hdf5Reader::matrix(const std::string& path, int rows) const {
     fail(state_->name, fmt::format("dataset '{}' has {} numbers a row instead of {}", path, shape[1], rows));
   state_->require_stored(dataset, path, shape[0] * shape[1] * sizeof(double));
   Eigen::MatrixXd result(static_cast<Eigen::Index>(shape[1]), static_cast<Eigen::Index>(shape[0]));
-  state_->read(dataset, path, H5T_NATIVE_DOUBLE, result.data());
+  state_->read(dataset, path, H5T_NATIVE_DOUBLE, shape, result.data());
   return result;
 }
 
@@ -141,7 +159,7 @@ Eigen::VectorXd Hdf5Reader::vector(const std::string& path, std::int64_t size) c
     fail(state_->name, fmt::format("dataset '{}' has {} entries instead of {}", path, shape[0], size));
   state_->require_stored(dataset, path, shape[0] * sizeof(double));
   Eigen::VectorXd result(static_cast<Eigen::Index>(shape[0]));
-  state_->read(dataset, path, H5T_NATIVE_DOUBLE, result.data());
+  state_->read(dataset, path, H5T_NATIVE_DOUBLE, shape, result.data());
   return result;
 }
 
@@ -155,7 +173,7 @@ std::vector<std::int64_t> Hdf5Reader::integers(const std::string& path, std::int
     fail(state_->name, fmt::format("dataset '{}' has {} entries instead of {}", path, shape[0], size));
   state_->require_stored(dataset, path, shape[0] * sizeof(std::int64_t));
   std::vector<std::int64_t> result(shape[0]);
-  state_->read(dataset, path, H5T_NATIVE_INT64, result.data());
+  state_->read(dataset, path, H5T_NATIVE_INT64, shape, result.data());
   return result;
 }
 
@@ -165,7 +183,7 @@ std::int64_t Hdf5Reader::integer(const std::string& path) const {
   state_->require_type(dataset, path, H5T_INTEGER, "an integer");
   state_->require_rank(state_->shape(dataset, path), 0, path);
   std::int64_t result = 0;
-  state_->read(dataset, path, H5T_NATIVE_INT64, &result);
+  state_->read(dataset, path, H5T_NATIVE_INT64, {}, &result);
   return result;
 }
 
@@ -175,7 +193,7 @@ double Hdf5Reader::number(const std::string& path) const {
   state_->require_type(dataset, path, H5T_FLOAT, "a real number");
   state_->require_rank(state_->shape(dataset, path), 0, path);
   double result = 0;
-  state_->read(dataset, path, H5T_NATIVE_DOUBLE, &result);
+  state_->read(dataset, path, H5T_NATIVE_DOUBLE, {}, &result);
   return result;
 }
 
@@ -190,7 +208,7 @@ std::string Hdf5Reader::text(const std::string& path) const {
   const std::size_t size = H5Tget_size(type);
   state_->require_stored(dataset, path, size);
   std::string result(size, '\0');
-  state_->read(dataset, path, type, result.data());
+  state_->read(dataset, path, type, {}, result.data());
   result.resize(std::min(result.find('\0'), size));
   return result;
 }

@@ -24,6 +24,13 @@ Hdf5Handle file_in_memory() {
 struct Hdf5Writer::State {
   Hdf5Handle file = file_in_memory();
 
+  static bool mark(hid_t dataset, std::uint64_t checksum) {
+    const Hdf5Handle one(H5Screate(H5S_SCALAR), H5Sclose);
+    const Hdf5Handle attribute(
+        H5Acreate2(dataset, checksum_name, H5T_NATIVE_UINT64, one, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    return attribute && H5Awrite(attribute, H5T_NATIVE_UINT64, &checksum) >= 0;
+  }
+
   void write(const std::string& path, hid_t type, const std::vector<hsize_t>& shape, const void* data) {
     const Hdf5Silence silence;
     if (path.size() < 2 || path[0] != '/' || path.back() == '/')
@@ -43,7 +50,10 @@ struct Hdf5Writer::State {
           ErrorCode::invalid_argument,
           fmt::format("HDF5: cannot create dataset '{}'; is the name taken, or one on its way a dataset?",
                       path));
-    if (H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0)
+    std::size_t bytes = H5Tget_size(type);
+    for (const hsize_t extent : shape) bytes *= extent;
+    if (H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0 ||
+        !mark(dataset, dataset_checksum(shape, data, bytes)))
       throw Error(ErrorCode::out_of_memory, fmt::format("HDF5: cannot write dataset '{}'", path));
   }
 };

@@ -14,10 +14,13 @@ namespace isopatch::geometry {
 /// become named boundaries, the pairs of `interfaces` become listed interfaces. Curves and surfaces are left
 /// out.
 ///
+/// Knots, control points and weights may be base64 (`format="B64Float64"`). Control points are places in
+/// space, not multiplied with their weights.
+///
 /// @param text    the file's content
 /// @param source  its name, for messages
 /// @throws Error bad_format   broken XML, wrong counts, numbers or knots, with "source:line: "
-/// @throws Error unsupported  other volumes (hierarchical splines), points not in space, base64 data
+/// @throws Error unsupported  other volumes (hierarchical splines), points not in space
 /// @cost   O(text)
 /// @source G+Smo 0.8 and later, gsIO/gsXmlUtils.hpp: only the format
 PatchSet read_gismo_xml(std::string_view text, const std::string& source);

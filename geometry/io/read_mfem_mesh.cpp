@@ -40,9 +40,17 @@ class MfemReader {
   void read_head() {
     in_.expect("MFEM");
     in_.expect("NURBS");
+    if (in_.peek() == "NC-patch")
+      in_.fail(
+          "NC-patch meshes are not supported: their patches meet at parts of faces; write the patches as an "
+          "MFEM NURBS mesh whose faces meet whole",
+          ErrorCode::unsupported);
     in_.expect("mesh");
-    if (const std::string_view version = in_.word("the version"); version != "v1.0")
-      in_.fail(fmt::format("version {}; v1.0 is supported", quoted(version)), ErrorCode::unsupported);
+    const std::string_view version = in_.word("the version");
+    if (version != "v1.0" && version != "v1.1")
+      in_.fail(fmt::format("version {}; v1.0 and v1.1 are supported", quoted(version)),
+               ErrorCode::unsupported);
+    has_spacing_ = version == "v1.1";
     in_.expect("dimension");
     if (const int dimension = in_.integer("the dimension", 1, 3); dimension != 3)
       in_.fail(fmt::format("a mesh of dimension {}; volumes (dimension 3) are needed", dimension),
@@ -161,6 +169,7 @@ class MfemReader {
     std::vector<KnotVector> knots;
     for (int k = 0; k < count; ++k) knots.push_back(read_knots(fmt::format("knot vector {}", k)));
     const int line = in_.line();
+    if (has_spacing_) skip_spacing(count);
     const std::vector<NurbsVolume::KnotVectors> spaces =
         located(in_.source(), edges_line_, "edges", [&] { return mfem_spaces(topology_, knots); });
     std::vector<std::array<int, 3>> sizes;
@@ -176,6 +185,33 @@ class MfemReader {
     const Coefficients coefficients = read_coefficients(numbering);
     in_.expect_end("the last control point");
     return build(spaces, numbering, coefficients, line);
+  }
+
+  // What later refinements would do in MFEM; the patches are those of the knot vectors.
+  void skip_spacing(int knot_vectors) {
+    if (in_.peek() == "refinements") {
+      in_.word("'refinements'");
+      for (int d = 0; d < 3; ++d) in_.integer("a factor of refinement", 0, max_attribute);
+    }
+    if (in_.peek() == "knotvector_refinements") {
+      in_.word("'knotvector_refinements'");
+      for (int k = 0; k < knot_vectors; ++k)
+        skip_numbers(in_.integer("the number of a knot vector's refinements", 0, max_control_points));
+    }
+    in_.expect("spacing");
+    const int formulas = in_.integer("the number of spacing formulas", 0, 12 * max_patches);
+    for (int f = 0; f < formulas; ++f) {
+      in_.integer("the knot vector of a spacing formula", 0, knot_vectors - 1);
+      in_.integer("the kind of a spacing formula", 0, 1000);
+      const int integers = in_.integer("the number of integers of a spacing formula", 0, max_control_points);
+      const int reals = in_.integer("the number of reals of a spacing formula", 0, max_control_points);
+      skip_numbers(integers);
+      skip_numbers(reals);
+    }
+  }
+
+  void skip_numbers(int count) {
+    for (int i = 0; i < count; ++i) in_.number("a number of a spacing formula");
   }
 
   struct Coefficients {
@@ -250,6 +286,7 @@ class MfemReader {
   TextScanner in_;
   MfemTopology topology_;
   int edges_line_ = 1;
+  bool has_spacing_ = false;
 };
 
 }  // namespace

@@ -7,9 +7,13 @@
 
 namespace isopatch::geometry {
 
-/// Reads the volume patches of an MFEM NURBS mesh, version 1.0, in any of its three forms: coefficients
-/// numbered over the whole mesh (vertices, edges, faces, interiors), coefficients patch by patch
+/// Reads the volume patches of an MFEM NURBS mesh, version 1.0 or 1.1, in any of its three forms:
+/// coefficients numbered over the whole mesh (vertices, edges, faces, interiors), coefficients patch by patch
 /// (`NURBS_patches`), and knot vectors with control points per patch (`patches`).
+///
+/// Control points of `patches` are multiplied with their weights, unless they are `controlpoints_cartesian`;
+/// in the two other forms they are places in space. How version 1.1 spaces the knots of later refinements is
+/// dropped.
 ///
 /// Boundary elements become boundaries named "attribute N". Faces shared by two patches become listed
 /// interfaces.
@@ -17,7 +21,9 @@ namespace isopatch::geometry {
 /// @param text    the file's content
 /// @param source  its name, for messages
 /// @throws Error bad_format   wrong counts, numbers, knots or connections, with "source:line: "
-/// @throws Error unsupported  meshes of surfaces or curves, periodic or partly active ones, other versions
+/// @throws Error unsupported  meshes of surfaces or curves, periodic or partly active ones, NC-patch meshes,
+/// other
+///                            versions
 /// @cost   O(text)
 /// @source MFEM 4.6, mesh/nurbs.cpp and mesh.cpp: only the format and its numbering
 PatchSet read_mfem_mesh(std::string_view text, const std::string& source);

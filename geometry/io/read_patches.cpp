@@ -10,29 +10,35 @@
 #include "geometry/io/read_g2.hpp"
 #include "geometry/io/read_gismo_xml.hpp"
 #include "geometry/io/read_mfem_mesh.hpp"
+#include "geometry/io/text_scanner.hpp"
 
 namespace isopatch::geometry {
 namespace {
 
 constexpr const char* supported =
     "supported are G+Smo XML (<xml> with TensorBSpline3 and TensorNurbs3), GoTools .g2 (type 700) and "
-    "MFEM NURBS meshes (MFEM NURBS mesh v1.0)";
+    "MFEM NURBS meshes (MFEM NURBS mesh v1.0 and v1.1)";
 
 // How files of other formats begin that a user may well try.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 8> known = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 13> known = {{
     {"MFEM mesh", "an MFEM mesh without NURBS"},
     {"MFEM NC", "an MFEM mesh without NURBS"},
     {"ISO-10303-21", "a STEP file: surfaces of solids, not volume patches"},
     {"solid", "an STL triangulation"},
     {"OFF", "an OFF triangulation"},
     {"$MeshFormat", "a Gmsh mesh"},
+    {"*", "an input file of Abaqus or CalculiX: finite elements, not patches"},
+    {"DBRep_DrawableShape", "an OpenCASCADE .brep file: surfaces of solids, not volume patches"},
+    {"CASCADE Topology", "an OpenCASCADE .brep file: surfaces of solids, not volume patches"},
+    {"\xFF\xFE", "a text in UTF-16; save it as UTF-8"},
+    {"\xFE\xFF", "a text in UTF-16; save it as UTF-8"},
     {"# vtk DataFile", "a VTK file"},
     {"\x89HDF", "an HDF5 file, perhaps results of isopatch"},
 }};
 
-// The text after a byte order mark, white space and lines of comment.
+// The text after a byte order mark and white space.
 std::string_view beginning(std::string_view text) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  text = without_byte_order_mark(text);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   return first == text.npos ? std::string_view{} : text.substr(first);
 }

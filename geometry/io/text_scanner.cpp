@@ -21,6 +21,11 @@ std::string_view without_plus(std::string_view word) {
 
 }  // namespace
 
+std::string_view without_byte_order_mark(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  return text;
+}
+
 std::string quoted(std::string_view word) {
   constexpr std::size_t longest = 40;
   std::string result = "'";
@@ -29,7 +34,9 @@ std::string quoted(std::string_view word) {
 }
 
 TextScanner::TextScanner(std::string_view text, std::string source, int first_line, char comment)
-    : text_(text), source_(std::move(source)), line_(first_line), word_line_(first_line), comment_(comment) {}
+    : text_(text), source_(std::move(source)), line_(first_line), word_line_(first_line), comment_(comment) {
+  text_ = without_byte_order_mark(text_);
+}
 
 void TextScanner::skip_space() {
   while (position_ < text_.size()) {

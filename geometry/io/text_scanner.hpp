@@ -10,7 +10,8 @@ namespace isopatch::geometry {
 
 /// Reads the words and numbers of a text one after the other and knows the line of each.
 ///
-/// Numbers are read the same whatever the locale. Every error is an Error that begins with "source:line: ".
+/// A byte order mark of UTF-8 at the beginning is skipped. Numbers are read the same whatever the locale.
+/// Every error is an Error that begins with "source:line: ".
 class TextScanner {
  public:
   /// @param text        must outlive the scanner
@@ -70,6 +71,9 @@ auto located(const std::string& source, int line, const std::string& where, Make
                 source + ":" + std::to_string(line) + ": " + where + ": " + error.what());
   }
 }
+
+/// Without the bytes by which some editors mark UTF-8.
+std::string_view without_byte_order_mark(std::string_view text);
 
 /// A word of a broken file for a message: shortened, unprintable bytes replaced.
 std::string quoted(std::string_view word);

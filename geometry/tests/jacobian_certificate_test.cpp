@@ -3,10 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <random>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/larger.hpp"
+#include "geometry/element_bounds.hpp"
 #include "geometry/splines/refine.hpp"
 #include "geometry/tests/test_patches.hpp"
 
@@ -91,7 +95,7 @@ TEST(JacobianCertificate, HasTheRightSizeForRationalPatches) {
     for (const double u : {0.0, 1.0}) {
       const double d = ring.jacobian(Parameter<3>(u, i / 100.0, 0)).determinant();
       lowest = std::min(lowest, d);
-      highest = std::max(highest, d);
+      highest = larger(highest, d);
     }
   EXPECT_LE(c.lower, lowest);
   EXPECT_GE(c.upper, highest);
@@ -175,6 +179,111 @@ TEST(JacobianCertificate, ScalesWithTheModelAndItsParameters) {
   EXPECT_NEAR(scaled.lower, c.lower * 1e8, 1e-9 * scaled.upper);
   EXPECT_NEAR(scaled.smallest, c.smallest * 1e8, 1e-9 * scaled.upper);
   EXPECT_THROW(certify_jacobian(patch, {.max_depth = 31}), Error);
+}
+
+/// Bounds from expanding every element, one after the other.
+Bounds plain_bounds(const NurbsVolume& volume) {
+  const CentredVolume unit = centred(volume);
+  Bounds result{1e300, -1e300};
+  for (const NurbsVolume& element : bezier_pieces(unit.volume)) {
+    const JacobianPiece piece = jacobian_piece(element, unit.radius);
+    result.low = std::min(result.low, piece.lower());
+    result.high = std::max(result.high, piece.upper());
+  }
+  return result;
+}
+
+// Waves of the given height on a brick of n^3 elements, or on a quarter of a ring.
+NurbsVolume wavy(int degree, int n, double height, bool rational) {
+  const NurbsVolume ring = test::ring_sector(1, 2, 0, 1.5, 0.5);
+  NurbsVolume fine = rational ? ring : test::box_between({0, 0, 0}, {1, 1, 1});
+  for (int d = 0; d < 3; ++d) {
+    fine = elevate_degree(fine, d, degree - fine.degree(d));
+    std::vector<double> knots;
+    for (int i = 1; i < n; ++i) knots.push_back((i - 0.1) * fine.knots(d).length() / n);
+    if (n > 2) knots.push_back(knots[1]);  // one of them double
+    fine = insert_knots(fine, d, knots);
+  }
+  Eigen::Matrix3Xd points = fine.control_points();
+  for (auto&& point : points.colwise())
+    point += height * Eigen::Vector3d(std::sin(5 * point[1]), std::cos(4 * point[2]), std::sin(6 * point[0]));
+  return {fine.knots(), points, fine.weights()};
+}
+
+TEST(JacobianCertificate, IsThatOfAllElementsExpanded) {
+  for (const bool rational : {false, true})
+    for (const int degree : {2, 3})
+      for (const double height : {0.0, 0.05}) {
+        SCOPED_TRACE(testing::Message() << rational << degree << height);
+        const NurbsVolume patch = wavy(degree, 5, height, rational);
+        const JacobianCertificate found = certify_jacobian(patch);
+        const Bounds plain = plain_bounds(patch);
+        EXPECT_EQ(found.sign, JacobianSign::positive);
+        // Elements whose bounds differ by less than 1e-9 are not told apart.
+        EXPECT_NEAR(found.lower, plain.low, 2e-9 * plain.low);
+        EXPECT_NEAR(found.upper, plain.high, 2e-9 * plain.high);
+        EXPECT_NEAR(found.smallest, patch.jacobian(found.parameter).determinant(), 1e-14);
+      }
+}
+
+TEST(JacobianCertificate, FindsAFoldInOneOfManyElements) {
+  const NurbsVolume patch = wavy(2, 8, 0, false);
+  Eigen::Matrix3Xd points = patch.control_points();
+  points.col(points.cols() / 2)[0] += 0.4;
+  const JacobianCertificate found = certify_jacobian({patch.knots(), points});
+  EXPECT_EQ(found.sign, JacobianSign::negative);
+  EXPECT_LT(found.smallest, 0);
+}
+
+TEST(ElementBounds, EncloseEveryBernsteinCoefficient) {
+  for (const bool rational : {false, true}) {
+    const CentredVolume unit = centred(wavy(3, 4, 0.02, rational));
+    const std::vector<Bounds> wide = element_bounds(unit);
+    const BezierElements elements(unit.volume);
+    const std::vector<NurbsVolume> pieces = bezier_pieces(unit.volume);
+    ASSERT_EQ(elements.count(), static_cast<int>(pieces.size()));
+    ASSERT_EQ(wide.size(), pieces.size());
+    for (std::size_t e = 0; e < pieces.size(); ++e) {
+      const NurbsVolume element = elements[static_cast<int>(e)];
+      EXPECT_LT((element.control_points() - pieces[e].control_points()).norm(), 1e-14);
+      EXPECT_EQ(element.knots(), pieces[e].knots());
+      const JacobianPiece piece = jacobian_piece(pieces[e], unit.radius);
+      const double scale = piece.scale / std::pow(piece.lowest_weight, 4);
+      const double lowest =
+          piece.numerator.coefficients.minCoeff() * piece.scale / std::pow(piece.highest_weight, 4);
+      const double highest = piece.numerator.coefficients.maxCoeff() * scale;
+      const Bounds sharp = element_bounds(pieces[e], unit.radius);
+      for (const Bounds& bounds : {wide[e], sharp}) {
+        EXPECT_LE(bounds.low, lowest);
+        EXPECT_GE(bounds.high, highest);
+      }
+      // They are of use: half the value is left even of the wide ones.
+      EXPECT_GT(sharp.low, 0.5 * lowest);
+      EXPECT_GT(sharp.low, wide[e].low - 1e-3);
+    }
+  }
+}
+
+TEST(DeterminantBounds, EncloseRandomChoices) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> share(-1, 1);
+  for (int trial = 0; trial < 50; ++trial) {
+    ColumnBoxes<4> boxes;
+    boxes.centre = Eigen::Matrix4d::NullaryExpr([&] { return share(random); });
+    boxes.half = 0.02 * Eigen::Matrix4d::NullaryExpr([&] { return std::abs(share(random)); });
+    const Bounds bounds = determinant_bounds<4>(boxes);
+    for (int choice = 0; choice < 50; ++choice) {
+      const Eigen::Matrix4d chosen =
+          boxes.centre + boxes.half.cwiseProduct(Eigen::Matrix4d::NullaryExpr([&] { return share(random); }));
+      EXPECT_GE(chosen.determinant(), bounds.low);
+      EXPECT_LE(chosen.determinant(), bounds.high);
+    }
+  }
+  ColumnBoxes<3> exact;
+  exact.centre << 2, 1, 0, 0, 3, 1, 0, 0, -4;
+  exact.half.setZero();
+  EXPECT_NEAR(determinant_bounds<3>(exact).low, -24, 1e-12);
+  EXPECT_NEAR(determinant_bounds<3>(exact).high, -24, 1e-12);
 }
 
 }  // namespace

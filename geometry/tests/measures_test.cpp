@@ -73,23 +73,40 @@ TEST(Measures, NormalsPointOutOfRightHandedPatches) {
   }
 }
 
-TEST(Measures, EqualAPlainSumOverTheGaussPoints) {
-  const NurbsVolume patch = elevate_degree(insert_knots(ring_sector(1, 2, 0.1, 2, 3), 0, {0.2, 0.7}), 2, 1);
+/// A rational patch, and a B-spline that is as curved.
+std::vector<NurbsVolume> curved_patches() {
+  const NurbsVolume ring = elevate_degree(insert_knots(ring_sector(1, 2, 0.1, 2, 3), 0, {0.2, 0.7}), 2, 1);
+  return {ring, NurbsVolume(ring.knots(), ring.control_points())};
+}
+
+void expect_plain_sums(const NurbsVolume& patch) {
   const QuadratureRule rule = gauss_legendre(12);
   double sum = 0;
-  double smallest = 1e300;
+  double smallest = 1e300, scaled = 0, worst = 1;
+  int count = 0;
   for (const NurbsVolume& piece : bezier_pieces(patch))
     for (Eigen::Index i = 0; i < 12 * 12 * 12; ++i) {
       const Eigen::Vector3i k(static_cast<int>(i % 12), static_cast<int>(i / 12 % 12),
                               static_cast<int>(i / 144));
       const Parameter<3> share(rule.nodes[k[0]], rule.nodes[k[1]], rule.nodes[k[2]]);
       const Parameter<3> length = piece.high() - piece.low();
-      const double determinant = patch.jacobian(piece.low() + share.cwiseProduct(length)).determinant();
+      const Eigen::Matrix3d columns = patch.jacobian(piece.low() + share.cwiseProduct(length));
+      const double determinant = columns.determinant();
+      worst = std::min(worst, determinant / columns.colwise().norm().prod());
+      scaled += determinant / columns.colwise().norm().prod();
+      ++count;
       sum += rule.weights[k[0]] * rule.weights[k[1]] * rule.weights[k[2]] * length.prod() * determinant;
       smallest = std::min(smallest, determinant);
     }
   EXPECT_NEAR(volume(patch), sum, 1e-13 * sum);
-  EXPECT_NEAR(quality(patch, 12).min_jacobian, smallest, 1e-13);
+  const Quality q = quality(patch, 12);
+  EXPECT_NEAR(q.min_jacobian, smallest, 1e-13);
+  EXPECT_NEAR(q.min_scaled_jacobian, worst, 1e-13);
+  EXPECT_NEAR(q.mean_scaled_jacobian, scaled / count, 1e-13);
+}
+
+TEST(Measures, EqualAPlainSumOverTheGaussPoints) {
+  for (const NurbsVolume& patch : curved_patches()) expect_plain_sums(patch);
 }
 
 TEST(Measures, QualityFindsTheWorstPoint) {

@@ -61,8 +61,8 @@ PatchOperator::PatchOperator(int patch, const PatchSpace& space, const Material&
   denominators_ = denominators(space, together_);
   std::array<LineTable, 3> own, geometry, products;
   for (std::size_t d = 0; d < 3; ++d) {
-    elements_[d] = direction_table(
-        space.knots[d], geometry::gauss_legendre(points > 0 ? points : space.knots[d].degree() + 1));
+    elements_[d] = direction_table(space.knots[d],
+                                   geometry::gauss_legendre(space.points_along(static_cast<int>(d), points)));
     for (const DirectionTable::Element& element : elements_[d].elements)
       quadrature_[d].insert(quadrature_[d].end(), element.weights.begin(), element.weights.end());
     own[d] = line_table(elements_[d]);

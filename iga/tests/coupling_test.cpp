@@ -5,6 +5,7 @@
 #include <map>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/larger.hpp"
 #include "geometry/models/cylinder.hpp"
 #include "geometry/models/reorient.hpp"
 #include "geometry/models/sphere.hpp"
@@ -27,9 +28,9 @@ double spread(const Discretization& d, const NodeClasses& classes) {
   double result = 0;
   for (int c = 0; c < classes.count(); ++c)
     for (const int node : classes.of(c))
-      result = std::max(result, (places[static_cast<std::size_t>(node)] -
-                                 places[static_cast<std::size_t>(classes.of(c)[0])])
-                                    .norm());
+      result = larger(result, (places[static_cast<std::size_t>(node)] -
+                               places[static_cast<std::size_t>(classes.of(c)[0])])
+                                  .norm());
   return result / d.model.size();
 }
 

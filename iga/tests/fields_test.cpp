@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/error.hpp"
@@ -68,7 +69,9 @@ TEST(ElasticField, HasFiniteStressOnACollapsedEdge) {
 TEST(ResultFile, ComesBackAsItWas) {
   const ElasticitySolution& solution = elbow_solution();
   const auto path = std::filesystem::temp_directory_path() / "isopatch_result_test.h5";
-  write_file(path, to_hdf5({solution.field, solution.multipliers, "title = \"x\"", "{}"}));
+  const geometry::MultiPatch model = elbow().discretization.model;
+  const geometry::PatchConnections connections = geometry::connections_of(model);
+  write_file(path, to_hdf5({solution.field, solution.multipliers, connections, "title = \"x\"", "{}"}));
   const StoredResult back = read_result(path);
   std::filesystem::remove(path);
   ASSERT_EQ(back.field.patches.size(), solution.field.patches.size());
@@ -83,6 +86,46 @@ TEST(ResultFile, ComesBackAsItWas) {
   ASSERT_EQ(back.multipliers.size(), solution.multipliers.size());
   EXPECT_EQ(back.multipliers.back().force, solution.multipliers.back().force);
   EXPECT_EQ(back.study, "title = \"x\"");
+  const geometry::MultiPatch restored = model_of(back);
+  EXPECT_EQ(restored.boundary_faces(), model.boundary_faces());
+  EXPECT_EQ(restored.degenerate_faces(), model.degenerate_faces());
+  ASSERT_EQ(restored.interfaces().size(), model.interfaces().size());
+  for (std::size_t i = 0; i < restored.interfaces().size(); ++i) {
+    EXPECT_EQ(restored.interfaces()[i].first, model.interfaces()[i].first);
+    EXPECT_EQ(restored.interfaces()[i].second, model.interfaces()[i].second);
+    EXPECT_EQ(restored.interfaces()[i].orientation, model.interfaces()[i].orientation);
+    EXPECT_EQ(back.connections.interfaces[i].gap, model.interfaces()[i].gap);
+  }
+  EXPECT_EQ(back.connections.tolerance.same_point, model.tolerance().same_point);
+  ASSERT_EQ(restored.boundaries().size(), model.boundaries().size());
+  for (std::size_t b = 0; b < restored.boundaries().size(); ++b) {
+    EXPECT_EQ(restored.boundaries()[b].name, model.boundaries()[b].name);
+    EXPECT_EQ(restored.boundaries()[b].faces, model.boundaries()[b].faces);
+  }
+}
+
+// Whatever a changed bit does to a file of results: an error, or the same results.
+TEST(ResultFile, NoChangedBitGivesOtherResults) {
+  const ElasticitySolution& solution = elbow_solution();
+  const auto connections = geometry::connections_of(elbow().discretization.model);
+  const std::string good =
+      to_hdf5({solution.field, solution.multipliers, connections, "title = \"x\"", "{}"});
+  const auto path = std::filesystem::temp_directory_path() / "isopatch_changed_result_test.h5";
+  int noticed = 0;
+  for (std::size_t n = 0; n < 150; ++n) {
+    const std::size_t at = n * 7919 * 131 % good.size();
+    std::string bad = good;
+    bad[at] = static_cast<char>(bad[at] ^ 1 << n % 8);
+    std::ofstream(path, std::ios::binary) << bad;
+    try {
+      EXPECT_EQ(to_hdf5(read_result(path)), good) << at;
+    } catch (const Error& error) {
+      EXPECT_NE(error.code(), ErrorCode::invalid_argument) << error.what();
+      ++noticed;
+    }
+  }
+  std::filesystem::remove(path);
+  EXPECT_GT(noticed, 75);
 }
 
 TEST(Loads, HaveTheResultantsOfTheirKind) {

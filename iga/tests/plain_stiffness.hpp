@@ -80,7 +80,7 @@ inline Eigen::MatrixXd plain_stiffness(const std::vector<PatchSpace>& spaces,
     std::array<geometry::QuadratureRule, 3> rules;
     for (std::size_t d = 0; d < 3; ++d) {
       breaks[d] = space.knots[d].breaks();
-      rules[d] = geometry::gauss_legendre(points > 0 ? points : space.knots[d].degree() + 1);
+      rules[d] = geometry::gauss_legendre(space.points_along(static_cast<int>(d), points));
     }
     const auto [nu, nv, nw] = std::array{rules[0].nodes.size(), rules[1].nodes.size(), rules[2].nodes.size()};
     for (auto e3 = static_cast<std::size_t>(part.first_layer); e3 < static_cast<std::size_t>(part.last_layer);

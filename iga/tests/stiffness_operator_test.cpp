@@ -9,6 +9,7 @@
 #include <random>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/larger.hpp"
 #include "geometry/models/cylinder.hpp"
 #include "geometry/models/sphere.hpp"
 #include "geometry/quadrature.hpp"
@@ -45,7 +46,7 @@ std::vector<Material> different_materials(std::size_t count) {
 }
 
 double difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
-  return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
+  return (a - b).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() / b.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
 }
 
 // The operator against the matrix: a product, and the diagonal blocks.
@@ -70,8 +71,8 @@ void expect_the_assembled_matrix(const std::vector<PatchSpace>& spaces, const st
   for (std::size_t a = 0; a < blocks.size(); ++a) {
     const Eigen::Map<const Eigen::Matrix3d> block(
         &matrix.values[static_cast<std::size_t>(9 * matrix.row_start[a])]);
-    worst = std::max(worst, (blocks[a] - block).cwiseAbs().maxCoeff());
-    largest = std::max(largest, block.cwiseAbs().maxCoeff());
+    worst = larger(worst, (blocks[a] - block).cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
+    largest = larger(largest, block.cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
   }
   EXPECT_LT(worst, same * largest);
 }
@@ -212,9 +213,10 @@ TEST(StiffnessOperator, EqualsThePlainProductWhereFunctionsAreCoarserThanTheGeom
                 same);
       const std::vector<Eigen::Matrix3d> blocks = stiffness.diagonal_blocks();
       for (int a = 0; a < space.size(); ++a)
-        EXPECT_LT(
-            (blocks[static_cast<std::size_t>(a)] - plain.block<3, 3>(3 * a, 3 * a)).cwiseAbs().maxCoeff(),
-            same * plain.cwiseAbs().maxCoeff());
+        EXPECT_LT((blocks[static_cast<std::size_t>(a)] - plain.block<3, 3>(3 * a, 3 * a))
+                      .cwiseAbs()
+                      .maxCoeff<Eigen::PropagateNaN>(),
+                  same * plain.cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
     }
 }
 
@@ -233,14 +235,15 @@ TEST(StiffnessOperator, MakesNoForceOfARigidMotion) {
   const std::vector<PatchSpace> spaces = isoparametric_spaces(d);
   const StiffnessOperator stiffness(spaces, whole_patches(spaces), different_materials(1));
   const Eigen::Matrix3Xd& points = d.patches[0].control_points();
-  const double usual = stiffness.apply(random_field(d.node_count())).cwiseAbs().maxCoeff();
+  const double usual =
+      stiffness.apply(random_field(d.node_count())).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
   for (int axis = 0; axis < 3; ++axis) {
     Eigen::Matrix3Xd shift = Eigen::Matrix3Xd::Zero(3, points.cols()), turn = shift;
     shift.row(axis).setOnes();
     turn.row((axis + 1) % 3) = -points.row((axis + 2) % 3);
     turn.row((axis + 2) % 3) = points.row((axis + 1) % 3);
-    EXPECT_LT(stiffness.apply(shift).cwiseAbs().maxCoeff(), same * usual);
-    EXPECT_LT(stiffness.apply(turn).cwiseAbs().maxCoeff(), same * usual);
+    EXPECT_LT(stiffness.apply(shift).cwiseAbs().maxCoeff<Eigen::PropagateNaN>(), same * usual);
+    EXPECT_LT(stiffness.apply(turn).cwiseAbs().maxCoeff<Eigen::PropagateNaN>(), same * usual);
   }
 }
 
@@ -258,10 +261,10 @@ TEST(StiffnessOperator, SumsOverPartsToTheWhole) {
   const Eigen::Matrix3Xd second = StiffnessOperator(spaces, high, materials).apply(u);
   const int nodes = spaces[0].size();
   EXPECT_LT(difference((first + second).leftCols(nodes), whole.leftCols(nodes)), same);
-  EXPECT_EQ(first.rightCols(d.node_count() - nodes).cwiseAbs().maxCoeff(), 0);
-  EXPECT_GT(first.leftCols(nodes).cwiseAbs().maxCoeff(), 0);
+  EXPECT_EQ(first.rightCols(d.node_count() - nodes).cwiseAbs().maxCoeff<Eigen::PropagateNaN>(), 0);
+  EXPECT_GT(first.leftCols(nodes).cwiseAbs().maxCoeff<Eigen::PropagateNaN>(), 0);
   // All elements of layers 0 .. 7 end below the functions of the last layers.
-  EXPECT_EQ(first.middleCols(nodes - 5, 5).cwiseAbs().maxCoeff(), 0);
+  EXPECT_EQ(first.middleCols(nodes - 5, 5).cwiseAbs().maxCoeff<Eigen::PropagateNaN>(), 0);
 }
 
 // Small patches too have work for several threads, in boxes of about one size.
@@ -279,7 +282,7 @@ TEST(PatchOperator, CutsEveryPatchIntoEqualBoxes) {
       int size = 1;
       for (std::size_t k = 0; k < 3; ++k) size *= box.end[k] - box.begin[k];
       whole += size;
-      largest = std::max(largest, size);
+      largest = larger(largest, size);
     }
     const int bands = (elements * (degree + 1) + lane_count - 1) / lane_count;
     EXPECT_EQ(whole, bands * elements * elements);

@@ -3,8 +3,10 @@
 import json
 import os
 import pathlib
+import re
 import resource
 import shutil
+import signal
 import subprocess
 import tempfile
 import time
@@ -14,7 +16,8 @@ from typing import NamedTuple, Optional
 class Run(NamedTuple):
     summary: Optional[dict]  # summary.json; None if the run failed
     wall_seconds: float      # from start to end, reading and writing included
-    failure: str             # what the program said, empty if it went well
+    failure: str             # why, in a line; empty if it went well
+    said: str = ""           # all that was said on standard error
 
     @property
     def dofs(self):
@@ -50,26 +53,63 @@ def run_study(root, command, study, overrides, *, threads, folder, timeout=None,
     for key, value in overrides.items():
         line += ["--set", f"{key}={value}"]
     start = time.monotonic()
+    summary, failure, said = None, "", ""
     try:
-        done = subprocess.run(line, env=environment(root, threads), stdin=subprocess.DEVNULL, capture_output=True,
-                              text=True, timeout=timeout, preexec_fn=_limit_memory(memory))
-        failure = "" if done.returncode == 0 else last_words(done.stderr) or f"exit code {done.returncode}"
+        code, said = _finish(line, environment(root, threads), timeout, _limit_memory(memory))
+        if code is None:
+            failure = f"not done after {timeout:g} s"
+        elif code:
+            failure = cause(said) or f"exit code {code}"
         wall = time.monotonic() - start
         summary = json.loads((output / "summary.json").read_text()) if not failure else None
-    except subprocess.TimeoutExpired:
-        summary, wall, failure = None, time.monotonic() - start, f"not done after {timeout:g} s"
     except OSError as error:
-        summary, wall, failure = None, time.monotonic() - start, str(error)
+        wall, failure = time.monotonic() - start, str(error)
     finally:
         shutil.rmtree(output, ignore_errors=True)
-    return Run(summary, wall, failure)
+    return Run(summary, wall, failure, said)
 
 
-def last_words(text):
-    """The line that says why: the last one of isopatch itself, else the last one."""
+def _finish(line, settings, timeout, before):
+    """(exit code, standard error) of a command that has ended with all that it started; the code is None where time
+    was up."""
+    process = subprocess.Popen(line, env=settings, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                               stderr=subprocess.PIPE, text=True, start_new_session=True, preexec_fn=before)
+    try:
+        said = process.communicate(timeout=timeout)[1]
+        return process.returncode, said
+    except subprocess.TimeoutExpired:
+        return None, _end(process)
+    except BaseException:
+        _end(process)
+        raise
+
+
+def _end(process, patience=20):
+    """Ends a command and its ranks, and returns what it said. A launcher passes SIGTERM on to the ranks, also to those
+    on other nodes, and ends after them; SIGKILL would leave them running, so it comes last."""
+    for number, seconds in ((signal.SIGTERM, patience), (signal.SIGKILL, patience)):
+        try:
+            os.killpg(process.pid, number)
+        except ProcessLookupError:
+            pass
+        try:
+            return process.communicate(timeout=seconds)[1]
+        except subprocess.TimeoutExpired:
+            pass
+    return ""
+
+
+# What launchers add to the failure of a rank.
+LAUNCHERS_PART = re.compile(r"^[-=*]+$|^(srun|slurmstepd): |exited? with (exit|non-zero)|Primary job +terminated|"
+                            r"a non-zero exit code|mpi(exec|run) (detected|noticed)|^Process name: |^Exit code: ")
+
+
+def cause(text):
+    """The line that says why: isopatch's own error, else the first line that is not a launcher's about a rank's end."""
     lines = [line.strip() for line in text.splitlines() if line.strip()]
-    own = [line for line in lines if line.startswith("isopatch:")]
-    return (own or lines or [""])[-1]
+    own = [line for line in lines if line.startswith("isopatch: error")]
+    others = [line for line in lines if not LAUNCHERS_PART.search(line)]
+    return (own or others or lines or [""])[0]
 
 
 def phases(run):

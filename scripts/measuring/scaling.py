@@ -4,6 +4,7 @@ import argparse
 
 from . import growth, runs, tables
 
+LAST_LINES = 20  # of what a failed run said, in the report; the record has all
 
 def parse_layouts(text):
     """"1x1,2x1,1x2": ranks x threads of each. For argparse."""
@@ -36,7 +37,7 @@ def measure(root, program, study, overrides, layout, *, launcher, folder, timeou
     for _ in range(repetitions):
         run = runs.run_study(root, command, study, overrides, threads=threads, folder=folder, timeout=timeout)
         if run.failure:
-            return {**entry, "failure": run.failure}
+            return {**entry, "failure": run.failure, "said": run.said}
         done.append(run)
     times, wall = runs.fastest(done)
     summary = done[-1].summary
@@ -84,6 +85,9 @@ def report(kind, entries):
     failed = [entry for entry in entries if entry["failure"]]
     for entry in failed:
         lines += [f"{entry['ranks']} ranks x {entry['threads']} threads: {entry['failure']}", ""]
+        said = entry["said"].strip().splitlines()
+        if said[1:]:
+            lines += [*("    " + line for line in said[-LAST_LINES:]), ""]
     done = [entry for entry in entries if not entry["failure"]]
     if not done:
         return lines

@@ -109,6 +109,14 @@ class CheckLayers(unittest.TestCase):
     def test_rejects_a_folder_that_is_no_room(self):
         self.rejects({"tools/a.cpp": ""}, "tools/a.cpp:1", "lies in no room")
 
+    def test_rejects_judges_that_forget_nan(self):
+        for text in ("x = y.maxCoeff();", "worst = std::max(worst, x);", "  a.b =\n  std::max(\n  a.b, x);",
+                     "std::max({a, b})"):
+            self.rejects({"verification/suites/a.cpp": text + "\n"}, "verification/suites/a.cpp:1", "forgets NaN")
+            self.rejects({"iga/tests/a.cpp": text + "\n"}, "iga/tests/a.cpp:1", "forgets NaN")
+            self.accepts({"iga/a.cpp": text + "\n"})
+        self.accepts({"iga/tests/a.cpp": "x = std::max(y, 0); z = a.maxCoeff<Eigen::PropagateNaN>();\n"})
+
     def test_rejects_an_empty_tree(self):
         self.assertEqual(run({"README.md": ""})[0], 1)
 

@@ -9,6 +9,7 @@
 #include "geometry/splines/transfer.hpp"
 #include "segmentation/parameterization/coons.hpp"
 #include "segmentation/parameterization/edge_samples.hpp"
+#include "segmentation/parameterization/start_knots.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -181,7 +182,6 @@ Marks fit_edges(const HexComplex& complex, ComplexFit& fit, double tolerance) {
     const Eigen::Matrix3Xd points =
         geometry::points_on_grid(geometry::NurbsCurve({knots}, fit.edges[e]), {at});
     const Eigen::VectorXd errors = (points - samples.points).colwise().norm();
-    fit.edge_deviation[e] = errors.maxCoeff();
     fit.edge_gap[e] = samples.gap;
     const std::vector<double> breaks = knots.breaks();
     // The ends are the vertices, which no knot brings closer.
@@ -241,6 +241,49 @@ FittedFace fit_face(const HexComplex& complex, ComplexFit& fit, std::size_t face
   return result;
 }
 
+/// Distance of a point from a curve, from a parameter near its foot.
+double distance(const SpaceCurve& curve, const Eigen::Vector3d& point, double t) {
+  double best = (curve(t) - point).norm();
+  for (int i = 0; i < 8; ++i) {
+    const double h = t > 0.5 ? -1e-6 : 1e-6;
+    const Eigen::Vector3d here = curve(t), slope = (curve(t + h) - here) / h;
+    if (!(slope.squaredNorm() > 0)) break;
+    const double next = std::clamp(t + slope.dot(point - here) / slope.squaredNorm(), 0.0, 1.0);
+    const double now = (curve(next) - point).norm();
+    if (!(now < best * (1 - 1e-6))) break;
+    best = now;
+    t = next;
+  }
+  return best;
+}
+
+/// Counts the distance of a face's sides from the edges that the solid has there: its surface alone does not
+/// tell where the solid ends.
+void measure_edges(const HexComplex& complex, ComplexFit& fit, std::size_t face) {
+  const BlockSide first = complex.faces[face].uses[0].side;
+  const FaceMap& map = complex.map(first);
+  const double known_to = complex.blocks[static_cast<std::size_t>(first.block)].edge_uncertainty;
+  DeviationGrid& grid = fit.face_deviations[face];
+  const auto n = static_cast<Eigen::Index>(grid.s.size()), m = static_cast<Eigen::Index>(grid.t.size());
+  const Eigen::Matrix3Xd points = geometry::points_on_grid(
+      geometry::NurbsSurface(face_knots(complex, fit, face), fit.faces[face]), {grid.s, grid.t});
+  fit.off_edges[face] = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const SpaceCurve& curve = map.face().edges[k].curve;
+    if (!curve) continue;
+    const Shares& along = k < 2 ? grid.s : grid.t;
+    for (std::size_t i = 0; i < along.size(); ++i) {
+      const auto j = static_cast<Eigen::Index>(i);
+      const Eigen::Index at = k < 2 ? j + (k == 1 ? n * (m - 1) : 0) : n * j + (k == 3 ? n - 1 : 0);
+      const double off =
+          distance(curve, points.col(at), map.side_parameter(static_cast<int>(k), along[i])) - known_to;
+      fit.off_edges[face] = std::max(fit.off_edges[face], off);
+      grid.values[at] = std::max(grid.values[at], off);
+    }
+  }
+  fit.face_deviation[face] = grid.values.maxCoeff();
+}
+
 Marks fit_faces(const HexComplex& complex, ComplexFit& fit, double tolerance) {
   Marks marks = no_marks(fit);
   for (std::size_t f = 0; f < complex.faces.size(); ++f) {
@@ -271,26 +314,27 @@ ComplexFit fit(const HexComplex& complex, const FitOptions& options) {
   validate(options);
   const double tolerance = options.tolerance * complex.size;
   ComplexFit fit;
-  fit.sheets.assign(complex.sheets.size(), KnotVector::uniform(options.degree, options.start_spans));
+  fit.sheets = start_knots(complex, options.degree, options.start_spans, options.max_spans);
   fit.edges.resize(complex.edges.size());
-  fit.edge_deviation.assign(complex.edges.size(), 0);
-  fit.edge_gap = fit.edge_deviation;
+  fit.edge_gap.assign(complex.edges.size(), 0);
   fit.faces.resize(complex.faces.size());
   fit.face_deviation.assign(complex.faces.size(), 0);
   fit.face_deviations.resize(complex.faces.size());
+  fit.off_edges.assign(complex.faces.size(), 0);
   for (;; ++fit.rounds) {
     Marks marks = fit_edges(complex, fit, tolerance);
     const bool edges_open = any(marks);
     if (edges_open && halve(complex, fit, marks, options.max_spans)) continue;
     marks = fit_faces(complex, fit, tolerance);
     if (any(marks) && halve(complex, fit, marks, options.max_spans)) continue;
-    fit.reached = !edges_open && !any(marks);
+    for (std::size_t f = 0; f < complex.faces.size(); ++f) measure_edges(complex, fit, f);
     return fit;
   }
 }
 
 void refit_face(const HexComplex& complex, ComplexFit& fit, std::size_t face) {
   fit_face(complex, fit, face);
+  measure_edges(complex, fit, face);
 }
 
 KnotVector edge_knots(const HexComplex& complex, const ComplexFit& fit, std::size_t edge) {

@@ -16,19 +16,18 @@ struct ComplexFit {
   std::vector<KnotVector> sheets;       ///< knots on [0, 1], by sheet, in its direction
   std::vector<Eigen::Matrix3Xd> edges;  ///< control points, in the direction of the complex' edge
   std::vector<Eigen::Matrix3Xd> faces;  ///< nets, in the frame of the complex' face
-  std::vector<double> edge_deviation;   ///< largest distance from the samples, model units
   std::vector<double>
       edge_gap;  ///< largest distance of a face's own curve from the samples at equal arc length
-  std::vector<double> face_deviation;          ///< largest distance from points of the surface
+  std::vector<double> face_deviation;  ///< largest distance from points of the surface and from the edges
+  std::vector<double> off_edges;       ///< its part from the edges in space, where blocks know them
   std::vector<DeviationGrid> face_deviations;  ///< all of them, in the frame of the complex' face
   int rounds = 0;                              ///< of knot insertion
-  bool reached = true;                         ///< whether all deviations are below the tolerance
 };
 
 struct FitOptions {
   int degree = 3;           ///< range 2 .. 8
   double tolerance = 1e-4;  ///< largest deviation, share of the model's size; range [1e-8, 0.1]
-  int start_spans = 1;      ///< spans of every direction at the start; range 1 .. 64
+  int start_spans = 1;      ///< equal spans of every direction at the start; range 1 .. 64
   int max_spans = 64;       ///< of any direction; range start_spans .. 256
 };
 void validate(const FitOptions& options);

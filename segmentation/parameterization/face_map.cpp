@@ -50,7 +50,8 @@ const char* name(FaceMapKind kind) {
   return kind == FaceMapKind::coons ? "coons" : "mean_value";
 }
 
-FaceMap::FaceMap(QuadFace face) : face_(std::move(face)) {
+FaceMap::FaceMap(QuadFace face, std::array<SidePace, 4> paces)
+    : face_(std::move(face)), paces_(std::move(paces)) {
   Eigen::AlignedBox2d box;
   for (const DomainCurve& side : face_.sides) {
     arcs_.emplace_back([&](double t) { return face_.surface(side(t)); });
@@ -59,11 +60,16 @@ FaceMap::FaceMap(QuadFace face) : face_(std::move(face)) {
   domain_size_ = box.diagonal().norm();
 }
 
+double FaceMap::side_parameter(int side, double share) const {
+  const auto k = static_cast<std::size_t>(side);
+  return paces_[k] ? paces_[k](share) : arcs_[k].parameter(share);
+}
+
 Eigen::Matrix2Xd FaceMap::side_domain(int side, const std::vector<double>& shares) const {
   const auto k = static_cast<std::size_t>(side);
   Eigen::Matrix2Xd result(2, static_cast<Eigen::Index>(shares.size()));
   for (std::size_t i = 0; i < shares.size(); ++i)
-    result.col(static_cast<Eigen::Index>(i)) = face_.sides[k](arcs_[k].parameter(shares[i]));
+    result.col(static_cast<Eigen::Index>(i)) = face_.sides[k](side_parameter(side, shares[i]));
   return result;
 }
 
@@ -146,8 +152,8 @@ double smallest_sine(const FaceMap& map) {
   return smallest;
 }
 
-FaceMap face_map(const QuadFace& face) {
-  const FaceMap blend(face);
+FaceMap face_map(const QuadFace& face, const std::array<SidePace, 4>& paces) {
+  const FaceMap blend(face, paces);
   double best = smallest_sine(blend);
   if (best > good_sine) return blend;
   FaceMap result = blend;

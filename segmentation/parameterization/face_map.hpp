@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -20,20 +21,31 @@ enum class FaceMapKind {
 /// "coons" or "mean_value".
 const char* name(FaceMapKind kind);
 
-/// The unit square mapped into a face's domain and on to its surface; sides are run through by arc length.
+/// From shares of a side to its curve's parameter, [0, 1] to [0, 1], increasing; empty for shares of arc
+/// length.
+using SidePace = std::function<double(double)>;
+
+/// The unit square mapped into a face's domain and on to its surface; sides are run through by arc length,
+/// or at paces of their own.
 class FaceMap {
  public:
   /// The blend of the sides.
-  explicit FaceMap(QuadFace face);
+  /// @param paces  in the order of `QuadFace::sides`
+  explicit FaceMap(QuadFace face, std::array<SidePace, 4> paces = {});
 
   const QuadFace& face() const { return face_; }
   FaceMapKind kind() const { return kind_; }
   /// Length of a side of the face in space, in the order of `QuadFace::sides`; model units.
   double side_length(int side) const { return arcs_[static_cast<std::size_t>(side)].length(); }
 
+  /// How far a side turns on its way, rad.
+  double side_turning(int side) const { return arcs_[static_cast<std::size_t>(side)].turning(); }
+
   /// Extent of the outline in the domain.
   double domain_size() const { return domain_size_; }
-  /// Points of a side at shares of its length, (2, n) in the domain and (3, n) in space.
+  /// Parameter of a side's curve at a share.
+  double side_parameter(int side, double share) const;
+  /// Points of a side at shares, (2, n) in the domain and (3, n) in space.
   Eigen::Matrix2Xd side_domain(int side, const std::vector<double>& shares) const;
   Eigen::Matrix3Xd on_surface(const Eigen::Matrix2Xd& domain) const;
   Eigen::Matrix3Xd side_points(int side, const std::vector<double>& shares) const;
@@ -48,8 +60,9 @@ class FaceMap {
   FaceMap moved(const geometry::NurbsSurface& displacement) const;
 
  private:
-  friend FaceMap face_map(const QuadFace& face);
+  friend FaceMap face_map(const QuadFace& face, const std::array<SidePace, 4>& paces);
   QuadFace face_;
+  std::array<SidePace, 4> paces_;
   std::vector<ArcLength> arcs_;
   std::vector<geometry::NurbsSurface> displacements_;  ///< third coordinate not used
   FaceMapKind kind_ = FaceMapKind::coons;
@@ -66,6 +79,6 @@ double smallest_sine(const FaceMap& map);
 /// smooth map is for a face with a corner of more than 180 degrees.
 ///
 /// @source Coons 1967; Floater 2003
-FaceMap face_map(const QuadFace& face);
+FaceMap face_map(const QuadFace& face, const std::array<SidePace, 4>& paces = {});
 
 }  // namespace isopatch::segmentation

@@ -8,6 +8,7 @@
 #include <queue>
 
 #include "geometry/brep/solid_error.hpp"
+#include "segmentation/parameterization/edge_pace.hpp"
 #include "segmentation/parameterization/edge_samples.hpp"
 #include "segmentation/parameterization/face_contact.hpp"
 #include "segmentation/parameterization/outline.hpp"
@@ -239,6 +240,7 @@ HexComplex assembled(std::vector<Hexahedron> blocks, BlockMaps maps, const std::
   number_edges(complex, edges);
   number_faces(complex, matches);
   find_sheets(complex);
+  settle_paces(complex);
   settle_edges(complex);
   return complex;
 }

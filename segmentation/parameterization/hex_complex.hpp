@@ -33,7 +33,9 @@ struct ComplexEdge {
   std::array<int, 2> vertices{};  ///< start, end
   int sheet = 0;  ///< edges across a face from each other belong to one sheet and have common knots
   bool against_sheet = false;  ///< whether it runs against its sheet's direction
-  bool surfaces_meet = true;   ///< whether the surfaces around it meet along it, whatever their outlines do
+  /// Knots over [0, 1], in its direction, with which its curve and the faces at it are exact.
+  std::vector<geometry::KnotVector> knots = {};
+  bool surfaces_meet = true;  ///< whether the surfaces around it meet along it, whatever their outlines do
 };
 
 /// A side of a block, seen from the complex' face that it is.

@@ -24,7 +24,7 @@ VertexPair ordered(int a, int b) {
 }
 
 std::string of(const HexSolid& solid, const SolidFace& face) {
-  return fmt::format("solid '{}', face '{}'", solid.name, face.name);
+  return fmt::format("solid '{}', {}", solid.name, face_in_words(face.name));
 }
 
 std::string place(const Eigen::Vector3d& p) {
@@ -80,15 +80,26 @@ SolidFault edge_fault(const HexSolid& solid, const VertexPair& edge, const std::
   return fault;
 }
 
+/// What to do about a face with too few corners or too many.
+std::string advice_for_corners(std::size_t count) {
+  if (count > 4) return "Cut the solid through the face, or remove a vertex that only divides an edge";
+  if (count == 3)
+    return "Cut the solid from the face's middle to its three edges: that makes three faces with four edges";
+  return "Cut the solid so that each piece has four edges there; a round face through its middle, twice";
+}
+
+SolidError wrong_corner_count(const HexSolid& solid, const SolidFace& face) {
+  const std::size_t count = face.corners.size();
+  return {ErrorCode::unsupported,
+          fmt::format("{} has {} corner{} (vert{} {}); each face of a hexahedron has four. {}",
+                      of(solid, face), count, count == 1 ? "" : "s", count == 1 ? "ex" : "ices",
+                      fmt::join(face.corners, ", "), advice_for_corners(count)),
+          face_fault(solid, face, fmt::format("{} corners", count), face.corners)};
+}
+
 void check_faces(const HexSolid& solid) {
   for (const SolidFace& face : solid.faces) {
-    if (face.corners.size() != 4)
-      throw SolidError(
-          ErrorCode::unsupported,
-          fmt::format("{} has {} corners; each face of a hexahedron has four. Cut the solid further, or "
-                      "divide the edge that has a vertex too many",
-                      of(solid, face), face.corners.size()),
-          face_fault(solid, face, fmt::format("{} corners", face.corners.size()), face.corners));
+    if (face.corners.size() != 4) throw wrong_corner_count(solid, face);
     if (face.curves.size() != 4 || !face.surface)
       throw Error(ErrorCode::invalid_argument, of(solid, face) + " lacks a curve or its surface");
     for (const int corner : face.corners)
@@ -98,7 +109,9 @@ void check_faces(const HexSolid& solid) {
     if (std::set<int>(face.corners.begin(), face.corners.end()).size() != 4)
       throw SolidError(
           ErrorCode::unsupported,
-          fmt::format("{} visits a vertex twice: {}", of(solid, face), fmt::join(face.corners, " ")),
+          fmt::format("{} comes back to a vertex on its way around: {}. Each face of a hexahedron has four "
+                      "different corners; cut the solid through that vertex",
+                      of(solid, face), fmt::join(face.corners, ", ")),
           face_fault(solid, face, "visits a vertex twice", face.corners));
   }
 }
@@ -107,14 +120,14 @@ void check_shell(const HexSolid& solid, const EdgeFaces& edges) {
   for (const auto& [edge, faces] : edges) {
     if (faces.size() == 2) continue;
     std::vector<std::string> names;
-    for (const std::size_t f : faces) names.push_back("'" + solid.faces[f].name + "'");
+    for (const std::size_t f : faces) names.push_back(face_in_words(solid.faces[f].name));
     const std::string where =
         fmt::format("solid '{}', edge between vertices {} {} and {} {}: ", solid.name, edge.first,
                     place(solid.vertices[static_cast<std::size_t>(edge.first)]), edge.second,
                     place(solid.vertices[static_cast<std::size_t>(edge.second)]));
     throw SolidError(
         ErrorCode::not_conforming,
-        where + (faces.size() == 1 ? fmt::format("the shell is open, only face {} ends here", names[0])
+        where + (faces.size() == 1 ? fmt::format("the shell is open, only {} ends here", names[0])
                                    : fmt::format("{} faces meet here ({}); an edge has two", faces.size(),
                                                  fmt::join(names, ", "))),
         edge_fault(solid, edge, faces));
@@ -201,6 +214,22 @@ std::array<int, 8> label_corners(const HexSolid& solid, const EdgeFaces& edges) 
   return at;
 }
 
+template <class Curve>
+Curve turned_curve(const Curve& curve) {
+  return [curve](double t) { return curve(1 - t); };
+}
+
+DomainCurve turned_around(const DomainCurve& curve) {
+  return turned_curve(curve);
+}
+
+SolidEdge turned_around(const SolidEdge& edge) {
+  SolidEdge result;
+  if (edge.curve) result.curve = turned_curve(edge.curve);
+  if (edge.knots) result.knots = reversed(*edge.knots);
+  return result;
+}
+
 /// The face whose corners are those of a side, turned into the side's frame.
 QuadFace face_on(const HexSolid& solid, const EdgeFaces& edges, const std::array<int, 8>& at, Side side) {
   const auto vertex = [&](int s, int t) { return at[static_cast<std::size_t>(side_corner(side, s, t))]; };
@@ -208,24 +237,27 @@ QuadFace face_on(const HexSolid& solid, const EdgeFaces& edges, const std::array
   for (std::size_t f = 0; f < solid.faces.size(); ++f) {
     const SolidFace& face = solid.faces[f];
     if (std::set<int>(face.corners.begin(), face.corners.end()) != wanted) continue;
-    const auto curve = [&](int from, int to) -> DomainCurve {
+    QuadFace quad{face.name,   static_cast<int>(f), {}, face.surface, face.colour, {},
+                  face.spline, face.is_affine};
+    const auto put_side = [&](std::size_t side_number, int from, int to) {
       for (std::size_t k = 0; k < 4; ++k) {
-        const int a = face.corners[k];
-        const int b = face.corners[(k + 1) % 4];
-        if (a == from && b == to) return face.curves[k];
-        if (a == to && b == from) return [c = face.curves[k]](double t) { return c(1 - t); };
+        const std::pair walked{face.corners[k], face.corners[(k + 1) % 4]};
+        if (walked != std::pair{from, to} && walked != std::pair{to, from}) continue;
+        const bool turned = walked.first == to;
+        quad.sides[side_number] = turned ? turned_around(face.curves[k]) : face.curves[k];
+        if (!face.edges.empty())
+          quad.edges[side_number] = turned ? turned_around(face.edges[k]) : face.edges[k];
+        return;
       }
-      throw Error(
-          ErrorCode::unsupported,
-          not_a_cube(solid, edges,
-                     fmt::format("face '{}' has no edge between vertices {} and {}", face.name, from, to)));
+      throw Error(ErrorCode::unsupported, not_a_cube(solid, edges,
+                                                     fmt::format("{} has no edge between vertices {} and {}",
+                                                                 face_in_words(face.name), from, to)));
     };
-    return {face.name,
-            static_cast<int>(f),
-            {curve(vertex(0, 0), vertex(1, 0)), curve(vertex(0, 1), vertex(1, 1)),
-             curve(vertex(0, 0), vertex(0, 1)), curve(vertex(1, 0), vertex(1, 1))},
-            face.surface,
-            face.colour};
+    put_side(0, vertex(0, 0), vertex(1, 0));
+    put_side(1, vertex(0, 1), vertex(1, 1));
+    put_side(2, vertex(0, 0), vertex(0, 1));
+    put_side(3, vertex(1, 0), vertex(1, 1));
+    return quad;
   }
   throw Error(ErrorCode::unsupported,
               not_a_cube(solid, edges, fmt::format("no face has the vertices {}", fmt::join(wanted, " "))));
@@ -234,34 +266,97 @@ QuadFace face_on(const HexSolid& solid, const EdgeFaces& edges, const std::array
 Hexahedron assembled(const HexSolid& solid, const EdgeFaces& edges, const std::array<int, 8>& at) {
   Hexahedron result;
   result.name = solid.name;
+  result.edge_uncertainty = solid.edge_uncertainty;
   for (std::size_t c = 0; c < 8; ++c) result.corners[c] = solid.vertices[static_cast<std::size_t>(at[c])];
   for (const Side side : geometry::all_sides)
     result.faces[static_cast<std::size_t>(side)] = face_on(solid, edges, at, side);
   return result;
 }
 
-/// Six times the volume inside the faces' grids, by the divergence theorem.
-double sixfold_volume(const Hexahedron& block) {
-  constexpr int n = 12;
+/// Whether s, t and the outward normal of a side are right-handed on a right-handed cube.
+bool faces_outward(Side side) {
+  return geometry::is_high(side) != (geometry::direction(side) == 1);
+}
+
+/// Volume inside the faces' grids of n x n cells, by the divergence theorem.
+double grid_volume(const Hexahedron& block, int n) {
   double sum = 0;
   for (const Side side : geometry::all_sides) {
     const QuadFace& face = block.face(side);
-    const auto at = [&](int i, int j) {
-      return face.surface(coons_point(face.sides, double(i) / n, double(j) / n));
-    };
-    // s, t and the outward normal are right-handed on the high sides of directions 0 and 2, and on the low
-    // of 1.
-    const double sign = (geometry::is_high(side) ? 1 : -1) * (geometry::direction(side) == 1 ? -1 : 1);
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j) {
-        const Eigen::Vector3d a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
-        sum += sign * (a.dot(b.cross(c)) + a.dot(c.cross(d)));
+    Eigen::Matrix3Xd points(3, (n + 1) * (n + 1));
+    for (int j = 0; j <= n; ++j)
+      for (int i = 0; i <= n; ++i)
+        points.col(i + (n + 1) * j) =
+            face.surface(coons_point(face.sides, double(i) / n, double(j) / n)) - block.corners[0];
+    const double sign = faces_outward(side) ? 1 : -1;
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i) {
+        const int at = i + (n + 1) * j;
+        const Eigen::Vector3d a = points.col(at), b = points.col(at + 1), c = points.col(at + n + 2),
+                              d = points.col(at + n + 1);
+        sum += sign * (a.dot(b.cross(c)) + a.dot(c.cross(d))) / 6;
       }
   }
   return sum;
 }
 
+/// The volume, well enough to tell its sign: grids are halved until two agree to a tenth.
+double volume_of(const HexSolid& solid, const Hexahedron& block) {
+  constexpr int coarsest = 12, finest = 384;
+  double before = grid_volume(block, coarsest);
+  for (int n = 2 * coarsest; n <= finest; n *= 2) {
+    const double now = grid_volume(block, n);
+    if (std::abs(now - before) <= 0.1 * std::abs(now)) return now;
+    before = now;
+  }
+  const double size = size_of(solid);
+  if (std::abs(before) <= 1e-9 * size * size * size) return 0;
+  throw Error(
+      ErrorCode::invalid_argument,
+      fmt::format("solid '{}': inside and outside cannot be told apart, its faces wind too much for a "
+                  "grid of {} x {} points each; cut it into shorter pieces",
+                  solid.name, finest, finest));
+}
+
+/// How many of the loops run around the cube's sides as those of a right-handed cube, less the others.
+int right_handed_loops(const HexSolid& solid, const Hexahedron& block, const std::array<int, 8>& at) {
+  int sum = 0;
+  for (const Side side : geometry::all_sides) {
+    const auto& loop = solid.faces[static_cast<std::size_t>(block.face(side).number)].corners;
+    const auto vertex = [&](int s, int t) { return at[static_cast<std::size_t>(side_corner(side, s, t))]; };
+    const auto start =
+        static_cast<std::size_t>(std::find(loop.begin(), loop.end(), vertex(0, 0)) - loop.begin());
+    const bool runs_along_first = loop[(start + 1) % 4] == vertex(1, 0);
+    sum += runs_along_first == faces_outward(side) ? 1 : -1;
+  }
+  return sum;
+}
+
+bool is_right_handed(const HexSolid& solid, const Hexahedron& block, const std::array<int, 8>& at) {
+  const double size = size_of(solid);
+  const auto has_volume = [&](double volume) { return std::abs(volume) > 1e-12 * size * size * size; };
+  const auto refuse = [&] {
+    throw Error(ErrorCode::invalid_argument, fmt::format("solid '{}' has no volume", solid.name));
+  };
+  const int loops = solid.has_outward_loops ? right_handed_loops(solid, block, at) : 0;
+  if (std::abs(loops) == 6) {
+    // Of faces that wind, a coarse grid may by chance enclose nothing.
+    if (!has_volume(grid_volume(block, 12)) && !has_volume(volume_of(solid, block))) refuse();
+    return loops > 0;
+  }
+  const double volume = volume_of(solid, block);
+  if (!has_volume(volume)) refuse();
+  return volume > 0;
+}
+
 }  // namespace
+
+std::string face_in_words(const std::string& name) {
+  const std::string prefix = "face ";
+  const bool numbered = name.starts_with(prefix) && name.size() > prefix.size() &&
+                        name.find_first_not_of("0123456789", prefix.size()) == std::string::npos;
+  return numbered ? name : "face '" + name + "'";
+}
 
 Hexahedron hexahedron(const HexSolid& solid) {
   check_faces(solid);
@@ -270,11 +365,7 @@ Hexahedron hexahedron(const HexSolid& solid) {
   std::array<int, 8> at = label_corners(solid, edges);
   check_geometry(solid);
   const Hexahedron first = assembled(solid, edges, at);
-  const double volume = sixfold_volume(first);
-  const double size = size_of(solid);
-  if (!(std::abs(volume) > 1e-12 * size * size * size))
-    throw Error(ErrorCode::invalid_argument, fmt::format("solid '{}' has no volume", solid.name));
-  if (volume > 0) return first;
+  if (is_right_handed(solid, first, at)) return first;
   std::swap(at[1], at[2]);
   std::swap(at[5], at[6]);
   return assembled(solid, edges, at);

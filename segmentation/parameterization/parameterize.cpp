@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <map>
 
 #include "geometry/brep/solid_error.hpp"
 #include "geometry/quadrature.hpp"
+#include "segmentation/parameterization/edge_pace.hpp"
 #include "segmentation/parameterization/improve_blocks.hpp"
 #include "segmentation/parameterization/paper_method.hpp"
 
@@ -146,6 +148,7 @@ geometry::PatchSet patch_set(const HexComplex& complex, std::vector<geometry::Nu
   geometry::PatchSet set;
   set.patches = std::move(patches);
   set.boundaries = boundaries(complex);
+  for (const Hexahedron& block : complex.blocks) set.names.push_back(block.name);
   for (const ComplexFace& face : complex.faces)
     if (face.uses.size() > 1)
       set.listed_interfaces.emplace_back(
@@ -170,6 +173,31 @@ std::string complaint(const PatchReport& patch) {
       what, place(patch.hopeless->place));
 }
 
+/// The least number with two digits that is not below x.
+double rounded_up(double x) {
+  const double step = std::pow(10, std::floor(std::log10(x)) - 1);
+  return std::ceil(x / step) * step;
+}
+
+std::string complaint(const FaceReport& face, const ParameterizationReport& report) {
+  if (face.off_edges > report.tolerance)
+    return fmt::format(
+        "face {}: its surface lies {:.3g} off its own edges, more than {:.3g}, so nobody can say where the "
+        "solid "
+        "ends; mend the solid where it was drawn",
+        face.name, face.off_edges, report.tolerance);
+  const std::string what = fmt::format("face {} deviates by {:.3g} from its surface, more than {:.3g}",
+                                       face.name, face.deviation, report.tolerance);
+  if (face.gap > report.tolerance)
+    return fmt::format("{}; its two blocks are {:.3g} apart there", what, face.gap);
+  const double enough = rounded_up(face.deviation / report.size);
+  if (report.max_spans == 0)
+    return fmt::format("{}; method \"shared\" keeps the tolerance, or raise {} to {:.2g}", what,
+                       report.names.tolerance, enough);
+  return fmt::format("{}; raise {} above {}, or {} to {:.2g}", what, report.names.max_spans, report.max_spans,
+                     report.names.tolerance, enough);
+}
+
 std::string edge_label(const HexComplex& complex, std::size_t edge) {
   const ComplexEdge& found = complex.edges[edge];
   return fmt::format("{}, edge from {} to {}",
@@ -178,12 +206,39 @@ std::string edge_label(const HexComplex& complex, std::size_t edge) {
                      place(complex.vertices[static_cast<std::size_t>(found.vertices[1])]));
 }
 
-Parameterization shared_method(HexComplex complex, const ParameterizationOptions& options,
+/// A complex that has been fitted, with the nets of its blocks.
+struct FittedComplex {
+  HexComplex complex;
+  ComplexFit fit;
+  BlockNets blocks;
+};
+
+FittedComplex fitted_complex(HexComplex complex, const FitOptions& options) {
+  FittedComplex result{std::move(complex), {}, {}};
+  result.fit = fit(result.complex, options);
+  result.blocks = first_nets(result.complex, result.fit);
+  return result;
+}
+
+std::size_t poor_blocks(const BlockNets& blocks, double wanted_quality) {
+  return static_cast<std::size_t>(
+      std::count_if(blocks.healths.begin(), blocks.healths.end(),
+                    [&](const Health& health) { return !healthy(health, wanted_quality); }));
+}
+
+/// Keeps the input's paces, and with them its splines, unless arc length leaves fewer poor blocks.
+FittedComplex first_fit(const HexComplex& complex, const ParameterizationOptions& options) {
+  FittedComplex result = fitted_complex(complex, options.fit);
+  const std::size_t poor = poor_blocks(result.blocks, options.wanted_quality);
+  if (poor == 0 || !has_paces(complex)) return result;
+  FittedComplex other = fitted_complex(without_paces(complex), options.fit);
+  return poor_blocks(other.blocks, options.wanted_quality) < poor ? other : result;
+}
+
+Parameterization shared_method(const HexComplex& given, const ParameterizationOptions& options,
                                const Progress& progress) {
   progress("fitting edges and faces", 0);
-  ComplexFit fitted = fit(complex, options.fit);
-  progress("certifying", 0);
-  BlockNets blocks = first_nets(complex, fitted);
+  auto [complex, fitted, blocks] = first_fit(given, options);
   const BlockNets first = blocks;
   if (options.optimize) improve(complex, fitted, blocks, options, progress);
   Parameterization result;
@@ -198,7 +253,8 @@ Parameterization shared_method(HexComplex complex, const ParameterizationOptions
   for (std::size_t f = 0; f < complex.faces.size(); ++f) {
     const ComplexFace& face = complex.faces[f];
     report.faces.push_back({names_of(complex, face), complex.map(face.uses[0].side).kind(),
-                            fitted.face_deviation[f], face.gap, face.uses, fitted.face_deviations[f]});
+                            fitted.face_deviation[f], face.gap, face.uses, fitted.face_deviations[f],
+                            fitted.off_edges[f]});
   }
   const auto widest = std::max_element(fitted.edge_gap.begin(), fitted.edge_gap.end());
   report.largest_gap = *widest;
@@ -253,16 +309,11 @@ bool ParameterizationReport::usable() const {
 }
 
 std::vector<std::string> ParameterizationReport::complaints() const {
-  std::vector<std::string> result;
+  std::vector<std::string> result = warnings;
   for (const PatchReport& patch : patches)
     if (!patch.certificate.accepted()) result.push_back(complaint(patch));
   for (const FaceReport& face : faces)
-    if (face.deviation > tolerance)
-      result.push_back(fmt::format("face {} deviates by {:.3g} from its surface, more than {:.3g}{}",
-                                   face.name, face.deviation, tolerance,
-                                   face.gap > tolerance
-                                       ? fmt::format("; its two blocks are {:.3g} apart there", face.gap)
-                                       : "; raise max_spans or the tolerance"));
+    if (face.deviation > tolerance) result.push_back(complaint(face, *this));
   return result;
 }
 
@@ -276,6 +327,8 @@ Parameterization parameterize(const HexComplex& complex, const ParameterizationO
                                 : shared_method(complex, options, progress);
   result.report.size = complex.size;
   result.report.tolerance = options.fit.tolerance * complex.size;
+  if (options.method == ParameterizationMethod::shared) result.report.max_spans = options.fit.max_spans;
+  result.report.names = options.names;
   result.report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return result;
 }

@@ -21,6 +21,12 @@ enum class ParameterizationMethod {
   paper,   ///< the five steps of the segmentation pipeline's paper, for comparison
 };
 
+/// What the user calls the options that messages advise to change.
+struct OptionNames {
+  std::string max_spans = "max_spans";
+  std::string tolerance = "tolerance";
+};
+
 struct ParameterizationOptions {
   ParameterizationMethod method = ParameterizationMethod::shared;
   FitOptions fit;
@@ -28,7 +34,8 @@ struct ParameterizationOptions {
   double wanted_quality = 0.2;
   /// Whether control points are moved at all; without, folds are only reported.
   bool optimize = true;
-  OptimizationOptions optimization;
+  OptimizationOptions optimization = {};
+  OptionNames names = {};
 };
 void validate(const ParameterizationOptions& options);
 
@@ -50,17 +57,22 @@ struct PatchReport {
 struct FaceReport {
   std::string name;  ///< "block:face", of both blocks
   FaceMapKind kind = FaceMapKind::coons;
-  double deviation = 0;  ///< largest distance of the patch from the surface at equal parameters, model units
+  double deviation = 0;  ///< largest distance of the patch from the surface at equal parameters, or from the
+                         ///< edges, model units
   double gap = 0;        ///< between the two blocks' surfaces, as given
   std::vector<FaceUse> uses = {};  ///< sides of patches that it is
   DeviationGrid deviations = {};   ///< all over it
+  double off_edges = 0;  ///< part of the deviation: of the patch's sides from the solid's edges in space
 };
 
 struct ParameterizationReport {
   double size = 0;       ///< of the model
   double tolerance = 0;  ///< allowed deviation, model units
+  int max_spans = 0;     ///< of any direction, as asked for; 0 where the method inserts no knots
+  OptionNames names = {};
   std::vector<PatchReport> patches;
   std::vector<FaceReport> faces;
+  std::vector<std::string> warnings;  ///< that reading the blocks gave cause to
   double largest_gap = 0;  ///< between outlines of faces along an edge, as given, model units
   std::string gap_at;      ///< the edge's block and vertices' places
   int rounds = 0;          ///< of knot insertion

@@ -4,12 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <sstream>
 
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/error.hpp"
 #include "geometry/base/nearest_name.hpp"
+#include "geometry/brep/contradictions.hpp"
 #include "geometry/brep/read_brep.hpp"
 #include "geometry/brep/solid_error.hpp"
 #include "segmentation/parameterization/brep_solid.hpp"
@@ -17,19 +17,25 @@
 namespace isopatch::segmentation {
 namespace {
 
-std::string small_ending(const std::filesystem::path& path) {
-  std::string text = path.extension().string();
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
+// With the name of the block in its faces, and the file's in front of the message if it lacks it.
+template <class Work>
+auto named(const std::filesystem::path& path, const std::string& block, Work work) {
+  try {
+    return work();
+  } catch (const geometry::SolidError& error) {
+    const std::string message = error.what();
+    const bool has_file = message.find(path.string()) != message.npos;
+    throw geometry::SolidError(error.code(), has_file ? message : path.string() + ": " + message,
+                               of_solid(error.fault(), block));
+  }
 }
 
-std::vector<geometry::BrepFile> solids_of(const std::filesystem::path& path, double length_unit) {
-  try {
-    return geometry::read_breps(path, block_reading(path, length_unit));
-  } catch (const geometry::SolidError& error) {
-    throw geometry::SolidError(error.code(), error.what(), of_solid(error.fault(), block_name(path, 0)));
-  }
+geometry::BrepSet bodies_of(const std::filesystem::path& path, const geometry::ReadBrepOptions& options) {
+  geometry::BrepSet set =
+      named(path, path.stem().string(), [&] { return geometry::read_breps(path, options); });
+  for (const geometry::BrepFile& body : set.bodies)
+    named(path, body.name, [&] { geometry::require_sound(body.brep); });
+  return set;
 }
 
 int block_named(const std::string& name, const std::vector<Hexahedron>& blocks, const std::string& where) {
@@ -45,13 +51,17 @@ int block_named(const std::string& name, const std::vector<Hexahedron>& blocks, 
 
 }  // namespace
 
-// STEP and IGES say their unit themselves; a plain 1 is no contradiction.
-geometry::ReadBrepOptions block_reading(const std::filesystem::path& path, double length_unit) {
-  const std::string end = small_ending(path);
-  const bool says = end == ".step" || end == ".stp" || end == ".iges" || end == ".igs";
+geometry::ReadBrepOptions block_reading(const BlockFiles& files) {
   geometry::ReadBrepOptions options;
-  if (!says || length_unit != 1) options.length_unit = length_unit;
+  options.length_unit = files.length_unit;
+  options.allow_partial = files.allow_partial;
+  options.limits = files.limits;
   return options;
+}
+
+std::string BlockNames::add(const std::string& body) {
+  const int before = count_[body]++;
+  return before == 0 ? body : add(fmt::format("{}#{}", body, before));
 }
 
 std::vector<ListedPair> parse_pairs(const std::string& text, const std::string& source,
@@ -76,22 +86,24 @@ std::vector<ListedPair> parse_pairs(const std::string& text, const std::string& 
   return result;
 }
 
-std::string block_name(const std::filesystem::path& path, int solid) {
-  const std::string stem = path.stem().string();
-  return solid == 0 ? stem : fmt::format("{}#{}", stem, solid);
-}
-
-HexComplex read_blocks(const BlockFiles& files) {
+ReadBlocks read_blocks(const BlockFiles& files, const Progress& progress) {
   if (files.files.empty()) throw Error(ErrorCode::invalid_argument, "no file of a block is given");
+  geometry::ReadBrepOptions options = block_reading(files);
+  options.progress = progress;
   std::vector<Hexahedron> blocks;
+  std::vector<std::string> warnings;
+  BlockNames names;
   for (const std::filesystem::path& path : files.files) {
-    int count = 0;
-    for (const geometry::BrepFile& solid : solids_of(path, files.length_unit))
-      blocks.push_back(hexahedron(hex_solid(solid.brep, block_name(path, count++))));
+    const geometry::BrepSet set = bodies_of(path, options);
+    for (const std::string& warning : set.warnings)
+      warnings.push_back(fmt::format("{}: {}", path.string(), warning));
+    for (const geometry::BrepFile& body : set.bodies)
+      blocks.push_back(
+          hexahedron(hex_solid(body.brep, names.add(body.name), body.largest_correction)));
   }
-  if (!files.pairs) return hex_complex(std::move(blocks), files.complex);
+  if (!files.pairs) return {hex_complex(std::move(blocks), files.complex), std::move(warnings)};
   const auto pairs = parse_pairs(read_file(*files.pairs), files.pairs->string(), blocks);
-  return hex_complex(std::move(blocks), pairs, files.complex);
+  return {hex_complex(std::move(blocks), pairs, files.complex), std::move(warnings)};
 }
 
 }  // namespace isopatch::segmentation

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,23 +16,37 @@ struct BlockFiles {
   std::vector<std::filesystem::path>
       files;  ///< any format of `read_breps`; several solids in a file are several blocks
   std::optional<std::filesystem::path> pairs;  ///< without it, pairs are found from the geometry
-  double length_unit = 1;                      ///< m that a unit of formats without one measures
+  std::optional<double> length_unit;           ///< as of `geometry::ReadBrepOptions`
+  bool allow_partial = false;                  ///< likewise
+  GuardLimits limits = {.seconds = 0, .bytes = 0};  ///< likewise
   ComplexOptions complex;
+};
+
+/// Blocks put together, and what the files gave cause to say.
+struct ReadBlocks {
+  HexComplex complex;
+  std::vector<std::string> warnings;
 };
 
 /// Reads hexahedra and puts them together; lengths are metres.
 ///
-/// Blocks are called by their files' names without ending; further solids of a file have "#1", "#2", ...
+/// Blocks are called as `geometry::read_breps` calls the bodies; further ones of a name have "#1", "#2", ...
 /// behind it.
 /// @throws Error as `read_breps`, `hexahedron` and `hex_complex` do; SolidError where it is known which
 /// faces, edges and places are wrong
-HexComplex read_blocks(const BlockFiles& files);
+ReadBlocks read_blocks(const BlockFiles& files, const Progress& progress = {});
 
 /// How `read_blocks` reads a file.
-/// @param length_unit  of formats that do not say it, m
-geometry::ReadBrepOptions block_reading(const std::filesystem::path& path, double length_unit);
-/// What `read_blocks` calls the n-th solid of a file, from 0.
-std::string block_name(const std::filesystem::path& path, int solid);
+geometry::ReadBrepOptions block_reading(const BlockFiles& files);
+
+/// Gives bodies of several files the names that `read_blocks` does, one after the other.
+class BlockNames {
+ public:
+  std::string add(const std::string& body);
+
+ private:
+  std::map<std::string, int> count_;
+};
 
 /// A list of pairs, one a line: block, number of its face, block, number of its face.
 /// @param source  of the text, for messages

@@ -12,7 +12,7 @@ namespace {
 double number_of(const Eigen::MatrixXd& dense) {
   const Eigen::VectorXd values =
       Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dense, Eigen::EigenvaluesOnly).eigenvalues().cwiseAbs();
-  return values.maxCoeff() / values.minCoeff();
+  return values.maxCoeff<Eigen::PropagateNaN>() / values.minCoeff<Eigen::PropagateNaN>();
 }
 
 TEST(Condition, IsThatOfTheDenseMatrix) {

@@ -54,7 +54,7 @@ Multigrid two_grids(int coarse) {
 TEST(LargestEigenvalue, IsFoundFromBelow) {
   const Eigen::MatrixXd a = chain(40);
   const Eigen::MatrixXd scaled = a.diagonal().cwiseInverse().asDiagonal() * a;
-  const double exact = scaled.eigenvalues().real().maxCoeff();
+  const double exact = scaled.eigenvalues().real().maxCoeff<Eigen::PropagateNaN>();
   const double found = largest_eigenvalue(times(a), inverse_diagonal(a), SharedRows(40), 20);
   EXPECT_LT(found, exact * (1 + 1e-12));
   EXPECT_GT(found, 0.95 * exact);
@@ -89,7 +89,8 @@ TEST(Multigrid, IsSymmetricAndPositiveDefinite) {
   Eigen::MatrixXd m(63, 63);
   for (int i = 0; i < 63; ++i) m.col(i) = multigrid.apply(Eigen::VectorXd::Unit(63, i));
   EXPECT_LT((m - m.transpose()).norm(), 1e-12 * m.norm());
-  EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(m).eigenvalues().minCoeff(), 0);
+  EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(m).eigenvalues().minCoeff<Eigen::PropagateNaN>(),
+            0);
 }
 
 TEST(Multigrid, KeepsIterationsBoundedAsTheChainGrows) {

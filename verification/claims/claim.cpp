@@ -22,15 +22,27 @@ std::string objection(const Convergence& c) {
   return "";
 }
 
+// What a claim must have to mean anything.
+std::string objection(const Claim& claim) {
+  constexpr double most = 0.1;
+  if (!(claim.allowed >= 0 && claim.allowed <= most))
+    return fmt::format("allows {}; at most {} means anything, or set `least`", claim.allowed, most);
+  if (claim.least && !(*claim.least <= claim.reference && claim.allowed == 0))
+    return "a value between limits needs the least below the most, and nothing more is allowed";
+  return "";
+}
+
 }  // namespace
 
 double difference(const Claim& claim) {
-  const double absolute = std::abs(claim.value - claim.reference);
+  const bool between = claim.least && claim.value >= *claim.least && claim.value <= claim.reference;
+  const double nearest = claim.least && claim.value < *claim.least ? *claim.least : claim.reference;
+  const double absolute = between ? 0 : std::abs(claim.value - nearest);
   return claim.reference == 0 ? absolute : absolute / std::abs(claim.reference);
 }
 
 bool is_within(const Claim& claim) {
-  return difference(claim) <= claim.allowed;
+  return objection(claim).empty() && difference(claim) <= claim.allowed;
 }
 
 std::vector<double> orders(const Convergence& c) {
@@ -49,9 +61,11 @@ double farthest_order(const Convergence& convergence) {
 
 void expect(const Claim& claim) {
   record(claim, is_within(claim));
+  const std::string why = objection(claim);
   EXPECT_TRUE(is_within(claim)) << fmt::format(
-      "{}: {:.10g} {} where {} says {:.10g}: differs by {:.3g}, allowed are {:.3g}", claim.what, claim.value,
-      claim.unit, claim.source, claim.reference, difference(claim), claim.allowed);
+      "{}: {:.10g} {} where {} says {}{:.10g}: differs by {:.3g}, allowed are {:.3g}. {}", claim.what,
+      claim.value, claim.unit, claim.source, claim.least ? fmt::format("{:.10g} to ", *claim.least) : "",
+      claim.reference, difference(claim), claim.allowed, why);
 }
 
 void expect(const Convergence& convergence) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,11 +33,14 @@ struct Claim {
   std::string source;  ///< "Lame", "NAFEMS LE10"
   double reference = 0;
   double value = 0;
-  double allowed = 0;  ///< largest difference, relative to the reference unless that is 0
+  double allowed = 0;  ///< largest difference, relative to the reference unless that is 0; at most 0.1
   ClaimStudy study = {};
+  /// Where it is set, the reference is the most that the value may be, and this is the least; nothing else is
+  /// allowed.
+  std::optional<double> least = {};
 };
 
-/// The difference that counts against `allowed`.
+/// The difference that counts against `allowed`: for a value between limits how far it is outside.
 double difference(const Claim& claim);
 /// NaN is never within.
 bool is_within(const Claim& claim);
@@ -70,7 +74,8 @@ std::vector<double> orders(const Convergence& convergence);
 /// The order measured between two levels that is farthest from the expected one.
 double farthest_order(const Convergence& convergence);
 
-/// Records a claim and fails the running test if it does not hold.
+/// Records a claim and fails the running test if it does not hold. Refuses an `allowed` above 0.1: a value
+/// that may be anything up to a limit says so with `least`.
 void expect(const Claim& claim);
 
 /// Records an order of convergence and fails the running test if it does not hold. Needs four levels, and

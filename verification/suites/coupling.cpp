@@ -6,6 +6,7 @@
 
 #include <tuple>
 
+#include "geometry/base/larger.hpp"
 #include "iga/loads.hpp"
 #include "verification/claims/claim.hpp"
 #include "verification/suites/linear_field.hpp"
@@ -64,8 +65,8 @@ void expect_equilibrium(const BothWays& s) {
   double force = 0, moment = 0;
   for (const int patch : free) {
     const Resultant r = resultant(s.built.problem, forces + loads, {PatchId(patch)});
-    force = std::max(force, r.force.norm() / size);
-    moment = std::max(moment, r.moment.norm() / (size * s.built.problem.discretization.model.size()));
+    force = larger(force, r.force.norm() / size);
+    moment = larger(moment, r.moment.norm() / (size * s.built.problem.discretization.model.size()));
   }
   const std::string of =
       fmt::format("{}, multipliers and loads on each of {} patches without support: ", s.name, free.size());

@@ -86,7 +86,8 @@ TEST(Coupling, LooselyFittedPatchesNeedTheirTolerance) {
       ADD_FAILURE() << name << " fits only to 5e-6 of its size and must be refused";
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::not_conforming);
-      EXPECT_THAT(error.what(), ::testing::HasSubstr("raise tolerance.same_point above 4.9e-06"));
+      EXPECT_THAT(error.what(),
+                  ::testing::HasSubstr("raise same_point (in a study: model.same_point) above 4.9e-06"));
     }
     const MultiPatch model = connect(set, {.same_point = 1e-5});
     expect_count(name + ": interfaces", ReferenceKind::published, "TERRIFIC's file", 24,

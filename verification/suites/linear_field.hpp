@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 
+#include "geometry/base/larger.hpp"
 #include "iga/elastic_field.hpp"
 #include "iga/problem.hpp"
 
@@ -37,8 +38,8 @@ inline double coefficient_error(const iga::ElasticField& field, const LinearFiel
   double size = 0;
   for (std::size_t p = 0; p < field.patches.size(); ++p) {
     const Eigen::Matrix3Xd u = (exact.gradient * field.patches[p].control_points()).colwise() + exact.shift;
-    error = std::max(error, (field.displacement[p] - u).colwise().norm().maxCoeff());
-    size = std::max(size, u.colwise().norm().maxCoeff());
+    error = larger(error, (field.displacement[p] - u).colwise().norm().maxCoeff<Eigen::PropagateNaN>());
+    size = larger(size, u.colwise().norm().maxCoeff<Eigen::PropagateNaN>());
   }
   return error / size;
 }
@@ -50,8 +51,10 @@ inline double coefficient_difference(const iga::ElasticField& a, const iga::Elas
   double apart = 0;
   double size = 0;
   for (std::size_t p = 0; p < a.displacement.size(); ++p) {
-    apart = std::max(apart, (a.displacement[p] - rotation * b.displacement[p]).colwise().norm().maxCoeff());
-    size = std::max(size, a.displacement[p].colwise().norm().maxCoeff());
+    apart = larger(
+        apart,
+        (a.displacement[p] - rotation * b.displacement[p]).colwise().norm().maxCoeff<Eigen::PropagateNaN>());
+    size = larger(size, a.displacement[p].colwise().norm().maxCoeff<Eigen::PropagateNaN>());
   }
   return apart / size;
 }

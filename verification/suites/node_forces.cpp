@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "geometry/base/larger.hpp"
 #include "iga/node_classes.hpp"
 #include "iga/support_frames.hpp"
 
@@ -97,9 +98,8 @@ double largest_jump(const iga::ElasticityProblem& problem, const iga::Elasticity
         solution.field.displacement[p];
   double jump = 0;
   for (int c = 0; c < classes.count(); ++c)
-    for (const int node : classes.of(c))
-      jump = std::max(jump, (u.col(node) - u.col(classes.of(c)[0])).norm());
-  return jump / u.colwise().norm().maxCoeff();
+    for (const int node : classes.of(c)) jump = larger(jump, (u.col(node) - u.col(classes.of(c)[0])).norm());
+  return jump / u.colwise().norm().maxCoeff<Eigen::PropagateNaN>();
 }
 
 double multiplier_difference(const std::vector<iga::Multiplier>& a, const std::vector<iga::Multiplier>& b) {
@@ -108,8 +108,8 @@ double multiplier_difference(const std::vector<iga::Multiplier>& a, const std::v
   bool same = a.size() == b.size() && !a.empty();
   for (std::size_t i = 0; same && i < a.size(); ++i) {
     same = a[i].first_node == b[i].first_node && a[i].second_node == b[i].second_node;
-    apart = std::max(apart, (a[i].force - b[i].force).norm());
-    size = std::max(size, a[i].force.norm());
+    apart = larger(apart, (a[i].force - b[i].force).norm());
+    size = larger(size, a[i].force.norm());
   }
   return same ? apart / size : std::numeric_limits<double>::quiet_NaN();
 }

@@ -6,6 +6,7 @@
 
 #include <numbers>
 
+#include "geometry/base/larger.hpp"
 #include "verification/claims/claim.hpp"
 #include "verification/suites/linear_field.hpp"
 #include "verification/suites/model_cases.hpp"
@@ -69,8 +70,8 @@ TEST(PatchTests, SymmetryPlanesTurned) {
       double apart = 0, size = 0;
       for (std::size_t s = 0; s < c.planes.size(); ++s) {
         const Vector3d& force = along.results.reactions[s].force;
-        apart = std::max(apart, (force - rotation.transpose() * turned.results.reactions[s].force).norm());
-        size = std::max(size, force.norm());
+        apart = larger(apart, (force - rotation.transpose() * turned.results.reactions[s].force).norm());
+        size = larger(size, force.norm());
       }
       claim("difference of the reactions, turned back", apart / size);
     }
@@ -115,7 +116,7 @@ TEST(PatchTests, RollersAtSixtyDegreesToEachOther) {
     for (int d = 0; d < 3; ++d) {
       const Vector3d normal = (rotation * shear.inverse().transpose() * Vector3d::Unit(d)).normalized();
       const Vector3d& force = solution.results.reactions[static_cast<std::size_t>(d)].force;
-      friction = std::max(friction, (force - normal * normal.dot(force)).norm() / force.norm());
+      friction = larger(friction, (force - normal * normal.dot(force)).norm() / force.norm());
     }
     expect(Claim{of + "part of the reactions along the planes",
                  "",

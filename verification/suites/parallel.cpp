@@ -15,6 +15,18 @@ constexpr double same = 1e-10;
 
 const std::vector<Launch> launches = {{1, 2}, {2, 1}, {4, 1}, {2, 2}};
 
+/// Skips where the machine lets no processes be started, which says nothing about the program.
+class ParallelRuns : public testing::Test {
+ protected:
+  void SetUp() override {
+    static const std::string fault = launcher_fault();
+    if (!fault.empty()) GTEST_SKIP() << fault;
+  }
+};
+
+class Parallel : public ParallelRuns {};
+class FullParallel : public ParallelRuns {};
+
 void expect_same(const std::string& of, const ClaimStudy& study) {
   const ProgramRun alone = run_program(study, {1, 1});
   for (const Launch& launch : launches) {
@@ -33,32 +45,32 @@ void expect_same(const std::string& of, const ClaimStudy& study) {
 
 const std::string link = "examples/link/study.toml";
 
-TEST(Parallel, Elimination) {
+TEST_F(Parallel, Elimination) {
   expect_same("link", {link, {"discretization.refine=0"}});
 }
 
-TEST(Parallel, Multipliers) {
+TEST_F(Parallel, Multipliers) {
   expect_same("link", {link, {"discretization.refine=0", "coupling.method='lagrange'"}});
 }
 
-TEST(Parallel, ConjugateGradients) {
+TEST_F(Parallel, ConjugateGradients) {
   expect_same("link", {link, {"solver.method='cg'", "solver.tolerance=1e-12"}});
 }
 
 // As far as round-off lets minimal residuals go.
-TEST(Parallel, MinimalResiduals) {
+TEST_F(Parallel, MinimalResiduals) {
   expect_same("link", {link,
                        {"discretization.refine=0", "coupling.method='lagrange'", "solver.method='minres'",
                         "solver.tolerance=3e-11"}});
 }
 
 // Rational, and cut into layers of elements where there are more processes than patches.
-TEST(Parallel, ThickCylinder) {
+TEST_F(Parallel, ThickCylinder) {
   expect_same("thick cylinder",
               {"examples/thick_cylinder/study.toml", {"discretization.degree=3", "discretization.refine=1"}});
 }
 
-TEST(FullParallel, Terrific) {
+TEST_F(FullParallel, Terrific) {
   ISOPATCH_NEEDS_DATA("terrific/terrific.xml");
   for (const std::string coupling : {"elimination", "lagrange"})
     expect_same("TERRIFIC by " + coupling,

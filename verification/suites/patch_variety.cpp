@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "geometry/base/larger.hpp"
 #include "geometry/models/box.hpp"
 #include "geometry/models/reorient.hpp"
 #include "geometry/splines/refine.hpp"
@@ -55,7 +56,7 @@ TEST(PatchTests, EveryOrientationOfANeighbour) {
     for (const geometry::PatchOrientation& orientation : geometry::patch_orientations()) {
       PatchSet set{box.patches, {}, {}};
       set.patches[1] = geometry::reoriented(box.patches[1], orientation);
-      worst = std::max(worst, error_of(set, {.refine = 1}, coupling));
+      worst = larger(worst, error_of(set, {.refine = 1}, coupling));
     }
     expect_exact("two curved patches, the second in each of 48 orientations", coupling, worst);
   }

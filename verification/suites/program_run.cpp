@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "geometry/base/atomic_file.hpp"
+#include "geometry/base/larger.hpp"
 #include "iga/result_file.hpp"
 
 namespace isopatch::verification {
@@ -33,27 +34,40 @@ const std::string at_the_start = [] {
   return result;
 }();
 
+// Open MPI refuses root, who only runs this program and its own studies here.
+std::string launcher(int processes) {
+  return fmt::format("{}{} --oversubscribe --bind-to none -n {} ",
+                     ::geteuid() == 0 ? "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 " : "",
+                     quoted(ISOPATCH_MPIEXEC), processes);
+}
+
 std::string command_line(const ClaimStudy& study, const Launch& launch, const fs::path& output) {
-  std::string line =
-      fmt::format("{} OMP_NUM_THREADS={} OMP_WAIT_POLICY=passive ", at_the_start, launch.threads);
-  if (launch.processes > 1)
-    line +=
-        fmt::format("{} --oversubscribe --bind-to none -n {} ", quoted(ISOPATCH_MPIEXEC), launch.processes);
+  std::string line = fmt::format("{} OMP_NUM_THREADS={} ", at_the_start, launch.threads);
+  if (launch.processes > 1) line += launcher(launch.processes);
   line += fmt::format("{} run {} --quiet --output {}", quoted(ISOPATCH_PROGRAM),
                       quoted((fs::path(ISOPATCH_SOURCE_DIR) / study.file).string()), quoted(output.string()));
   for (const char* setting : {"output.fields=false", "output.report=false"})
     line += fmt::format(" --set {}", setting);
   for (const std::string& setting : study.overrides) line += " --set " + quoted(setting);
-  return line + " 2>&1 </dev/null";
+  return line;
 }
 
 // @param what  for the message: the command has the whole environment
 void run(const std::string& command, const std::string& what) {
-  std::FILE* pipe = ::popen(command.c_str(), "r");
+  std::FILE* pipe = ::popen((command + " 2>&1 </dev/null").c_str(), "r");
   if (pipe == nullptr) throw std::runtime_error("cannot start " + what);
   std::string said;
   for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) said += static_cast<char>(c);
   if (::pclose(pipe) != 0) throw std::runtime_error(what + " fails and says: " + said);
+}
+
+// Without the rules between which Open MPI sets its messages.
+std::string in_one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  std::string result;
+  for (const char c : text)
+    if (result.empty() || (c != ' ' && c != '-') || c != result.back()) result += c;
+  return result;
 }
 
 class TemporaryFolder {
@@ -84,6 +98,15 @@ std::string words(const Launch& launch) {
   return many(launch.processes, "process", "processes") + " of " + many(launch.threads, "thread", "threads");
 }
 
+std::string launcher_fault() {
+  try {
+    run(fmt::format("{} {} true", at_the_start, launcher(2)), "no processes can be started: mpiexec");
+    return "";
+  } catch (const std::runtime_error& error) {
+    return in_one_line(error.what());
+  }
+}
+
 ProgramRun run_program(const ClaimStudy& study, const Launch& launch) {
   const TemporaryFolder folder;
   run(command_line(study, launch, folder.path()), fmt::format("{} in {}", study.file, words(launch)));
@@ -98,8 +121,9 @@ double largest_difference(const iga::ElasticField& a, const iga::ElasticField& b
   double difference = 0;
   double largest = 0;
   for (std::size_t p = 0; p < a.displacement.size(); ++p) {
-    difference = std::max(difference, (a.displacement[p] - b.displacement.at(p)).cwiseAbs().maxCoeff());
-    largest = std::max(largest, a.displacement[p].cwiseAbs().maxCoeff());
+    difference = larger(
+        difference, (a.displacement[p] - b.displacement.at(p)).cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
+    largest = larger(largest, a.displacement[p].cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
   }
   return difference / largest;
 }

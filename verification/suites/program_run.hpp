@@ -25,6 +25,10 @@ struct ProgramRun {
   int threads = 0;
 };
 
+/// Why no processes can be started on this machine; empty if they can.
+/// @cost  that of starting two
+std::string launcher_fault();
+
 /// Starts `isopatch run` in processes of its own, through mpiexec where they are several, and reads its
 /// results.
 ///

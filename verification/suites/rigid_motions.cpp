@@ -44,13 +44,15 @@ Eigen::Matrix3Xd coefficients(const iga::Discretization& d, const LinearField& f
 double rigid_force(const iga::ElasticityProblem& problem) {
   const iga::Discretization& d = problem.discretization;
   const auto force = [&](const LinearField& field) {
-    return iga::internal_forces(d, problem.materials, coefficients(d, field)).forces.cwiseAbs().maxCoeff();
+    return iga::internal_forces(d, problem.materials, coefficients(d, field))
+        .forces.cwiseAbs()
+        .maxCoeff<Eigen::PropagateNaN>();
   };
   double largest = 0;
   for (int k = 0; k < 3; ++k) {
     const Eigen::Vector3d unit = Eigen::Vector3d::Unit(k);
-    largest = std::max({largest, force({unit * d.model.size(), Eigen::Matrix3d::Zero()}),
-                        force({Eigen::Vector3d::Zero(), cross_matrix(unit)})});
+    largest = larger(largest, force({unit * d.model.size(), Eigen::Matrix3d::Zero()}));
+    largest = larger(largest, force({Eigen::Vector3d::Zero(), cross_matrix(unit)}));
   }
   return largest / force({Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity()});
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "geometry/base/larger.hpp"
 #include "verification/suites/solved_study.hpp"
 #include "verification/tests/reference_data.hpp"
 
@@ -95,7 +96,7 @@ double largest_stress_near(const iga::ElasticField& field, const Eigen::Vector3d
           steps;
       const geometry::Parameter<3> t = patch.low().array() + share * (patch.high() - patch.low()).array();
       if ((patch.point(t) - place).norm() < distance)
-        largest = std::max(largest, iga::evaluate(field, static_cast<int>(p), t).von_mises);
+        largest = larger(largest, iga::evaluate(field, static_cast<int>(p), t).von_mises);
     }
   }
   return largest;

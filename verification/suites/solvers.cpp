@@ -1,6 +1,7 @@
 // Every way to solve gives the same solution, iterations do not grow with the problem, and what cannot be
 // solved is said to be so.
 
+#include "geometry/base/larger.hpp"
 #include "solvers/solve.hpp"
 
 #include <fmt/format.h>
@@ -98,15 +99,15 @@ void expect_steady_iterations(const std::string& over, const std::string& file,
     const int iterations = s.run.solution.solver.iterations;
     expect(Claim{
         fmt::format("iterations of {}, {}, {} unknowns", way.name, point.name, s.run.solution.size.dofs_free),
-        "", ReferenceKind::other_method, "what is usual, up to twice as many", static_cast<double>(usual),
-        static_cast<double>(iterations), 1, s.named});
+        "", ReferenceKind::other_method, "twice what is usual", 2. * usual, static_cast<double>(iterations),
+        0, s.named, 1.});
     fewest = std::min(fewest, iterations);
     if (iterations > most) worst = s.named;
-    most = std::max(most, iterations);
+    most = larger(most, iterations);
   }
   expect(Claim{fmt::format("most over fewest iterations of {} over {}", way.name, over), "",
-               ReferenceKind::exact, "independent of them", 1, static_cast<double>(most) / fewest, 0.5,
-               worst});
+               ReferenceKind::exact, "nearly independent of them", 1.5, static_cast<double>(most) / fewest, 0,
+               worst, 1.});
 }
 
 void expect_steady_iterations(const std::string& over, const std::string& file,

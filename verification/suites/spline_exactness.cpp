@@ -8,6 +8,7 @@
 #include <cmath>
 #include <random>
 
+#include "geometry/base/larger.hpp"
 #include "geometry/models/elbow.hpp"
 #include "geometry/models/sphere.hpp"
 #include "geometry/splines/arc.hpp"
@@ -40,7 +41,7 @@ void expect_none(const std::string& what, const std::string& source, double valu
 
 template <int D>
 double size_of(const Nurbs<D>& spline) {
-  return spline.control_points().cwiseAbs().maxCoeff();
+  return spline.control_points().cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
 }
 
 // Largest error of `residual` over random parameters of the faces of a named boundary.
@@ -53,7 +54,7 @@ double worst_on(const MultiPatch& model, const std::string& boundary, const Resi
     for (const PatchFace& face : b.faces) {
       const NurbsSurface surface = face_surface(model.patch(face.patch), face.side);
       for (int i = 0; i < 100; ++i)
-        worst = std::max(worst, std::abs(residual(surface, random_parameter(random, surface))));
+        worst = larger(worst, std::abs(residual(surface, random_parameter(random, surface))));
     }
   }
   return worst < 0 ? std::nan("") : worst;
@@ -68,10 +69,10 @@ TEST(SplineExactness, Circles) {
     for (int i = 0; i < 100; ++i) {
       const Parameter<1> t = random_parameter(random, one);
       const Eigen::Vector3d x = one.point(t), v = one.derivative(t, {1}), a = one.derivative(t, {2});
-      radius = std::max(radius, std::abs(x.norm() / 2 - 1));
-      speed = std::max(speed, std::abs(x.dot(v)) / (2 * v.norm()));
-      bend = std::max(bend, std::abs(x.dot(a) + v.squaredNorm()) / v.squaredNorm());
-      moved = std::max(moved, (finer.point(t) - x).norm() / 2);
+      radius = larger(radius, std::abs(x.norm() / 2 - 1));
+      speed = larger(speed, std::abs(x.dot(v)) / (2 * v.norm()));
+      bend = larger(bend, std::abs(x.dot(a) + v.squaredNorm()) / v.squaredNorm());
+      moved = larger(moved, (finer.point(t) - x).norm() / 2);
     }
     const std::string of = fmt::format("NURBS arc of {} degrees", degrees);
     expect_none(of + ": distance of its points from the circle", "|x| = r", radius, round_off);
@@ -97,7 +98,7 @@ TEST(SplineExactness, Spheres) {
                          [](const NurbsSurface& s, const Parameter<2>& t) {
                            return (s.jacobian(t).colwise().normalized().transpose() * s.point(t).normalized())
                                .cwiseAbs()
-                               .maxCoeff();
+                               .maxCoeff<Eigen::PropagateNaN>();
                          }),
                 round_off);
     expect_none(of + ": mixed second derivative along the radius", "x.x_uv = -x_u.x_v",
@@ -151,8 +152,8 @@ TEST(SplineExactness, Refinement) {
       const NurbsVolume fine = randomly_refined(patch, random);
       for (int i = 0; i < 20; ++i) {
         const Parameter<3> t = random_parameter(random, patch);
-        moved = std::max(moved, (fine.point(t) - patch.point(t)).norm() / size_of(patch));
-        turned = std::max(turned, (fine.jacobian(t) - patch.jacobian(t)).norm() / patch.jacobian(t).norm());
+        moved = larger(moved, (fine.point(t) - patch.point(t)).norm() / size_of(patch));
+        turned = larger(turned, (fine.jacobian(t) - patch.jacobian(t)).norm() / patch.jacobian(t).norm());
       }
     }
     const std::string of = c.name + ", knots inserted and degrees raised at random: ";
@@ -171,13 +172,13 @@ TEST(SplineExactness, BezierExtraction) {
       for (const NurbsVolume& piece : pieces)
         for (int i = 0; i < 5; ++i) {
           const Parameter<3> t = random_parameter(random, piece);
-          moved = std::max(moved, (test::de_casteljau(piece, t) - spline.point(t)).norm());
+          moved = larger(moved, (test::de_casteljau(piece, t) - spline.point(t)).norm());
         }
       // In one space again, pieces and spline have the same coefficients.
       NurbsVolume::KnotVectors knots;
       for (int d = 0; d < 3; ++d) knots[static_cast<std::size_t>(d)] = bezier_knots(spline.knots(d));
       const NurbsVolume whole = refined(spline, knots);
-      apart = std::max(
+      apart = larger(
           apart,
           (pieces.front().control_points().col(0) - whole.control_points().col(0)).norm() +
               (pieces.back().control_points().rightCols(1) - whole.control_points().rightCols(1)).norm());
@@ -210,7 +211,7 @@ struct BasisErrors {
 BasisErrors basis_errors(int degree) {
   std::mt19937 random(5);
   BasisErrors worst;
-  const auto grow = [](double& largest, double value) { largest = std::max(largest, std::abs(value)); };
+  const auto grow = [](double& largest, double value) { largest = larger(largest, std::abs(value)); };
   for (int trial = 0; trial < 50; ++trial) {
     const KnotVector knots = random_knots(random, degree);
     std::uniform_real_distribution<double> inside(knots.first(), knots.last());
@@ -220,7 +221,7 @@ BasisErrors basis_errors(int degree) {
       const BasisValues b = basis(knots, t, 1);
       grow(worst.sum, b.values.row(0).sum() - 1);
       grow(worst.sums_of_derivatives, b.values.row(1).sum() / b.values.row(1).cwiseAbs().sum());
-      grow(worst.negative, std::min(0.0, b.values.row(0).minCoeff()));
+      grow(worst.negative, std::min(0.0, b.values.row(0).minCoeff<Eigen::PropagateNaN>()));
       double place = 0, slope = 0;
       for (int a = 0; a <= degree; ++a) {
         grow(worst.recursion, b.values(0, a) - cox_de_boor(knots.knots(), b.first + a, degree, t));
@@ -268,7 +269,7 @@ double difference_error(bool rational) {
         };
         const Eigen::Vector3d difference = (8 * (f(1) - f(-1)) - (f(2) - f(-2))) / (12 * h);
         const double size = f(0).norm() / inside.knots(d).length();
-        worst = std::max(worst, (spline.derivative(t, twice) - difference).norm() / size);
+        worst = larger(worst, (spline.derivative(t, twice) - difference).norm() / size);
       }
   }
   return worst;
@@ -300,12 +301,12 @@ TEST(SplineExactness, SolutionSpaces) {
         for (Eigen::Index a = 0; a < points.cols(); ++a)
           points.col(a) = patch.control_points().col(values.functions[static_cast<std::size_t>(a)]);
         for (Eigen::Index q = 0; q < values.measures.size(); ++q) {
-          sum = std::max(sum, std::abs(values.values.col(q).sum() - 1));
+          sum = larger(sum, std::abs(values.values.col(q).sum() - 1));
           for (std::size_t j = 0; j < 3; ++j) {
             const Eigen::VectorXd g = values.gradients[j].col(q);
-            gradient = std::max(gradient, std::abs(g.sum()) / g.cwiseAbs().sum());
+            gradient = larger(gradient, std::abs(g.sum()) / g.cwiseAbs().sum());
             identity =
-                std::max(identity, (points * g - Eigen::Vector3d::Unit(static_cast<Eigen::Index>(j))).norm());
+                larger(identity, (points * g - Eigen::Vector3d::Unit(static_cast<Eigen::Index>(j))).norm());
           }
         }
       }

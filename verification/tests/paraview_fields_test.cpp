@@ -334,8 +334,8 @@ TEST(ParaviewFields, SupportsLoadsAndBoundariesAreSurfacesThatLookOut) {
       if (block.name == "bore_left") outward += normal.dot(point(surface, corners[0]));
     });
   }
-  EXPECT_THAT(names, ::testing::IsSupersetOf({"supports/support 1 (left bore)", "loads/load 1 (right bore)",
-                                              "boundaries/bore_left"}));
+  EXPECT_THAT(names,
+              ::testing::IsSupersetOf({"supports/left bore", "loads/right bore", "boundaries/bore_left"}));
   // The bore is about the origin: out of the part is towards its axis. Twice its area times its radius.
   EXPECT_NEAR(outward / (-2 * 7.54e-4 * 0.01), 1, 0.01);
 }

@@ -150,9 +150,9 @@ def ring_summary(markers):
                   "box": {"min": [0, 0, 0], "max": [0.06, 0.06, 0.01]}, "largest_gap": 0, "min_scaled_jacobian": 0.8,
                   "left_handed_patches": [], "patches_not_certified": [1]},
         "materials": [{"name": "steel", "patches": [0, 1], "young": 2.1e11, "poisson": 0.3, "density": 7850}],
-        "supports": [{"name": "support 1 (foot)", "kind": "displacement", "faces": ["0:west"], "area": 2e-4},
+        "supports": [{"name": "foot", "kind": "displacement", "faces": ["0:west"], "area": 2e-4},
                      {"name": "support 2 (back)", "kind": "symmetry", "faces": ["1:back"], "area": 7.854e-4}],
-        "loads": [{"name": "load 1 (head)", "kind": "force", "faces": ["1:east"], "area": 2e-4, "patches": [], "volume": 0},
+        "loads": [{"name": "head", "kind": "force", "faces": ["1:east"], "area": 2e-4, "patches": [], "volume": 0},
                   {"name": "load 2 (cover)", "kind": "pressure", "faces": ["1:back"], "area": 7.854e-4, "patches": [],
                    "volume": 0}],
         "discretization": {"degree": [3, 3, 3], "elements": 96, "control_points": 700, "dofs_uncoupled": 2100,
@@ -168,8 +168,8 @@ def ring_summary(markers):
                     "max_displacement_at": {"patch": 1, "parameter": [1, 0, 1]}, "internal_energy": 0.0123456,
                     "external_work": 0.0123456, "max_von_mises": stress["von_mises"],
                     "max_von_mises_point": stress["point"], "max_von_mises_at": {"patch": 1, "parameter": [0.9, 0, 0.5]},
-                    "max_von_mises_sampled": "at the Gauss points", "total_load": [0, -200, 50],
-                    "reactions": [{"support": "support 1 (foot)", "force": [1e-12, 200, -50], "moment": [0, 0, 0]}]},
+                    "max_von_mises_sampled": "at Gauss points and on faces", "total_load": [0, -200, 50],
+                    "reactions": [{"support": "foot", "force": [1e-12, 200, -50], "moment": [0, 0, 0]}]},
         "probes": [{"name": "tip", "patch": 1, "parameter": tip["parameter"], "point": tip["point"],
                     "displacement": tip["displacement"], "stress": [0] * 6, "von_mises": tip["von_mises"]}],
         "warnings": ["patch 1: the sign of its Jacobian could not be certified", "a warning without a place"],
@@ -182,9 +182,9 @@ def ring_report():
     markers = ring_markers()
     warnings = [{"text": "patch 1: the sign of its Jacobian could not be certified", "patch": 1, "point": None}]
     scene = ring().data(
-        supports=[{"name": "support 1 (foot)", "kind": "displacement", "reaction": [0, 200, -50]},
+        supports=[{"name": "foot", "kind": "displacement", "reaction": [0, 200, -50]},
                   {"name": "support 2 (back)", "kind": "symmetry", "reaction": [0, 0, 0]}],
-        loads=[{"name": "load 1 (head)", "kind": "force", "total": [0, -200, 50]},
+        loads=[{"name": "head", "kind": "force", "total": [0, -200, 50]},
                {"name": "load 2 (cover)", "kind": "pressure", "total": [0, 0, -10]}],
         markers=markers, warnings=warnings)
     return {"kind": "report", "program": "isopatch 0.1.0", "title": "quarter ring <of two patches>", "study": STUDY,

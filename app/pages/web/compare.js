@@ -43,7 +43,8 @@ globalThis.isopatch = globalThis.isopatch || {};
       .map(([name, value, allowed]) => [name, isopatch.general(value, 2), isopatch.general(allowed, 2)]);
     const places = [["displacement", largest("displacement", "m", found, scene)],
                     ["stress (von Mises)", largest("von_mises", "Pa", found, scene)]].filter(([, text]) => text);
-    const verdict = summary.agree ? "The two couplings agree." : "The two couplings do not agree.";
+    const verdict = summary.coupled === false ? "There is nothing to couple: no two patches meet."
+      : summary.agree ? "The two couplings agree." : "The two couplings do not agree.";
     return isopatch.section("Differences",
       element("p", {class: summary.agree ? "verdict good" : "verdict bad", id: "verdict"}, verdict),
       isopatch.table(["relative difference", "found", "allowed"], rows),

@@ -17,7 +17,7 @@ globalThis.isopatch = globalThis.isopatch || {};
     const {box} = model;
     const rows = [["patches", `${counts(model.patches)}, ${many(model.interfaces, "interface")}, ${many(model.boundary_faces, "boundary face")}`],
                   ["volume, surface", `${isopatch.withUnit(model.volume, "m^3")}, ${isopatch.withUnit(model.boundary_area, "m^2")}`]];
-    if (box) rows.push(["box of the control points", isopatch.vectorWithUnit(box.max.map((x, i) => x - box.min[i]), "m")]);
+    if (box) rows.push(["box", isopatch.vectorWithUnit(box.max.map((x, i) => x - box.min[i]), "m")]);
     rows.push(["smallest scaled Jacobian", isopatch.general(model.min_scaled_jacobian, 4) + " (at the Gauss points)"]);
     return rows;
   }

@@ -38,11 +38,12 @@ TEST(Camera, FitsThePartIntoItsBoxAndTouchesIt) {
     const Eigen::Matrix3Xd from_focus = points.colwise() - camera.focus;
     const Eigen::VectorXd x = (pixels * camera.view.right.transpose() * from_focus).array() + 800;
     const Eigen::VectorXd y = (pixels * camera.view.up.transpose() * from_focus).array() + 600;
-    EXPECT_GE(x.minCoeff(), places.part.left - 1e-9);
-    EXPECT_LE(x.maxCoeff(), places.part.right + 1e-9);
-    EXPECT_GE(y.minCoeff(), places.part.bottom - 1e-9);
-    EXPECT_LE(y.maxCoeff(), places.part.top + 1e-9);
-    const double spare = std::min(x.minCoeff() - places.part.left, y.minCoeff() - places.part.bottom);
+    EXPECT_GE(x.minCoeff<Eigen::PropagateNaN>(), places.part.left - 1e-9);
+    EXPECT_LE(x.maxCoeff<Eigen::PropagateNaN>(), places.part.right + 1e-9);
+    EXPECT_GE(y.minCoeff<Eigen::PropagateNaN>(), places.part.bottom - 1e-9);
+    EXPECT_LE(y.maxCoeff<Eigen::PropagateNaN>(), places.part.top + 1e-9);
+    const double spare = std::min(x.minCoeff<Eigen::PropagateNaN>() - places.part.left,
+                                  y.minCoeff<Eigen::PropagateNaN>() - places.part.bottom);
     EXPECT_NEAR(spare, 0, 1e-9) << name;
   }
 }

@@ -61,10 +61,10 @@ TEST(PartShape, PatchEdgesAreThoseOfTheOuterFaces) {
 TEST(PartShape, ValuesAreThePatchesNumbersOrTheScaledJacobian) {
   const auto model = two_cubes();
   const Surface patches = outer_surface(model, shape_of(model));
-  EXPECT_EQ(patches.values.minCoeff(), 0);
-  EXPECT_EQ(patches.values.maxCoeff(), 1);
+  EXPECT_EQ(patches.values.minCoeff<Eigen::PropagateNaN>(), 0);
+  EXPECT_EQ(patches.values.maxCoeff<Eigen::PropagateNaN>(), 1);
   const Surface jacobian = outer_surface(model, shape_of(model, PictureField::jacobian));
-  EXPECT_NEAR(jacobian.values.minCoeff(), 1, 1e-12);
+  EXPECT_NEAR(jacobian.values.minCoeff<Eigen::PropagateNaN>(), 1, 1e-12);
   EXPECT_THROW(shape_of(model, PictureField::von_mises), Error);
 }
 
@@ -106,11 +106,11 @@ TEST(Clip, KeepsWhatLiesBelowAndClosesIt) {
   const Cut cut = {0, 1.25};
   const Surface kept = clipped(outer_surface(model, shape), cut);
   EXPECT_NEAR(area(kept), 4 * 1.25 + 1, 1e-12);
-  EXPECT_LE(kept.undeformed.row(0).maxCoeff(), 1.25 + 1e-12);
+  EXPECT_LE(kept.undeformed.row(0).maxCoeff<Eigen::PropagateNaN>(), 1.25 + 1e-12);
   const Surface face = section(shape, cut);
   EXPECT_NEAR(area(face), 1, 1e-12);
   for (const auto& triangle : face.triangles) EXPECT_GE(area_vector(face, triangle).x(), 0);
-  EXPECT_NEAR((face.points.row(0).array() - 1.25).abs().maxCoeff(), 0, 1e-12);
+  EXPECT_NEAR((face.points.row(0).array() - 1.25).abs().maxCoeff<Eigen::PropagateNaN>(), 0, 1e-12);
   EXPECT_NEAR(length(cut_outline(outer_surface(model, shape), cut)), 4, 1e-12);
 }
 
@@ -123,8 +123,8 @@ TEST(Clip, InTheDeformedPartCutsTheUndeformedOne) {
   }
   const auto shape = part_shape(samples, {.field = PictureField::displacement, .deformation = 1});
   const Surface face = section(shape, {0, 0.5});
-  EXPECT_NEAR((face.points.row(0).array() - 1).abs().maxCoeff(), 0, 1e-12);
-  EXPECT_NEAR((face.values.array() - 0.5).abs().maxCoeff(), 0, 1e-12);
+  EXPECT_NEAR((face.points.row(0).array() - 1).abs().maxCoeff<Eigen::PropagateNaN>(), 0, 1e-12);
+  EXPECT_NEAR((face.values.array() - 0.5).abs().maxCoeff<Eigen::PropagateNaN>(), 0, 1e-12);
 }
 
 }  // namespace

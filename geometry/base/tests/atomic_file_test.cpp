@@ -1,7 +1,9 @@
 #include "geometry/base/atomic_file.hpp"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -84,6 +86,22 @@ TEST_F(AtomicFile, WhatAKilledRunLeftBehindIsOverwritten) {
   std::ofstream(directory_ / "result.json.unfinished") << "a long part of an earlier result";
   write_file(path_, "short");
   EXPECT_EQ(read_file(path_), "short");
+  EXPECT_THAT(files(), testing::ElementsAre("result.json"));
+}
+
+TEST_F(AtomicFile, AFileThatAnotherProcessIsWritingIsRefused) {
+  write_file(path_, "old");
+  const std::string unfinished = (directory_ / "result.json.unfinished").string();
+  const int other = ::open(unfinished.c_str(), O_WRONLY | O_CREAT, 0600);
+  ASSERT_EQ(::flock(other, LOCK_EX), 0);
+  ASSERT_EQ(::write(other, "half", 4), 4);
+  EXPECT_THAT(io_error([&] { write_file(path_, "new"); }),
+              AllOf(HasSubstr(path_.string()), HasSubstr("another process is writing it")));
+  EXPECT_EQ(read_file(path_), "old");
+  EXPECT_EQ(read_file(unfinished), "half") << "that of the other one stays as it is";
+  ::close(other);
+  write_file(path_, "new");
+  EXPECT_EQ(read_file(path_), "new");
   EXPECT_THAT(files(), testing::ElementsAre("result.json"));
 }
 

@@ -13,9 +13,9 @@ std::string file_ending(const std::filesystem::path& path) {
 }
 
 std::optional<BrepFormat> module_format(const std::string& ending) {
-  if (ending == ".step" || ending == ".stp") return BrepFormat::step;
+  if (ending == ".step" || ending == ".stp" || ending == ".p21") return BrepFormat::step;
   if (ending == ".iges" || ending == ".igs") return BrepFormat::iges;
-  if (ending == ".brep") return BrepFormat::brep;
+  if (ending == ".brep" || ending == ".brp") return BrepFormat::brep;
   return std::nullopt;
 }
 

@@ -8,6 +8,10 @@
 
 namespace isopatch::geometry {
 
+/// All endings of solids, for messages.
+inline constexpr const char* brep_formats =
+    ".step, .stp, .p21, .iges, .igs, .brep, .brp, .xml (G+Smo) and .off";
+
 /// A file's ending in small letters: ".step".
 std::string file_ending(const std::filesystem::path& path);
 

@@ -1,20 +1,22 @@
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepLib.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
-#include <ShapeFix_Shape.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 
 #include <fmt/format.h>
 
-#include "geometry/base/error.hpp"
 #include "geometry/brep/opencascade/internal/exchange.hpp"
+#include "geometry/brep/opencascade/internal/face_bodies.hpp"
 #include "geometry/brep/opencascade/internal/solid_shapes.hpp"
 
 namespace isopatch::geometry {
@@ -35,22 +37,61 @@ bool is_closed(const TopoDS_Shape& shape) {
   return true;
 }
 
-double size_of(const TopoDS_Shape& shape) {
+double size_of(const std::vector<TopoDS_Face>& faces) {
   Bnd_Box box;
-  BRepBndLib::Add(shape, box, false);
+  for (const TopoDS_Face& face : faces) BRepBndLib::Add(face, box, false);
   return box.IsVoid() ? 0 : std::sqrt(box.SquareExtent());
 }
 
-void describe(ShapeInput& input, const FileShape& file, const std::vector<TopoDS_Face>& originals) {
-  for (const TopoDS_Face& face : originals) {
-    input.names.push_back(file.name_of ? file.name_of(face) : "");
-    input.colours.push_back(file.colour_of ? file.colour_of(face) : std::nullopt);
+/// Faces with what the file says of each.
+struct DescribedFaces {
+  std::vector<TopoDS_Face> faces;
+  std::vector<std::string> names;
+  std::vector<std::optional<Colour>> colours;
+  std::string body;  ///< name of what they bound
+
+  void add(const TopoDS_Face& face, const FaceWords& words) {
+    faces.push_back(face);
+    names.push_back(words.name);
+    colours.push_back(words.colour);
+  }
+};
+
+DescribedFaces described(const TopoDS_Shape& shape, const FileShape& file) {
+  DescribedFaces result;
+  result.body = file.name;
+  for (const TopoDS_Face& face : faces_of(shape))
+    result.add(face, file.words_of ? file.words_of(face) : FaceWords{});
+  return result;
+}
+
+/// Takes the words of the faces to a body's, which are some of them, perhaps turned around.
+void describe(ShapeInput& input, const DescribedFaces& all) {
+  TopTools_IndexedMapOfShape known;
+  std::vector<std::size_t> first;
+  for (std::size_t i = 0; i < all.faces.size(); ++i)
+    if (static_cast<std::size_t>(known.Add(all.faces[i])) > first.size()) first.push_back(i);
+  for (const TopoDS_Face& face : input.faces) {
+    const int found = known.FindIndex(face);
+    input.names.push_back(found > 0 ? all.names[first[static_cast<std::size_t>(found - 1)]] : "");
+    input.colours.push_back(found > 0 ? all.colours[first[static_cast<std::size_t>(found - 1)]]
+                                      : std::nullopt);
   }
 }
 
-// A solid that needs no mending: turned around if it is inside out.
-KernelSolid whole_solid(const TopoDS_Shape& shape, const FileShape& file, double metres) {
-  const std::vector<TopoDS_Face> originals = faces_of(shape);
+/// The bodies that faces bound which share their edges.
+std::vector<KernelSolid> separated(const DescribedFaces& all, double metres, double correction) {
+  std::vector<KernelSolid> result;
+  for (const FaceBody& body : face_bodies(all.faces)) {
+    ShapeInput input = oriented_body(all.faces, body, metres);
+    describe(input, all);
+    result.push_back({std::make_shared<ShapeKernel>(std::move(input)), all.body, correction});
+  }
+  return result;
+}
+
+/// A solid that needs no mending: turned around if it is inside out.
+KernelSolid whole_solid(const TopoDS_Shape& shape, const DescribedFaces& all, double metres) {
   ShapeInput input;
   TopoDS_Solid solid = TopoDS::Solid(shape.Oriented(TopAbs_FORWARD));
   BRepLib::OrientClosedSolid(solid);
@@ -58,52 +99,83 @@ KernelSolid whole_solid(const TopoDS_Shape& shape, const FileShape& file, double
   input.shape = solid;
   input.faces = faces_of(solid);
   input.metres = metres;
-  describe(input, file, originals);
-  return {std::make_shared<ShapeKernel>(std::move(input)), file.name, 0};
+  describe(input, all);
+  return {std::make_shared<ShapeKernel>(std::move(input)), all.body, 0};
 }
 
-// What faces make when sewn; open where their gaps are too wide.
-KernelSolid sewn_faces(const TopoDS_Shape& shape, const FileShape& file, double metres,
-                       const SewOptions& options) {
-  const std::vector<TopoDS_Face> originals = faces_of(shape);
-  const double tolerance = options.same_point * size_of(shape);
-  BRepBuilderAPI_Sewing sewing(tolerance, true, true, true, false);
-  for (const TopoDS_Face& face : originals) sewing.Add(face);
+/// The bodies that faces make when sewn; open where their gaps are too wide.
+std::vector<KernelSolid> sewn(const DescribedFaces& all, double metres, const SewOptions& options) {
+  BRepBuilderAPI_Sewing sewing(options.same_point * size_of(all.faces), true, true, true, true);
+  for (const TopoDS_Face& face : all.faces) sewing.Add(face);
   sewing.Perform();
-  std::vector<TopoDS_Face> faces, kept;
-  for (const TopoDS_Face& face : originals) {
-    const TopoDS_Shape now = sewing.IsModified(face) ? sewing.Modified(face) : TopoDS_Shape(face);
-    for (const TopoDS_Face& part : faces_of(now)) {
-      faces.push_back(part);
-      kept.push_back(face);
+  DescribedFaces now;
+  now.body = all.body;
+  double correction = 0;
+  for (std::size_t f = 0; f < all.faces.size(); ++f) {
+    const TopoDS_Face& face = all.faces[f];
+    for (const TopoDS_Face& part :
+         faces_of(sewing.IsModified(face) ? sewing.Modified(face) : TopoDS_Shape(face))) {
+      now.add(part, {all.names[f], all.colours[f]});
+      for (TopExp_Explorer it(part, TopAbs_EDGE); it.More(); it.Next())
+        correction = std::max(correction, BRep_Tool::Tolerance(TopoDS::Edge(it.Current())));
     }
   }
-  double correction = 0;
-  for (const TopoDS_Face& face : faces)
-    for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
-      correction = std::max(correction, BRep_Tool::Tolerance(TopoDS::Edge(it.Current())));
-  ShapeInput input = oriented_solid(std::move(faces), metres);
-  describe(input, file, kept);
-  return {std::make_shared<ShapeKernel>(std::move(input)), file.name, correction * metres};
+  return separated(now, metres, correction * metres);
+}
+
+TopoDS_Shape solid_of(const TopoDS_Shape& shell) {
+  const BRep_Builder builder;
+  TopoDS_Solid solid;
+  builder.MakeSolid(solid);
+  builder.Add(solid, TopoDS::Shell(shell));
+  return solid;
+}
+
+/// The bodies of a solid or a shell of the file: one, if it is in order.
+std::vector<KernelSolid> bodies_of(const TopoDS_Shape& shape, const FileShape& file, double metres,
+                                   const SewOptions& options) {
+  const DescribedFaces all = described(shape, file);
+  if (!is_closed(shape)) return sewn(all, metres, options);
+  const TopoDS_Shape solid = shape.ShapeType() == TopAbs_SHELL ? solid_of(shape) : shape;
+  if (face_bodies(all.faces).size() < 2) return {whole_solid(solid, all, metres)};
+  return separated(all, metres, 0);
+}
+
+template <class Add>
+void add_all(std::vector<KernelSolid>& result, Add add) {
+  for (KernelSolid& solid : add()) result.push_back(std::move(solid));
 }
 
 }  // namespace
 
-std::vector<KernelSolid> solids_of(const std::vector<FileShape>& shapes, double metres,
-                                   const SewOptions& options, const std::string& source) {
-  std::vector<KernelSolid> result;
-  for (const FileShape& file : shapes)
-    for (TopExp_Explorer it(file.shape, TopAbs_SOLID); it.More(); it.Next())
-      result.push_back(is_closed(it.Current()) ? whole_solid(it.Current(), file, metres)
-                                               : sewn_faces(it.Current(), file, metres, options));
-  if (!result.empty()) return result;
-  for (const FileShape& file : shapes)
-    if (TopExp_Explorer(file.shape, TopAbs_FACE).More())
-      result.push_back(sewn_faces(file.shape, file, metres, options));
-  if (result.empty())
-    throw Error(ErrorCode::unsupported,
-                fmt::format("{}: there is no solid in the file, nor a face of one", source));
-  return result;
+void add_bodies(const std::vector<FileShape>& shapes, double metres, const SewOptions& options,
+                KernelFile& result) {
+  DescribedFaces loose;
+  for (const FileShape& file : shapes) {
+    bool any = false;
+    for (const auto& [kind, avoid] : {std::pair(TopAbs_SOLID, TopAbs_SHAPE), {TopAbs_SHELL, TopAbs_SOLID}})
+      for (TopExp_Explorer it(file.shape, kind, avoid); it.More(); it.Next()) {
+        any = true;
+        ++result.listed;
+        if (!TopExp_Explorer(it.Current(), TopAbs_FACE).More())
+          result.lost.push_back({0, fmt::format("body {}{} has no faces", result.listed - 1,
+                                                file.name.empty() ? "" : " '" + file.name + "'")});
+        else
+          add_all(result.bodies, [&] { return bodies_of(it.Current(), file, metres, options); });
+      }
+    for (TopExp_Explorer it(file.shape, TopAbs_FACE, TopAbs_SHELL); it.More(); it.Next()) {
+      any = true;
+      if (loose.faces.empty()) loose.body = file.name;
+      loose.add(TopoDS::Face(it.Current()),
+                file.words_of ? file.words_of(TopoDS::Face(it.Current())) : FaceWords{});
+    }
+    if (!any && !file.shape.IsNull() && TopoDS_Iterator(file.shape).More())
+      result.remarks.push_back({0, fmt::format("{} has curves or points only, of which no body comes",
+                                               file.name.empty() ? "a part" : "part '" + file.name + "'")});
+  }
+  if (loose.faces.empty()) return;
+  result.loose_faces = loose.faces.size();
+  add_all(result.bodies, [&] { return sewn(loose, metres, options); });
 }
 
 }  // namespace isopatch::geometry

@@ -33,20 +33,24 @@ class OpenCascade final : public BrepModule {
   // It would print to the standard output.
   OpenCascade() { Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer)); }
 
-  std::vector<KernelSolid> read(const std::filesystem::path& path, BrepFormat format, double metres,
-                                const SewOptions& options) const override {
+  KernelFile read(const KernelSource& source, const SewOptions& options) const override {
     const std::lock_guard<std::mutex> lock(files_);
-    return guarded(path.string(), [&] {
-      switch (format) {
-        case BrepFormat::step:
-          return solids_of(read_step(path), 1e-3, options, path.string());
-        case BrepFormat::iges:
-          return solids_of(read_iges(path), 1e-3, options, path.string());
-        case BrepFormat::brep:
-          break;
-      }
-      return solids_of(read_native(path), metres, options, path.string());
+    return guarded(source.path.string(), [&] {
+      FileShapes found = shapes_of(source);
+      KernelFile result;
+      result.lost = std::move(found.lost);
+      result.remarks = std::move(found.remarks);
+      add_bodies(found.shapes, source.metres, options, result);
+      return result;
     });
+  }
+
+  std::string to_bytes(const std::vector<KernelSolid>& bodies) const override {
+    return guarded("handing solids on", [&] { return bytes_of(bodies); });
+  }
+
+  std::vector<KernelSolid> from_bytes(const std::string& bytes) const override {
+    return guarded("taking solids up", [&] { return bodies_of_bytes(bytes); });
   }
 
   void write(const std::filesystem::path& path, BrepFormat format, const BrepKernel& kernel,
@@ -80,6 +84,18 @@ class OpenCascade final : public BrepModule {
   }
 
  private:
+  static FileShapes shapes_of(const KernelSource& source) {
+    switch (source.format) {
+      case BrepFormat::step:
+        return read_step(source);
+      case BrepFormat::iges:
+        return read_iges(source);
+      case BrepFormat::brep:
+        break;
+    }
+    return read_native(source);
+  }
+
   mutable std::mutex files_;
 };
 

@@ -3,35 +3,56 @@
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Reader.hxx>
 #include <IGESControl_Writer.hxx>
+#include <IGESGeom_BoundedSurface.hxx>
+#include <IGESGeom_TrimmedSurface.hxx>
+#include <IGESSolid_Face.hxx>
+#include <IGESSolid_ManifoldSolid.hxx>
 #include <Interface_Static.hxx>
+#include <XSControl_WorkSession.hxx>
 
 #include <fmt/format.h>
 
 #include "geometry/base/error.hpp"
 #include "geometry/brep/opencascade/internal/exchange.hpp"
 #include "geometry/brep/opencascade/internal/scaled_shape.hpp"
+#include "geometry/brep/opencascade/internal/transfer_remarks.hpp"
 
 namespace isopatch::geometry {
+namespace {
 
-std::vector<FileShape> read_iges(const std::filesystem::path& path) {
+// Trimmed and bounded surfaces, faces, solids.
+bool bounding_entity(const Standard_Transient& entity) {
+  const auto& type = *entity.DynamicType();
+  for (const auto& kind : {STANDARD_TYPE(IGESGeom_TrimmedSurface), STANDARD_TYPE(IGESGeom_BoundedSurface),
+                           STANDARD_TYPE(IGESSolid_Face), STANDARD_TYPE(IGESSolid_ManifoldSolid)})
+    if (type.SubType(kind)) return true;
+  return false;
+}
+
+}  // namespace
+
+FileShapes read_iges(const KernelSource& source) {
   IGESControl_Reader reader;
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
-  if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
-    throw Error(ErrorCode::bad_format, fmt::format("{}: this is no complete IGES file", path.string()));
+  if (reader.ReadFile(source.path.c_str()) != IFSelect_RetDone)
+    throw Error(ErrorCode::bad_format,
+                fmt::format("{}: this is no complete IGES file", source.path.string()));
   reader.TransferRoots();
   const TopoDS_Shape shape = reader.OneShape();
   if (shape.IsNull())
-    throw Error(ErrorCode::bad_format, fmt::format("{}: the IGES file holds no shape", path.string()));
-  return {{shape, "", {}, {}}};
+    throw Error(ErrorCode::bad_format, fmt::format("{}: the IGES file holds no shape", source.path.string()));
+  FileShapes result{{{.shape = shape}}};
+  add_remarks(*reader.WS(), bounding_entity, result);
+  return result;
 }
 
-std::vector<FileShape> read_native(const std::filesystem::path& path) {
+FileShapes read_native(const KernelSource& source) {
   TopoDS_Shape shape;
   const BRep_Builder builder;
-  if (!BRepTools::Read(shape, path.c_str(), builder) || shape.IsNull())
+  if (!BRepTools::Read(shape, source.path.c_str(), builder) || shape.IsNull())
     throw Error(ErrorCode::bad_format,
-                fmt::format("{}: this is no complete OpenCASCADE file", path.string()));
-  return {{shape, "", {}, {}}};
+                fmt::format("{}: this is no complete OpenCASCADE file", source.path.string()));
+  return {{{.shape = shape}}};
 }
 
 void write_iges(const std::filesystem::path& path, const ShapeKernel& kernel, const std::string& unit) {

@@ -6,7 +6,6 @@
 #include <BRepTools_WireExplorer.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
-#include <GCPnts_AbscissaPoint.hxx>
 #include <GeomAdaptor_Curve.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <ShapeAnalysis.hxx>
@@ -22,6 +21,7 @@
 #include <fmt/ranges.h>
 
 #include "geometry/brep/opencascade/internal/conversions.hpp"
+#include "geometry/brep/opencascade/internal/curve_length.hpp"
 #include "geometry/brep/solid_error.hpp"
 
 namespace isopatch::geometry {
@@ -159,8 +159,9 @@ class TableMaker {
     shown.start = vertex_id(TopExp::FirstVertex(geometry.edge), id);
     shown.end = vertex_id(TopExp::LastVertex(geometry.edge), id);
     shown.kind = kind_of(geometry.curve);
-    const GeomAdaptor_Curve adaptor(geometry.curve);
-    shown.length = input_.metres * GCPnts_AbscissaPoint::Length(adaptor, geometry.first, geometry.last);
+    const Measure length = curve_length(geometry.curve, geometry.first, geometry.last, 1e-10);
+    shown.length = input_.metres * length.value;
+    shown.length_error = input_.metres * length.error;
     result_.edges.push_back(geometry);
     result_.tables.edges.push_back(shown);
     return id;

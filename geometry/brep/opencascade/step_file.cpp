@@ -1,25 +1,37 @@
+#include <BRep_Builder.hxx>
 #include <IFSelect_ReturnStatus.hxx>
 #include <Interface_Static.hxx>
 #include <Quantity_Color.hxx>
 #include <STEPCAFControl_Controller.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <STEPCAFControl_Writer.hxx>
+#include <StepShape_FaceBasedSurfaceModel.hxx>
+#include <StepShape_FaceSurface.hxx>
+#include <StepShape_ShellBasedSurfaceModel.hxx>
+#include <StepShape_SolidModel.hxx>
 #include <TCollection_ExtendedString.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 #include <XCAFApp_Application.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
+#include <XSControl_WorkSession.hxx>
+#include <istream>
+#include <streambuf>
 
 #include <fmt/format.h>
 
 #include "geometry/base/error.hpp"
 #include "geometry/brep/opencascade/internal/exchange.hpp"
+#include "geometry/brep/opencascade/internal/face_sides.hpp"
 #include "geometry/brep/opencascade/internal/scaled_shape.hpp"
+#include "geometry/brep/opencascade/internal/transfer_remarks.hpp"
 
 namespace isopatch::geometry {
 namespace {
@@ -40,6 +52,15 @@ class Document {
   Handle(TDocStd_Document) document_;
 };
 
+/// A text as a stream, without a copy.
+class TextStream : private std::streambuf, public std::istream {
+ public:
+  explicit TextStream(std::string_view text) : std::istream(static_cast<std::streambuf*>(this)) {
+    char* begin = const_cast<char*>(text.data());
+    setg(begin, begin, begin + text.size());
+  }
+};
+
 std::string utf8(const TCollection_ExtendedString& text) {
   std::string result(static_cast<std::size_t>(text.LengthOfCString()) + 1, '\0');
   Standard_PCharacter target = result.data();
@@ -47,22 +68,29 @@ std::string utf8(const TCollection_ExtendedString& text) {
   return result;
 }
 
-// What programs write where they have no name to give.
+// What programs write where they have no name to give: OpenCASCADE itself, FreeCAD and gmsh through it,
+// Rhino, CATIA and others.
 bool says_nothing(const std::string& name) {
-  return name == "NONE" || name == "''" || name == "Face" || name == "SOLID" || name == "COMPOUND";
+  for (const char* word :
+       {"", "NONE", "''", "Face", "SOLID", "SHELL", "COMPOUND", "COMPSOLID", "Rhino Product", "(Unsaved)",
+        "the product name", "Unnamed", "Open CASCADE Shape Model"})
+    if (name == word) return true;
+  return name.rfind("Open CASCADE STEP translator", 0) == 0;
 }
 
 std::string name_at(const TDF_Label& label) {
   Handle(TDataStd_Name) attribute;
   if (label.IsNull() || !label.FindAttribute(TDataStd_Name::GetID(), attribute)) return "";
   std::string name = utf8(attribute->Get());
+  name.erase(name.find_last_not_of(" \t\r\n") + 1);
+  name.erase(0, name.find_first_not_of(" \t\r\n"));
   return says_nothing(name) ? "" : name;
 }
 
-std::optional<Colour> colour_at(const Handle(XCAFDoc_ColorTool) & tool, const TopoDS_Shape& shape) {
+std::optional<Colour> colour_at(const TDF_Label& label) {
   Quantity_Color found;
   for (const XCAFDoc_ColorType type : {XCAFDoc_ColorSurf, XCAFDoc_ColorGen}) {
-    if (!tool->GetColor(shape, type, found)) continue;
+    if (label.IsNull() || !XCAFDoc_DocumentTool::ColorTool(label)->GetColor(label, type, found)) continue;
     Colour colour{};
     found.Values(colour[0], colour[1], colour[2], Quantity_TOC_sRGB);
     return colour;
@@ -70,32 +98,104 @@ std::optional<Colour> colour_at(const Handle(XCAFDoc_ColorTool) & tool, const To
   return std::nullopt;
 }
 
-// The label of a face wherever it stands in an assembly.
-TDF_Label label_of(const Handle(XCAFDoc_ShapeTool) & tool, const TopoDS_Shape& face) {
-  TDF_Label label;
-  if (tool->Search(face, label, true, true, true)) return label;
-  if (tool->Search(face.Located(TopLoc_Location()), label, true, true, true)) return label;
-  return {};
+using ColourChoice = std::optional<Colour>;
+
+ColourChoice first_of(const ColourChoice& first, const ColourChoice& second) {
+  return first ? first : second;
 }
 
-FileShape file_shape(const std::shared_ptr<Document>& document, const TDF_Label& label) {
-  FileShape result;
-  result.shape = document->shapes()->GetShape(label);
-  result.name = name_at(label);
-  result.name_of = [document](const TopoDS_Face& face) {
-    return name_at(label_of(document->shapes(), face));
-  };
-  const std::optional<Colour> of_all = colour_at(document->colours(), result.shape);
-  result.colour_of = [document, of_all](const TopoDS_Face& face) {
-    const auto own = colour_at(document->colours(), face);
-    return own ? own : of_all;
-  };
-  return result;
+/// Follows assemblies down to their parts, each as often as it is placed.
+class AssemblyWalk {
+ public:
+  explicit AssemblyWalk(const std::shared_ptr<Document>& document)
+      : document_(document), tool_(document->shapes()) {}
+
+  void visit(const TDF_Label& label, const TopLoc_Location& location, const ColourChoice& of_place,
+             int depth = 0) {
+    if (depth > deepest) return;
+    if (XCAFDoc_ShapeTool::IsReference(label)) {
+      TDF_Label part;
+      XCAFDoc_ShapeTool::GetReferredShape(label, part);
+      visit(part, location * XCAFDoc_ShapeTool::GetLocation(label), first_of(colour_at(label), of_place),
+            depth + 1);
+    } else if (XCAFDoc_ShapeTool::IsAssembly(label)) {
+      TDF_LabelSequence parts;
+      XCAFDoc_ShapeTool::GetComponents(label, parts);
+      const ColourChoice own = first_of(of_place, colour_at(label));
+      for (const TDF_Label& part : parts) visit(part, location, own, depth + 1);
+    } else {
+      add_part(label, location, of_place);
+    }
+  }
+
+  std::vector<FileShape> shapes;
+
+ private:
+  static constexpr int deepest = 100;
+
+  // Solids and shells of their own may have names and colours below the part's.
+  void add_part(const TDF_Label& label, const TopLoc_Location& location, const ColourChoice& of_place) {
+    const TopoDS_Shape part = XCAFDoc_ShapeTool::GetShape(label);
+    if (part.IsNull()) return;
+    const std::string name = name_at(label);
+    const ColourChoice of_part = first_of(of_place, colour_at(label));
+    std::vector<TopoDS_Shape> bodies;
+    for (const auto& [kind, avoid] : {std::pair(TopAbs_SOLID, TopAbs_SHAPE), {TopAbs_SHELL, TopAbs_SOLID}})
+      for (TopExp_Explorer it(part, kind, avoid); it.More(); it.Next()) bodies.push_back(it.Current());
+    const bool several = bodies.size() > 1;
+    if (TopExp_Explorer(part, TopAbs_FACE, TopAbs_SHELL).More() || bodies.empty())
+      add(label, loose_part(part), location, name, of_part);
+    for (const TopoDS_Shape& body : bodies) {
+      const TDF_Label own = label_below(label, body);
+      const std::string own_name = name_at(own);
+      add(label, body, location, own_name.empty() || (!several && !name.empty()) ? name : own_name,
+          first_of(of_place, first_of(colour_at(own), of_part)));
+    }
+  }
+
+  /// What of a part belongs to no solid and no shell.
+  static TopoDS_Shape loose_part(const TopoDS_Shape& part) {
+    const BRep_Builder builder;
+    TopoDS_Compound loose;
+    builder.MakeCompound(loose);
+    for (const auto& [kind, avoid] :
+         {std::pair(TopAbs_FACE, TopAbs_SHELL), {TopAbs_EDGE, TopAbs_FACE}, {TopAbs_VERTEX, TopAbs_EDGE}})
+      for (TopExp_Explorer it(part, kind, avoid); it.More(); it.Next()) builder.Add(loose, it.Current());
+    return loose;
+  }
+
+  void add(const TDF_Label& label, const TopoDS_Shape& shape, const TopLoc_Location& location,
+           const std::string& name, const ColourChoice& colour) {
+    FileShape result{.shape = shape.Moved(location), .name = name};
+    const TopLoc_Location back = location.Inverted();
+    result.words_of = [tool = tool_, document = document_, label, back, colour](const TopoDS_Face& face) {
+      const TDF_Label own = label_below(label, face.Moved(back));
+      return FaceWords{name_at(own), first_of(colour_at(own), colour)};
+    };
+    shapes.push_back(std::move(result));
+  }
+
+  static TDF_Label label_below(const TDF_Label& part, const TopoDS_Shape& shape) {
+    TDF_Label found;
+    XCAFDoc_DocumentTool::ShapeTool(part)->FindSubShape(part, shape, found);
+    return found;
+  }
+
+  std::shared_ptr<Document> document_;
+  Handle(XCAFDoc_ShapeTool) tool_;
+};
+
+bool is_body_or_face(const Standard_Transient& entity) {
+  const auto& type = *entity.DynamicType();
+  return type.SubType(STANDARD_TYPE(StepShape_SolidModel)) ||
+         type.SubType(STANDARD_TYPE(StepShape_ShellBasedSurfaceModel)) ||
+         type.SubType(STANDARD_TYPE(StepShape_FaceBasedSurfaceModel)) ||
+         type.SubType(STANDARD_TYPE(StepShape_FaceSurface));
 }
 
 }  // namespace
 
-std::vector<FileShape> read_step(const std::filesystem::path& path) {
+FileShapes read_step(const KernelSource& source) {
   const auto document = std::make_shared<Document>();
   STEPCAFControl_Controller::Init();
   Interface_Static::SetIVal("read.stepcaf.subshapes.name", 1);
@@ -103,14 +203,20 @@ std::vector<FileShape> read_step(const std::filesystem::path& path) {
   STEPCAFControl_Reader reader;
   reader.SetColorMode(true);
   reader.SetNameMode(true);
-  if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
-    throw Error(ErrorCode::bad_format, fmt::format("{}: this is no complete STEP file", path.string()));
-  if (!reader.Transfer(document->handle()))
-    throw Error(ErrorCode::bad_format, fmt::format("{}: the STEP file holds no shape", path.string()));
-  TDF_LabelSequence labels;
-  document->shapes()->GetFreeShapes(labels);
-  std::vector<FileShape> result;
-  for (const TDF_Label& label : labels) result.push_back(file_shape(document, label));
+  TextStream text(source.text);
+  if (reader.ChangeReader().ReadStream(source.path.filename().c_str(), text) != IFSelect_RetDone)
+    throw Error(ErrorCode::bad_format,
+                fmt::format("{}: this is no complete STEP file", source.path.string()));
+  FileShapes result;
+  if (reader.Transfer(document->handle())) {
+    TDF_LabelSequence labels;
+    document->shapes()->GetFreeShapes(labels);
+    AssemblyWalk walk(document);
+    for (const TDF_Label& label : labels) walk.visit(label, {}, std::nullopt);
+    result.shapes = std::move(walk.shapes);
+  }
+  add_remarks(*reader.Reader().WS(), is_body_or_face, result);
+  add_swapped_sides(*reader.Reader().WS(), result);
   return result;
 }
 

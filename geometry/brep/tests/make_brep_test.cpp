@@ -67,7 +67,8 @@ TEST(MakeBrep, PolyhedraHaveTheirVolumeAreaAndCounts) {
 
 TEST(MakeBrep, ConvexSolidsHaveConvexEdgesAndAPlanarGraph) {
   for (unsigned seed = 0; seed < 20; ++seed) {
-    const BrepReport report = check(make_brep(test::random_hull(12, seed)), {.flat = Angle::degrees(1e-4)});
+    const BrepReport report =
+        check(make_brep(test::random_hull(12, seed)), {.angles = {.flat = Angle::degrees(1e-4)}});
     EXPECT_EQ(report.count(Convexity::convex), static_cast<int>(report.angles.size()));
     EXPECT_TRUE(report.connectivity.three_connected);
     EXPECT_EQ(report.stage, BrepStage::decomposition);

@@ -92,7 +92,7 @@ void expect_faces_to_the_left(const Brep& brep) {
         const Eigen::Vector2d along = sense * brep.domain_tangent(id, loop[i], 0.37);
         const Eigen::Vector2d left = Eigen::Vector2d(-along.y(), along.x()).normalized();
         const Eigen::Vector2d at = brep.domain_point(id, loop[i], 0.37);
-        const double step = 1e-3 * (box.high - box.low).minCoeff();
+        const double step = 1e-3 * (box.high - box.low).minCoeff<Eigen::PropagateNaN>();
         EXPECT_TRUE(brep.contains(id, at + step * left)) << "face " << f << ", edge " << loop[i].edge.value;
         const BrepEdge& edge = brep.edge(loop[i].edge);
         const bool seam = edge.faces[0] == edge.faces[1];  // beyond it the face goes on

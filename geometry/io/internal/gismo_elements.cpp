@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "geometry/io/internal/base64_numbers.hpp"
+
 namespace isopatch::geometry {
 
 pugi::xml_node required_child(const XmlText& xml, pugi::xml_node parent, const char* tag,
@@ -13,13 +15,32 @@ pugi::xml_node required_child(const XmlText& xml, pugi::xml_node parent, const c
   return found;
 }
 
+namespace {
+
+// How numbers are written: "" or ASCII, or base64.
+std::string_view format_of(const XmlText& xml, pugi::xml_node node, const std::string& what) {
+  const std::string_view format = node.attribute("format").value();
+  const bool ascii = format.empty() || format == "ASCII" || format == "ascii";
+  if (!ascii && !is_base64(format))
+    xml.fail(node,
+             fmt::format("{}: numbers in format {}; ASCII and base64 (B64Float64) are supported", what,
+                         quoted(format)),
+             ErrorCode::unsupported);
+  return format;
+}
+
+}  // namespace
+
 GivenKnots given_knots(const XmlText& xml, pugi::xml_node node, const std::string& name) {
   GivenKnots result;
   result.line = xml.line(node);
   result.degree = xml.integer_attribute(node, "degree", 1, KnotVector::max_degree);
   const std::string content = xml.content(node);
   TextScanner scanner(content, xml.source(), result.line);
-  while (!scanner.at_end()) result.knots.push_back(scanner.number("a knot of " + name));
+  if (const std::string_view format = format_of(xml, node, name); is_base64(format))
+    result.knots = base64_numbers(content, format, scanner, "knots of " + name);
+  else
+    while (!scanner.at_end()) result.knots.push_back(scanner.number("a knot of " + name));
   return result;
 }
 
@@ -53,12 +74,16 @@ KnotVector knot_vector(const XmlText& xml, GivenKnots given, const std::string& 
 
 Eigen::MatrixXd numbers(const XmlText& xml, pugi::xml_node node, int rows, std::int64_t count,
                         const std::string& what) {
-  const std::string_view format = node.attribute("format").value();
-  if (!format.empty() && format != "ASCII")
-    xml.fail(node, fmt::format("{}: numbers in format {}; write them as ASCII", what, quoted(format)),
-             ErrorCode::unsupported);
+  const std::string_view format = format_of(xml, node, what);
   const std::string content = xml.content(node);
   TextScanner scanner(content, xml.source(), xml.line(node));
+  if (is_base64(format)) {
+    const std::vector<double> given = base64_numbers(content, format, scanner, what);
+    if (static_cast<std::int64_t>(given.size()) != rows * count)
+      scanner.fail(
+          fmt::format("{} numbers where the knot vectors ask for {} ({})", given.size(), rows * count, what));
+    return Eigen::Map<const Eigen::MatrixXd>(given.data(), rows, count);
+  }
   scanner.require_room(static_cast<std::size_t>(rows * count),
                        fmt::format("{} numbers ({})", rows * count, what));
   Eigen::MatrixXd result(rows, count);

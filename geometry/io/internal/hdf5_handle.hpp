@@ -2,8 +2,12 @@
 
 #include <hdf5.h>
 
-#include <string>
+#include <cstdint>
+#include <string_view>
 #include <utility>
+#include <vector>
+
+#include "geometry/base/content_hash.hpp"
 
 namespace isopatch::geometry {
 
@@ -31,6 +35,16 @@ class Hdf5Handle {
   hid_t id_ = -1;
   Close close_ = nullptr;
 };
+
+/// Name of the attribute that tells whether a dataset is still as it was written.
+inline constexpr const char* checksum_name = "checksum";
+
+/// What that attribute says: of shape and content.
+inline std::uint64_t dataset_checksum(const std::vector<hsize_t>& shape, const void* data,
+                                      std::size_t bytes) {
+  const std::string_view extents(reinterpret_cast<const char*>(shape.data()), shape.size() * sizeof(hsize_t));
+  return content_hash({static_cast<const char*>(data), bytes}, content_hash(extents));
+}
 
 /// Keeps HDF5 from printing its errors while it lives.
 class Hdf5Silence {

@@ -7,7 +7,9 @@
 
 namespace isopatch::geometry {
 
-XmlText::XmlText(std::string_view text, std::string source) : text_(text), source_(std::move(source)) {
+XmlText::XmlText(std::string_view text, std::string source)
+    : text_(without_byte_order_mark(text)), source_(std::move(source)) {
+  text = text_;
   line_starts_.push_back(0);
   for (std::size_t i = 0; i < text.size(); ++i)
     if (text[i] == '\n') line_starts_.push_back(i + 1);

@@ -34,6 +34,9 @@ const std::string mfem_seed =
     "FiniteElementSpace\nFiniteElementCollection: NURBS1\nVDim: 3\nOrdering: 1\n"
     "0 0 0 4 0 0 8 0 0 8 1 0 4 1 0 0 1 0 0 0 1 4 0 1 8 0 1 8 1 1 4 1 1 0 1 1 2 0 0 2 1 0 2 0 1 2 1 1\n";
 
+const std::string mfem_spacing_seed = replaced(replaced(mfem_seed, "v1.0", "v1.1"), "weights\n",
+                                               "spacing\n2\n0 1 2 3 4 5 .1 .2 .3\n2 0 0 0\nweights\n");
+
 const std::string mfem_patch_seed =
     mfem_head +
     "edges\n0\nvertices\n12\npatches\nknotvectors\n3\n1 2 0 0 1 1\n1 2 0 0 1 1\n1 2 0 0 1 1\ndimension\n3\n"
@@ -50,6 +53,15 @@ std::string xml_seed() {
   return replaced(to_gismo_xml(set), "  <boundary",
                   "  <interfaces>0 2 1 1 0 1 2 1 1 1\n</interfaces><!-- x -->\n  <boundary");
 }
+
+const std::string base64_seed =
+    "<xml><Geometry type=\"TensorBSpline3\"><Basis>"
+    "<Basis><KnotVector degree=\"1\" format=\"B64Float32\">AAAAAAAAAAAAAIA/AACAPw==</KnotVector></Basis>"
+    "<Basis><KnotVector degree=\"1\" format=\"b64int16\">AAAAAAEAAQA=</KnotVector></Basis>"
+    "<Basis><KnotVector degree=\"1\">0 0 1 1</KnotVector></Basis></Basis>"
+    "<coefs geoDim=\"3\" "
+    "format=\"B64Int16\">AAAAAAAAAQAAAAAAAAABAAAAAQABAAAAAAAAAAEAAQAAAAEAAAABAAEAAQABAAEA</coefs>"
+    "</Geometry></xml>";
 
 const std::string off_seed =
     "OFF\n# a tetrahedron\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1e0\n3 0 2 1\n3 0 1 3 255 0 0\n3 1 2 3\n3 2 0 3\n";
@@ -176,7 +188,8 @@ TEST_P(BrokenFile, GivesAnErrorAndNothingElse) {
 INSTANTIATE_TEST_SUITE_P(Fuzz, BrokenFile,
                          testing::Values(Seed{"gismo", xml_seed()}, Seed{"g2", g2_seed},
                                          Seed{"mfem", mfem_seed}, Seed{"mfem_patches", mfem_patch_seed},
-                                         Seed{"off", off_seed, polyhedron},
+                                         Seed{"mfem_spacing", mfem_spacing_seed},
+                                         Seed{"gismo_base64", base64_seed}, Seed{"off", off_seed, polyhedron},
                                          Seed{"gismo_solid", gismo_solid_seed, solid}),
                          [](const auto& test) { return std::string(test.param.name); });
 

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
 #include <set>
 #include <sstream>
 
@@ -165,8 +167,10 @@ TEST(GismoXml, ErrorsNameFileLineAndCause) {
       {"0 1 1  1 1 1", "0 1 1  1 1,5 1", "bad_format: a.xml:13: '1,5' is not a number"},
       {"geoDim=\"3\"", "geoDim=\"2\"",
        "unsupported: a.xml:9: patch 0 (id 7) has control points in 2 dimensions"},
-      {"geoDim=\"3\"", "geoDim=\"3\" format=\"B64Float64\"",
-       "unsupported: a.xml:9: patch 0 (id 7), control point: numbers in format 'B64Float64'"},
+      {"geoDim=\"3\"", "geoDim=\"3\" format=\"Hex\"",
+       "unsupported: a.xml:9: patch 0 (id 7), control point: numbers in format 'Hex'; ASCII and base64"},
+      {"geoDim=\"3\"", "geoDim=\"3\" format=\"B64Float16\"",
+       "unsupported: a.xml:9: patch 0 (id 7), control point: numbers in format 'B64Float16'"},
       {"TensorBSpline3", "THBSpline3", "unsupported: a.xml:3: patch 0 (id 7) is of type 'THBSpline3'"},
       {"TensorBSpline3", "TensorNurbs3",
        "bad_format: a.xml:4: patch 0 (id 7): element <Basis> lacks its <weights>"},
@@ -181,6 +185,78 @@ TEST(GismoXml, ErrorsNameFileLineAndCause) {
   };
   for (const Broken& broken : cases)
     EXPECT_THAT(error_of([&] { read(replaced(one_cube, broken.from, broken.to)); }), HasSubstr(broken.says));
+}
+
+// Bytes as base64, by the letters of the alphabet.
+std::string base64(const std::string& bytes) {
+  const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    unsigned bits = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      bits = bits << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k)
+      text += i + k > bytes.size() ? '=' : letters[bits >> (18 - 6 * k) & 63];
+  }
+  return text;
+}
+
+template <class Number>
+std::string base64_of(const std::vector<double>& numbers) {
+  std::string bytes;
+  for (const double x : numbers) {
+    const Number number = static_cast<Number>(x);
+    bytes.append(reinterpret_cast<const char*>(&number), sizeof(number));
+  }
+  return base64(bytes);
+}
+
+// A cube 0 .. 3 with all its numbers as base64; the format in lower case, as newer versions write it, too.
+template <class Number>
+std::string cube_in_base64(const std::string& format) {
+  std::vector<double> points;
+  for (int i = 0; i < 8; ++i)
+    for (const int bit : {0, 1, 2}) points.push_back(i >> bit & 1 ? 3 : 0);
+  const std::string knots = "<KnotVector degree=\"1\" format=\"" + format + "\">" +
+                            base64_of<Number>({0, 0, 1, 1}) + "</KnotVector>";
+  std::string text = "<xml><Geometry type=\"TensorNurbs3\"><Basis><Basis>";
+  for (int d = 0; d < 3; ++d) text += "<Basis>" + knots + "</Basis>";
+  return text + "</Basis><weights format=\"" + format + "\">" + base64_of<Number>({1, 1, 1, 1, 1, 1, 1, 2}) +
+         "</weights></Basis>\n<coefs geoDim=\"3\" format=\"" + format + "\">\n " +
+         base64_of<Number>(points).insert(20, "\n  ") + "\n</coefs></Geometry></xml>";
+}
+
+TEST(GismoXml, ReadsNumbersInBase64) {
+  for (const std::string& text :
+       {cube_in_base64<double>("B64Float64"), cube_in_base64<double>("b64float64"),
+        cube_in_base64<float>("B64Float32"), cube_in_base64<std::int16_t>("B64Int16"),
+        cube_in_base64<std::int32_t>("B64Int32"), cube_in_base64<std::int64_t>("B64Int64"),
+        cube_in_base64<std::uint16_t>("B64Uint16"), cube_in_base64<std::uint32_t>("B64Uint32"),
+        cube_in_base64<std::uint64_t>("B64Uint64")}) {
+    const PatchSet found = read(text);
+    ASSERT_EQ(found.patches.size(), 1u);
+    EXPECT_EQ(found.patches[0].point({1, 1, 0}), Eigen::Vector3d(3, 3, 0));
+    EXPECT_EQ(found.patches[0].weights()[7], 2);
+  }
+}
+
+TEST(GismoXml, BrokenBase64IsAnError) {
+  const std::string good = cube_in_base64<double>("B64Float64");
+  const std::string first = base64_of<double>({0, 0, 1, 1});
+  const auto with = [&](const std::string& knots) { return replaced(good, first, knots); };
+  EXPECT_THAT(error_of([&] { read(with(first.substr(0, 20))); }), HasSubstr("no whole numbers of 8 bytes"));
+  EXPECT_THAT(error_of([&] { read(with(first.substr(0, 21))); }), HasSubstr("base64"));
+  EXPECT_THAT(error_of([&] { read(with("*" + first.substr(1))); }),
+              HasSubstr("'*' does not belong into base64"));
+  EXPECT_THAT(error_of([&] { read(with("=" + first)); }), HasSubstr("does not belong into base64"));
+  EXPECT_THAT(error_of([&] {
+                read(with(base64_of<double>({0, 0, 1, std::nan("")})));
+              }),
+              HasSubstr("it must be finite"));
+  EXPECT_THAT(error_of([&] {
+                read(with(base64_of<double>({0, 0, .5, 1, 1})));
+              }),
+              HasSubstr("numbers where the knot vectors ask for"));
 }
 
 TEST(GismoXml, RefusesWeightsThatAreNotPositive) {

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <fstream>
+
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/io/hdf5_file.hpp"
 #include "geometry/io/tests/sample_patches.hpp"
@@ -59,6 +61,50 @@ TEST_F(Hdf5, WhatIsWrittenComesBack) {
 
 TEST_F(Hdf5, SameContentGivesTheSameBytes) {
   EXPECT_EQ(sample(), sample());
+}
+
+TEST_F(Hdf5, ChangedBytesAreNoticed) {
+  const std::string good = sample();
+  const std::string number(reinterpret_cast<const char*>(points().col(2000).data()), sizeof(double));
+  const auto at = good.find(number);
+  ASSERT_NE(at, std::string::npos);
+  for (std::size_t byte = 0; byte < sizeof(double); ++byte) {
+    std::string bad = good;
+    bad[at + byte] ^= 1;
+    save(bad);
+    const Hdf5Reader reader(path_);
+    EXPECT_THAT(error_of([&] { reader.matrix("/geometry/patch 0/points"); }),
+                HasSubstr("bad_format: " + path_.string() +
+                          ": dataset '/geometry/patch 0/points' is not as it was written"));
+    EXPECT_EQ(reader.number("/energy"), 68.5963) << "the others are";
+  }
+}
+
+// Whatever a change of one bit does: what is read is what was written.
+TEST_F(Hdf5, NoChangedBitGivesOtherValues) {
+  Hdf5Writer writer;
+  writer.write("/a/points", Eigen::MatrixXd(Eigen::VectorXd::LinSpaced(12, -1.0 / 3, 7).reshaped(3, 4)));
+  writer.write("/a/numbers", std::vector<std::int64_t>{3, -2, std::int64_t{1} << 60});
+  writer.write("/a/number", 2.5);
+  writer.write("/title", "text");
+  const std::string good = writer.image();
+  int noticed = 0;
+  for (std::size_t at = 0; at < good.size(); at += 37) {
+    std::string bad = good;
+    bad[at] ^= static_cast<char>(1 << at % 8);
+    std::ofstream(path_, std::ios::binary) << bad;
+    try {
+      const Hdf5Reader reader(path_);
+      const Eigen::MatrixXd found = reader.matrix("/a/points", 3);
+      EXPECT_EQ(found, Eigen::VectorXd::LinSpaced(12, -1.0 / 3, 7).reshaped(3, 4)) << at;
+      EXPECT_THAT(reader.integers("/a/numbers"), ElementsAre(3, -2, std::int64_t{1} << 60)) << at;
+      EXPECT_EQ(reader.number("/a/number"), 2.5) << at;
+      EXPECT_EQ(reader.text("/title"), "text") << at;
+    } catch (const Error& error) {
+      ++noticed;
+    }
+  }
+  EXPECT_GT(noticed, 20);
 }
 
 TEST_F(Hdf5, WriterRefusesBadAndTakenPaths) {

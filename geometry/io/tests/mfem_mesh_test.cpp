@@ -369,11 +369,26 @@ TEST(MfemMesh, ReadsWeights) {
   EXPECT_EQ(found.patches[0].weights()[31], 10);
 }
 
+// What version 1.1 says about later refinements changes no patch.
+TEST(MfemMesh, ReadsVersionsWithSpacing) {
+  for (const char* spacing : {"spacing\n0\n", "spacing\n2\n0 1 0 2 0.5 0.25\n# the other\n3 2 3 0 7 8 9\n",
+                              "refinements\n1 2 3\nknotvector_refinements\n1 2\n2 2 3\n0\n1 4\nspacing\n0\n"})
+    expect_two_bricks(read(
+        replaced(replaced(two_bricks, "v1.0", "v1.1"), "unitweights", spacing + std::string("unitweights")) +
+        hand_numbered_points()));
+  EXPECT_THAT(error_of([] {
+                read(replaced(replaced(two_bricks, "v1.0", "v1.1"), "unitweights", "spacing\n1\n4 1 0 0\n"));
+              }),
+              HasSubstr("the knot vector of a spacing formula is '4', outside 0 .. 3"));
+}
+
 TEST(MfemMesh, ErrorsNameFileLineAndCause) {
   const std::string good = two_bricks + hand_numbered_points();
   ASSERT_EQ(error_of([&] { read(good); }), "no error");
   const std::vector<std::array<std::string, 3>> cases = {
-      {"v1.0", "v2.0", "unsupported: a.mesh:1: version 'v2.0'; v1.0 is supported"},
+      {"v1.0", "v2.0", "unsupported: a.mesh:1: version 'v2.0'; v1.0 and v1.1 are supported"},
+      {"mesh v1.0", "NC-patch mesh v1.0", "unsupported: a.mesh:1: NC-patch meshes are not supported"},
+      {"v1.0", "v1.1", "bad_format: a.mesh:50: 'unitweights' found where 'spacing' is expected"},
       {"dimension\n3", "dimension\n2",
        "unsupported: a.mesh:4: a mesh of dimension 2; volumes (dimension 3) are needed"},
       {"1 5  3", "1 3  3", "unsupported: a.mesh:8: geometry type 3; 5 (cube) is supported here"},

@@ -66,7 +66,8 @@ TEST(BoxModel, CurvatureMakesInterfacesThatAreNotFlat) {
   const PatchSet patches = box_model({.patches = {2, 1, 1}, .curvature = 0.4});
   const NurbsSurface shared = face_surface(patches.patches[0], Side::east);
   const Eigen::Matrix3Xd& points = shared.control_points();
-  EXPECT_GT(points.row(0).maxCoeff() - points.row(0).minCoeff(), 0.02);
+  EXPECT_GT(points.row(0).maxCoeff<Eigen::PropagateNaN>() - points.row(0).minCoeff<Eigen::PropagateNaN>(),
+            0.02);
 }
 
 TEST(BoxModel, SeedsAreReproducible) {

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/larger.hpp"
 #include "geometry/jacobian_certificate.hpp"
 #include "geometry/measures.hpp"
 #include "geometry/splines/permute.hpp"
@@ -31,9 +32,9 @@ void expect_conforming(const MultiPatch& model, const Interface& shared) {
   const NurbsSurface b = second_as_first(model, shared);
   ASSERT_EQ(a.sizes(), b.sizes());
   const double tolerance = 1e-14 * model.size();
-  EXPECT_LE((a.control_points() - b.control_points()).cwiseAbs().maxCoeff(), tolerance);
+  EXPECT_LE((a.control_points() - b.control_points()).cwiseAbs().maxCoeff<Eigen::PropagateNaN>(), tolerance);
   const Eigen::ArrayXd ratio = a.weights().array() / b.weights().array();
-  EXPECT_NEAR(ratio.maxCoeff() / ratio.minCoeff(), 1, 1e-14);
+  EXPECT_NEAR(ratio.maxCoeff<Eigen::PropagateNaN>() / ratio.minCoeff<Eigen::PropagateNaN>(), 1, 1e-14);
 }
 
 void expect_every_face_named_once(const MultiPatch& model) {
@@ -78,7 +79,7 @@ double worst(const MultiPatch& model, const std::string& name,
     const NurbsSurface surface = trace(model, face);
     for (int i = 0; i <= 6; ++i)
       for (int j = 0; j <= 6; ++j)
-        result = std::max(result, std::abs(residual(surface.point(Parameter<2>(i / 6.0, j / 6.0)))));
+        result = larger(result, std::abs(residual(surface.point(Parameter<2>(i / 6.0, j / 6.0)))));
   }
   return result;
 }

@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/larger.hpp"
 
 namespace isopatch::geometry {
 namespace {
@@ -20,7 +21,7 @@ double worst_radius_error(const NurbsCurve& curve,
                           const std::function<double(const Eigen::Vector3d&)>& residual) {
   double worst = 0;
   for (int i = 0; i <= 200; ++i)
-    worst = std::max(worst, std::abs(residual(curve.point(Parameter<1>(i / 200.0)))));
+    worst = larger(worst, std::abs(residual(curve.point(Parameter<1>(i / 200.0)))));
   return worst;
 }
 

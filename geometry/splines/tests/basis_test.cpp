@@ -19,7 +19,7 @@ TEST(Basis, DerivativesMatchFiniteDifferences) {
     for (int d : {0, 1})
       EXPECT_LT(((after.values.row(d) - before.values.row(d)) / (2 * h) - exact.values.row(d + 1))
                     .cwiseAbs()
-                    .maxCoeff(),
+                    .maxCoeff<Eigen::PropagateNaN>(),
                 1e-7);
   }
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/larger.hpp"
 #include "geometry/splines/grid.hpp"
 #include "geometry/splines/tests/random_nurbs.hpp"
 #include "geometry/splines/transfer.hpp"
@@ -23,7 +24,7 @@ double largest_difference(std::mt19937& random, const Nurbs<D>& a, const Nurbs<D
   double largest = 0;
   for (int i = 0; i < 20; ++i) {
     const Parameter<D> at = random_parameter(random, a);
-    largest = std::max(largest, (a.point(at) - b.point(at)).norm());
+    largest = larger(largest, (a.point(at) - b.point(at)).norm());
   }
   return largest;
 }
@@ -31,7 +32,7 @@ double largest_difference(std::mt19937& random, const Nurbs<D>& a, const Nurbs<D
 template <int D>
 double control_point_difference(const Nurbs<D>& a, const Nurbs<D>& b) {
   EXPECT_EQ(a.knots(), b.knots());
-  return (a.homogeneous() - b.homogeneous()).cwiseAbs().maxCoeff();
+  return (a.homogeneous() - b.homogeneous()).cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
 }
 
 // New knots: some inside elements, some on breaks that have room.
@@ -181,14 +182,14 @@ TEST(Refinement, IsStableAtHighDegree) {
     const KnotVector fine = with_degree_raised(coarse, degree - 2);
     const Eigen::MatrixXd matrix = transfer(coarse, fine);
     // The rows of a B-spline transfer are averages; anything else is cancellation.
-    EXPECT_LT((matrix.rowwise().sum().array() - 1).abs().maxCoeff(), 1e-13) << degree;
-    EXPECT_GT(matrix.minCoeff(), -1e-14) << degree;
+    EXPECT_LT((matrix.rowwise().sum().array() - 1).abs().maxCoeff<Eigen::PropagateNaN>(), 1e-13) << degree;
+    EXPECT_GT(matrix.minCoeff<Eigen::PropagateNaN>(), -1e-14) << degree;
   }
   // Bezier extraction of a smooth spline of degree 20: also averages.
   const KnotVector smooth = KnotVector::uniform(20, 8);
   const Eigen::MatrixXd matrix = transfer(smooth, bezier_knots(smooth));
-  EXPECT_LT((matrix.rowwise().sum().array() - 1).abs().maxCoeff(), 1e-13);
-  EXPECT_GT(matrix.minCoeff(), -1e-14);
+  EXPECT_LT((matrix.rowwise().sum().array() - 1).abs().maxCoeff<Eigen::PropagateNaN>(), 1e-13);
+  EXPECT_GT(matrix.minCoeff<Eigen::PropagateNaN>(), -1e-14);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ HexComplex from_brep_files(bool with_list) {
     if (entry.path().extension() == ".xml") files.files.push_back(entry.path());
   std::sort(files.files.begin(), files.files.end());
   if (with_list) files.pairs = folder() / "segmented_objStandFiveParts_pairs.txt";
-  return read_blocks(files);
+  return read_blocks(files).complex;
 }
 
 /// Pairs of faces by their names.

@@ -10,6 +10,7 @@
 #include "segmentation/parameterization/tests/checks.hpp"
 #include "segmentation/parameterization/tests/data_file.hpp"
 #include "segmentation/parameterization/tests/sample_solids.hpp"
+#include "segmentation/parameterization/tests/spline_blocks.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -63,7 +64,7 @@ TEST(Solids, PolyhedraAndStepFilesComeOutExactly) {
     ISOPATCH_NEEDS(path);
     BlockFiles files;
     files.files = {path};
-    const Parameterization made = parameterize(read_blocks(files));
+    const Parameterization made = parameterize(read_blocks(files).complex);
     expect_usable(made);
     EXPECT_LT(made.report.worst_face().deviation, 1e-12 * made.report.size);
     EXPECT_NEAR(made.report.patches[0].volume, geometry::read_brep(path).brep.volume(),
@@ -82,6 +83,76 @@ TEST(Solids, ACornerThatNoPatchHasIsReportedWithItsPlace) {
   EXPECT_THAT(made.report.complaints()[0], testing::AllOf(testing::HasSubstr("'deformed cube' is folded"),
                                                           testing::HasSubstr("edge at (0.125, 0.5, 1)"),
                                                           testing::HasSubstr("180 degrees")));
+}
+
+// Twelve cells along six turns tell nothing: the volume has to be looked at more closely.
+TEST(Solids, ThatWindComeOutRightHandedEitherWay) {
+  for (const bool mirrored : {false, true}) {
+    const HexSolid spring = test::mapped_cube("spring", [=](const Eigen::Vector3d& p) {
+      return test::helix(mirrored ? Eigen::Vector3d(p[0], 1 - p[1], p[2]) : p, 6);
+    });
+    const Parameterization made = patch_of(spring, {.fit = {.max_spans = 256}});
+    expect_usable(made);
+    // The section runs around the axis at its middle radius, 1.
+    EXPECT_NEAR(made.report.patches[0].volume, 12 * std::numbers::pi * 0.04, 0.01);
+  }
+}
+
+// With eight turns all samples of a single span lie at one angle: that must not pass for a straight line.
+TEST(Solids, TurnsAreNotMissedBetweenSamples) {
+  const HexSolid spring =
+      test::mapped_cube("spring", [](const Eigen::Vector3d& p) { return test::helix(p, 8); });
+  const Parameterization made = patch_of(spring, {.fit = {.tolerance = 1e-2}});
+  EXPECT_NEAR(made.report.patches[0].volume, 16 * std::numbers::pi * 0.04, 0.05);
+}
+
+TEST(Solids, OfNoVolumeAreRefused) {
+  EXPECT_THAT(
+      [] {
+        hexahedron(test::mapped_cube("sheet", [](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+          return {p[0] + 0.2 * p[2], p[1] + 0.3 * p[2], 0};
+        }));
+      },
+      ThrowsError(ErrorCode::invalid_argument, {"'sheet'", "no volume"}));
+}
+
+/// A cube that knows its edges in space, the surface of its top `off` above them.
+HexSolid lid_off_its_edges(double off) {
+  HexSolid solid = test::mapped_cube("box", [](const Eigen::Vector3d& p) { return p; });
+  for (SolidFace& face : solid.faces)
+    for (const DomainCurve& curve : face.curves)
+      face.edges.push_back({[curve, surface = face.surface](double t) { return surface(curve(t)); }});
+  SolidFace& top = solid.faces[static_cast<std::size_t>(Side::back)];
+  top.surface = [plain = top.surface, off](const Eigen::Vector2d& uv) -> Eigen::Vector3d {
+    return plain(uv) + Eigen::Vector3d(0, 0, off);
+  };
+  return solid;
+}
+
+TEST(Solids, ASurfaceOffItsOwnEdgesIsADeviation) {
+  const Parameterization made = patch_of(lid_off_its_edges(0.05));
+  EXPECT_FALSE(made.report.usable());
+  EXPECT_NEAR(made.report.worst_face().deviation, 0.05, 1e-9);
+  EXPECT_NEAR(made.report.worst_face().off_edges, 0.05, 1e-9);
+  EXPECT_THAT(made.report.complaints()[0], testing::HasSubstr("off its own edges"));
+  // What sewing has closed is known before.
+  HexSolid sewn = lid_off_its_edges(0.001);
+  sewn.edge_uncertainty = 0.001;
+  EXPECT_LT(patch_of(sewn).report.worst_face().deviation, 1e-9);
+  expect_usable(patch_of(lid_off_its_edges(0)));
+}
+
+TEST(Solids, ComplaintsNameTheOptionsThatHelp) {
+  ParameterizationOptions options;
+  options.fit = {.tolerance = 1e-7, .max_spans = 4};
+  options.names = {"--max-spans", "--tolerance"};
+  const Parameterization made = patch_of(test::hilly_cube(), options);
+  ASSERT_FALSE(made.report.complaints().empty());
+  EXPECT_THAT(made.report.complaints()[0],
+              testing::AllOf(testing::HasSubstr("raise --max-spans above 4, or --tolerance to ")));
+  // The tolerance that it names is enough.
+  options.fit.tolerance = 2 * made.report.worst_face().deviation / made.report.size;
+  EXPECT_TRUE(patch_of(test::hilly_cube(), options).report.complaints().empty());
 }
 
 TEST(Solids, OptionsOutOfRangeAreNamed) {
@@ -107,7 +178,7 @@ TEST(BadSolids, AnOpenShellNamesTheEdge) {
   solid.faces.pop_back();
   EXPECT_THAT([&] { hexahedron(solid); },
               ThrowsError(ErrorCode::not_conforming,
-                          {"'part'", "vertices 4 (0, 0, 1)", "shell is open", "'face 2'"}));
+                          {"'part'", "vertices 4 (0, 0, 1)", "shell is open", "only face 2 "}));
 }
 
 TEST(BadSolids, ANonManifoldEdgeNamesItsFaces) {
@@ -124,14 +195,27 @@ TEST(BadSolids, AFiveCorneredFaceIsNamed) {
   solid.faces[3].corners.push_back(8);
   solid.faces[3].curves.push_back(solid.faces[3].curves[0]);
   EXPECT_THAT([&] { hexahedron(solid); },
-              ThrowsError(ErrorCode::unsupported, {"'part'", "'face 3'", "5 corners", "four"}));
+              ThrowsError(ErrorCode::unsupported, {"'part', face 3 has 5 corners", "four", "Cut the solid"}));
+}
+
+TEST(BadSolids, AFaceWithTooFewCornersSaysWhatToDo) {
+  for (const std::size_t count : {1u, 2u, 3u}) {
+    HexSolid solid = cube();
+    solid.faces[3].corners.resize(count);
+    solid.faces[3].curves.resize(count);
+    solid.faces[3].name = "lid";
+    const std::string corners =
+        count == 1 ? "1 corner (vertex" : std::to_string(count) + " corners (vertices";
+    EXPECT_THAT([&] { hexahedron(solid); },
+                ThrowsError(ErrorCode::unsupported, {"face 'lid' has " + corners, "Cut the solid"}));
+  }
 }
 
 TEST(BadSolids, AnEdgeOfNoLengthIsNamed) {
   HexSolid solid = cube();
   for (auto& curve : solid.faces[4].curves) curve = [](double) -> Eigen::Vector2d { return {0.5, 0.5}; };
   EXPECT_THAT([&] { hexahedron(solid); },
-              ThrowsError(ErrorCode::invalid_argument, {"'face 4'", "vertices 0 and 1", "no length"}));
+              ThrowsError(ErrorCode::invalid_argument, {"face 4", "vertices 0 and 1", "no length"}));
 }
 
 TEST(BadSolids, ASelfIntersectingFaceIsNamedWithThePlace) {
@@ -141,7 +225,7 @@ TEST(BadSolids, ASelfIntersectingFaceIsNamedWithThePlace) {
     return {t, 1.2 * std::sin(std::numbers::pi * t)};
   };
   EXPECT_THAT([&] { hexahedron(solid); },
-              ThrowsError(ErrorCode::invalid_argument, {"'face 5'", "crosses itself", "1)"}));
+              ThrowsError(ErrorCode::invalid_argument, {"face 5", "crosses itself", "1)"}));
 }
 
 TEST(BadSolids, AnotherGraphThanACubesIsRefused) {

@@ -24,8 +24,29 @@ TEST(Claim, OfZeroIsAbsolute) {
 }
 
 TEST(Claim, NeverHoldsForWhatIsNoNumber) {
-  EXPECT_FALSE(is_within({.what = "x", .reference = 1, .value = std::nan(""), .allowed = 1e300}));
-  EXPECT_FALSE(is_within({.what = "x", .reference = std::nan(""), .value = 1, .allowed = 1e300}));
+  EXPECT_FALSE(is_within({.what = "x", .reference = 1, .value = std::nan(""), .allowed = 0.1}));
+  EXPECT_FALSE(is_within({.what = "x", .reference = std::nan(""), .value = 1, .allowed = 0.1}));
+  EXPECT_FALSE(is_within({.what = "x", .reference = 1, .value = std::nan(""), .least = 0}));
+}
+
+TEST(Claim, RefusesWhatAllowsTooMuch) {
+  EXPECT_NONFATAL_FAILURE(expect(Claim{.what = "x", .reference = 2, .value = 2, .allowed = 0.11}),
+                          "allows 0.11");
+  EXPECT_NONFATAL_FAILURE(expect(Claim{.what = "x", .reference = 2, .value = 2, .allowed = std::nan("")}),
+                          "allows");
+}
+
+TEST(Claim, BetweenLimitsHoldsForWhatIsBetween) {
+  Claim iterations{.what = "iterations", .reference = 20, .value = 12, .least = 1};
+  EXPECT_TRUE(is_within(iterations));
+  EXPECT_EQ(difference(iterations), 0);
+  iterations.value = 21;
+  EXPECT_NONFATAL_FAILURE(expect(iterations), "says 1 to 20: differs by 0.05");
+  iterations.value = 0;
+  EXPECT_FALSE(is_within(iterations)) << "none at all";
+  iterations.value = 12;
+  iterations.allowed = 0.05;
+  EXPECT_FALSE(is_within(iterations)) << "limits are limits";
 }
 
 Convergence cubic() {

@@ -11,24 +11,38 @@
 
 namespace isopatch::geometry {
 
-/// A shape of a file, with what the file says about it.
+/// What a file says about a face.
+struct FaceWords {
+  std::string name;
+  std::optional<Colour> colour;
+};
+
+/// A shape of a file, where it is placed, with what the file says about it.
 struct FileShape {
   TopoDS_Shape shape;  ///< millimetres from STEP and IGES
-  std::string name;
-  std::function<std::string(const TopoDS_Face&)> name_of;              ///< may be empty
-  std::function<std::optional<Colour>(const TopoDS_Face&)> colour_of;  ///< may be empty
+  std::string name = {};
+  std::function<FaceWords(const TopoDS_Face&)> words_of = {};  ///< may be empty
+};
+
+/// What the readers find.
+struct FileShapes {
+  std::vector<FileShape> shapes;
+  std::vector<EntityRemark> lost = {}, remarks = {};
 };
 
 /// @throws Error io, bad_format
-std::vector<FileShape> read_step(const std::filesystem::path& path);
-std::vector<FileShape> read_iges(const std::filesystem::path& path);
-std::vector<FileShape> read_native(const std::filesystem::path& path);
+FileShapes read_step(const KernelSource& source);
+FileShapes read_iges(const KernelSource& source);
+FileShapes read_native(const KernelSource& source);
 
-/// The solids among shapes; where there are none, what their faces make when sewn.
+/// Adds the bodies among shapes: solids, shells, and what loose faces make when sewn.
 /// @param metres  that a unit of the shapes measures
-/// @throws Error unsupported if there are no faces at all
-std::vector<KernelSolid> solids_of(const std::vector<FileShape>& shapes, double metres,
-                                   const SewOptions& options, const std::string& source);
+void add_bodies(const std::vector<FileShape>& shapes, double metres, const SewOptions& options,
+                KernelFile& result);
+
+/// As of BrepModule.
+std::string bytes_of(const std::vector<KernelSolid>& bodies);
+std::vector<KernelSolid> bodies_of_bytes(const std::string& bytes);
 
 /// @param unit  "mm", "m", "in"
 void write_step(const std::filesystem::path& path, const ShapeKernel& kernel, const std::string& unit);

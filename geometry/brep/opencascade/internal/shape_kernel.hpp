@@ -47,6 +47,9 @@ struct EdgeGeometry {
   double first = 0, last = 0;  ///< at start and end
 };
 
+struct FaceMeasure;
+struct FaceMeasureOptions;
+
 /// A solid of OpenCASCADE.
 class ShapeKernel final : public BrepKernel {
  public:
@@ -54,8 +57,8 @@ class ShapeKernel final : public BrepKernel {
   ~ShapeKernel() override;
 
   const BrepTables& tables() const override { return tables_; }
-  double volume() const override;
-  double area(FaceId face) const override;
+  Measure volume() const override;
+  Measure area(FaceId face) const override;
   Eigen::Vector3d point(EdgeId edge, double t) const override;
   Eigen::Vector3d tangent(EdgeId edge, double t) const override;
   EdgeProjection project(EdgeId edge, const Eigen::Vector3d& point) const override;
@@ -78,6 +81,9 @@ class ShapeKernel final : public BrepKernel {
  private:
   // What is computed when first asked for.
   struct Lazy;
+
+  const FaceMeasure& measure(std::size_t face) const;
+  FaceMeasureOptions measure_options() const;
 
   const FaceGeometry& of(FaceId face) const { return faces_[static_cast<std::size_t>(face.value)]; }
   const EdgeGeometry& of(EdgeId edge) const { return edges_[static_cast<std::size_t>(edge.value)]; }

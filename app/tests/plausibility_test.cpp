@@ -1,0 +1,124 @@
+#include "app/tests/program_fixture.hpp"
+
+namespace isopatch::app {
+namespace {
+
+using testing::Not;
+
+const std::string block = R"([model]
+generate = "box"
+[[material]]
+name = "steel"
+[[support]]
+name = "wall"
+faces = ["x_min"]
+displacement = [0, 0, 0]
+[[load]]
+name = "pull"
+faces = ["x_max"]
+traction = ["1 MPa", 0, 0]
+)";
+
+class Plausibility : public Program {
+ protected:
+  json summary_of(const std::string& text) {
+    EXPECT_EQ(run_text(text), 0) << err_;
+    return json::parse(read_file(results() / "summary.json"));
+  }
+};
+
+TEST_F(Plausibility, AReasonableStudyHasNoWarning) {
+  const json summary = summary_of(block);
+  EXPECT_THAT(err_, Not(HasSubstr("warning")));
+  EXPECT_EQ(summary["supports"][0]["name"], "wall");
+  EXPECT_EQ(summary["loads"][0]["name"], "pull");
+  EXPECT_EQ(summary["results"]["reactions"][0]["support"], "wall");
+}
+
+TEST_F(Plausibility, ModuliThatNoSolidHasAreNamedWithTheUnitThatWasMeant) {
+  summary_of(replaced(block, "name = \"steel\"", "young = 210000\npoisson = 0.3"));
+  EXPECT_THAT(err_, HasSubstr("Young's modulus of material 1 is 210 kPa, less than that of any solid"));
+  EXPECT_THAT(err_, HasSubstr("\"210 GPa\""));
+  EXPECT_THAT(err_, HasSubstr("is more than the part's size"));
+  EXPECT_THAT(err_, HasSubstr("linear elasticity is for small ones"));
+  summary_of(replaced(block, "name = \"steel\"", "young = \"210 TPa\"\npoisson = 0.3"));
+  EXPECT_THAT(err_, HasSubstr("more than that of any solid"));
+}
+
+TEST_F(Plausibility, ALoadThatSupportsTakeWholeIsNamed) {
+  summary_of(block + "[[load]]\nname = \"lost\"\nfaces = [\"x_min\"]\npressure = 1e6\n");
+  EXPECT_THAT(err_, HasSubstr("load 2 (lost) moves nothing"));
+  EXPECT_THAT(err_, Not(HasSubstr("load 1")));
+}
+
+TEST_F(Plausibility, NamesThatAreSharedAreSaid) {
+  summary_of(block + "[[support]]\nname = \"wall\"\nfaces = [\"y_min\"]\nsymmetry = true\n" +
+             "[[probe]]\nname = \"p\"\npoint = [1, 1, 1]\n[[probe]]\nname = \"p\"\npoint = [1, 0, 1]\n");
+  EXPECT_THAT(err_, HasSubstr("2 supports have the name \"wall\""));
+  EXPECT_THAT(err_, HasSubstr("2 probes have the name \"p\""));
+}
+
+TEST_F(Plausibility, DegreeTwoIsTheDefaultAndDegreeOneInBendingIsSaid) {
+  const std::string bent = replaced(replaced(block, "\"box\"", "\"box\"\nsize = [5, 1, 1]"),
+                                    "[\"1 MPa\", 0, 0]", "[0, 0, \"1 MPa\"]");
+  EXPECT_EQ(summary_of(bent)["discretization"]["degree"], json::array({2, 2, 2}));
+  const json poor = summary_of(bent + "[discretization]\ndegree = 1\nrefine = 1\n");
+  EXPECT_EQ(poor["discretization"]["degree"], json::array({1, 1, 1}));
+  EXPECT_GT(poor["results"]["unresolved_energy_share"], 0.2);
+  EXPECT_THAT(err_, HasSubstr("elements of degree 1"));
+  EXPECT_THAT(err_, HasSubstr("discretization.degree = 2 mends it"));
+}
+
+// Lame: radii 3 and 9, plane strain, E = 1 GPa, pressure 1 MPa.
+constexpr double exact_at_bore(double nu) {
+  return (1 + nu) / 1e9 * (1e6 * 9 / 72) * ((1 - 2 * nu) * 3 + 81.0 / 3);
+}
+const std::string thick = R"([model]
+generate = "cylinder"
+inner_radius = 3
+outer_radius = 9
+height = 1
+[[material]]
+young = 1e9
+poisson = 0.499
+[[support]]
+faces = ["start", "end", "bottom", "top"]
+symmetry = true
+[[load]]
+faces = ["inner"]
+pressure = 1e6
+[[probe]]
+point = [3, 0, 0.5]
+[discretization]
+)";
+
+TEST_F(Plausibility, LockingIsSaidAndItsAdviceMendsIt) {
+  const auto at_bore = [](const json& summary) {
+    return summary["probes"][0]["displacement"][0].get<double>() / exact_at_bore(0.499);
+  };
+  EXPECT_LT(at_bore(summary_of(thick + "degree = 2\nrefine = 2\n")), 0.92);
+  EXPECT_THAT(err_, HasSubstr("degree 2 cannot keep the volume of nearly incompressible material"));
+  EXPECT_THAT(err_, HasSubstr("discretization.degree = 4 mends it"));
+  EXPECT_NEAR(at_bore(summary_of(thick + "degree = 4\nrefine = 2\n")), 1, 1e-2);
+  EXPECT_THAT(err_, Not(HasSubstr("incompressible")));
+}
+
+TEST_F(Plausibility, TheLargestStressIsOneFigureWhereverItIsSaid) {
+  const json summary = summary_of(replaced(thick, "0.499", "0.3") + "degree = 3\nrefine = 1\n");
+  const double largest = summary["results"]["max_von_mises"];
+  // The bore is on the boundary, where no Gauss point lies.
+  EXPECT_GE(largest, summary["probes"][0]["von_mises"].get<double>() * (1 - 1e-9));
+  EXPECT_THAT(out_, HasSubstr("(of Gauss points and faces)"));
+  const std::string file = (results() / "results.h5").string();
+  ASSERT_EQ(run({"info", file}), 0) << err_;
+  const auto at = out_.find("max von Mises ") + 14;
+  const std::string figure = out_.substr(at, out_.find(',', at) - at);
+  ASSERT_EQ(run({"run", study()}), 0);
+  EXPECT_THAT(out_, HasSubstr("max von Mises     " + figure));
+  if (run({"render", file, (folder_ / "picture.png").string(), "--field", "von_mises"}) == 0) {
+    EXPECT_THAT(out_, HasSubstr("max " + figure));
+  }
+}
+
+}  // namespace
+}  // namespace isopatch::app

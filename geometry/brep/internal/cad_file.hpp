@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "geometry/base/progress.hpp"
+#include "geometry/brep/module.hpp"
+#include "geometry/brep/read_brep.hpp"
+
+namespace isopatch::geometry {
+
+/// What came of a CAD file.
+struct CadFile {
+  std::vector<KernelSolid> bodies;
+  std::vector<std::string> missing;  ///< bodies and faces that could not be made, references into nothing
+  std::vector<std::string> warnings;
+  std::string unit;  ///< "mm", or what was taken and why
+};
+
+/// Reads a STEP, IGES or .brep file in this very process: checks what can be checked before, lets the CAD
+/// library read it, and compares what the file lists with what came.
+/// @throws Error bad_format, unsupported  with the file's name, the line and the entity; unless
+/// `allow_partial`, also for bodies and faces that could not be made
+CadFile read_cad_file(const std::filesystem::path& path, BrepFormat format, const ReadBrepOptions& options);
+
+/// The same in a child process, so that a file at which the library crashes, hangs or wants too much memory
+/// is an error.
+/// @throws Error bad_format as well  then
+CadFile read_cad_file_guarded(const std::filesystem::path& path, BrepFormat format,
+                              const ReadBrepOptions& options);
+
+/// What the child does: the options and the file by its arguments, a CadFile as bytes on descriptor 3, phases
+/// as lines.
+/// @return  exit code
+int cad_reader_main(int count, const char* const* arguments);
+
+}  // namespace isopatch::geometry

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "segmentation/parameterization/hex_complex.hpp"
+
+namespace isopatch::segmentation {
+
+/// Knots on [0, 1] that a fit starts with, by sheet.
+///
+/// `spans` equal spans; more where an edge winds around more than once, so that samples cannot miss a turn;
+/// and the knots of the input's own splines as far as the degree can hold them (`ComplexEdge::knots`), if
+/// that makes no more than `most_spans`.
+std::vector<geometry::KnotVector> start_knots(const HexComplex& complex, int degree, int spans,
+                                              int most_spans);
+
+}  // namespace isopatch::segmentation
