@@ -125,8 +125,8 @@ TEST(MaxDisplacement, IsTheLargestOfTheGrid) {
                                                       (breaks[e + 1] - breaks[e]) * j / patch.degree(k));
     }
     const geometry::NurbsVolume moved(patch.knots(), field.displacement[i], patch.weights());
-    largest = isopatch::larger(largest,
-                     geometry::points_on_grid(moved, grid).colwise().norm().maxCoeff<Eigen::PropagateNaN>());
+    largest = isopatch::larger(
+        largest, geometry::points_on_grid(moved, grid).colwise().norm().maxCoeff<Eigen::PropagateNaN>());
   }
   const Extremum found = max_displacement(field);
   EXPECT_NEAR(found.value / largest, 1, 1e-13);
