@@ -28,9 +28,9 @@ double spread(const Discretization& d, const NodeClasses& classes) {
   double result = 0;
   for (int c = 0; c < classes.count(); ++c)
     for (const int node : classes.of(c))
-      result = larger(result, (places[static_cast<std::size_t>(node)] -
-                               places[static_cast<std::size_t>(classes.of(c)[0])])
-                                  .norm());
+      result = isopatch::larger(result, (places[static_cast<std::size_t>(node)] -
+                                         places[static_cast<std::size_t>(classes.of(c)[0])])
+                                            .norm());
   return result / d.model.size();
 }
 

@@ -194,18 +194,19 @@ void expect_same(const ElasticityProblem& p, Coupling coupling, solvers::Method 
   double error = 0;
   double size = 0;
   for (std::size_t k = 0; k < p.discretization.patches.size(); ++k) {
-    error = larger(error, (found.field.displacement[k] - expected.field.displacement[k])
-                              .cwiseAbs()
-                              .maxCoeff<Eigen::PropagateNaN>());
-    size = larger(size, expected.field.displacement[k].cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
+    error = isopatch::larger(error, (found.field.displacement[k] - expected.field.displacement[k])
+                                        .cwiseAbs()
+                                        .maxCoeff<Eigen::PropagateNaN>());
+    size = isopatch::larger(size, expected.field.displacement[k].cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
   }
   EXPECT_LT(error, 1e-9 * size);
   ASSERT_EQ(found.multipliers.size(), expected.multipliers.size());
   double force_error = 0;
   double force = 0;
   for (std::size_t k = 0; k < found.multipliers.size(); ++k) {
-    force_error = larger(force_error, (found.multipliers[k].force - expected.multipliers[k].force).norm());
-    force = larger(force, expected.multipliers[k].force.norm());
+    force_error =
+        isopatch::larger(force_error, (found.multipliers[k].force - expected.multipliers[k].force).norm());
+    force = isopatch::larger(force, expected.multipliers[k].force.norm());
   }
   EXPECT_LT(force_error, 1e-7 * force);
 }
@@ -247,7 +248,7 @@ TEST(Multigrid, NeedsAsManyIterationsForEveryDegreeAndMesh) {
       const ElasticitySolution s =
           solve_elasticity(p, {.solver = {.method = solvers::Method::cg, .tolerance = 1e-8}});
       fewest = std::min(fewest, s.solver.iterations);
-      most = larger(most, s.solver.iterations);
+      most = isopatch::larger(most, s.solver.iterations);
     }
   EXPECT_GT(fewest, 2);
   EXPECT_LE(most, 2 * fewest);

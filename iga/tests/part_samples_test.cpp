@@ -117,7 +117,7 @@ TEST(PartSamples, StayWithinTheChord) {
         if (at / n[0] % n[1] == n[1] - 1) continue;
         const Parameter<3> middle = 0.5 * (parameter(s, at) + parameter(s, at + n[0]));
         const Eigen::Vector3d chord_middle = 0.5 * (s.points.col(at) + s.points.col(at + n[0]));
-        worst = larger(worst, (d.patches[p].point(middle) - chord_middle).norm() / size);
+        worst = isopatch::larger(worst, (d.patches[p].point(middle) - chord_middle).norm() / size);
       }
     }
     EXPECT_LE(worst, chord);

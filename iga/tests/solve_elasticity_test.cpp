@@ -24,8 +24,9 @@ double affine_error(const ElasticField& field, const Eigen::Matrix3d& gradient) 
   double size = 0;
   for (std::size_t p = 0; p < field.patches.size(); ++p) {
     const Eigen::Matrix3Xd exact = gradient * field.patches[p].control_points();
-    error = larger(error, (field.displacement[p] - exact).cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
-    size = larger(size, exact.cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
+    error =
+        isopatch::larger(error, (field.displacement[p] - exact).cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
+    size = isopatch::larger(size, exact.cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
   }
   return error / size;
 }
@@ -101,7 +102,7 @@ TEST(SolveElasticity, CouplingsAgreeInDisplacementEnergyAndMultipliers) {
   const ElasticitySolution b = solve_elasticity(p, {.coupling = Coupling::lagrange});
   double difference = 0;
   for (std::size_t i = 0; i < a.field.displacement.size(); ++i)
-    difference = larger(
+    difference = isopatch::larger(
         difference,
         (a.field.displacement[i] - b.field.displacement[i]).cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
   EXPECT_LT(difference / a.results.max_displacement.value, 1e-9);
@@ -112,8 +113,8 @@ TEST(SolveElasticity, CouplingsAgreeInDisplacementEnergyAndMultipliers) {
   double apart = 0;
   for (std::size_t i = 0; i < a.multipliers.size(); ++i) {
     ASSERT_EQ(a.multipliers[i].second_node, b.multipliers[i].second_node);
-    largest = larger(largest, a.multipliers[i].force.norm());
-    apart = larger(apart, (a.multipliers[i].force - b.multipliers[i].force).norm());
+    largest = isopatch::larger(largest, a.multipliers[i].force.norm());
+    apart = isopatch::larger(apart, (a.multipliers[i].force - b.multipliers[i].force).norm());
   }
   EXPECT_LT(apart / largest, 1e-9);
   EXPECT_EQ(a.size.multipliers, a.size.dofs_uncoupled - a.size.dofs_eliminated);

@@ -71,8 +71,8 @@ void expect_the_assembled_matrix(const std::vector<PatchSpace>& spaces, const st
   for (std::size_t a = 0; a < blocks.size(); ++a) {
     const Eigen::Map<const Eigen::Matrix3d> block(
         &matrix.values[static_cast<std::size_t>(9 * matrix.row_start[a])]);
-    worst = larger(worst, (blocks[a] - block).cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
-    largest = larger(largest, block.cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
+    worst = isopatch::larger(worst, (blocks[a] - block).cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
+    largest = isopatch::larger(largest, block.cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
   }
   EXPECT_LT(worst, same * largest);
 }
@@ -282,7 +282,7 @@ TEST(PatchOperator, CutsEveryPatchIntoEqualBoxes) {
       int size = 1;
       for (std::size_t k = 0; k < 3; ++k) size *= box.end[k] - box.begin[k];
       whole += size;
-      largest = larger(largest, size);
+      largest = isopatch::larger(largest, size);
     }
     const int bands = (elements * (degree + 1) + lane_count - 1) / lane_count;
     EXPECT_EQ(whole, bands * elements * elements);

@@ -13,6 +13,7 @@
 #include <fstream>
 #include <map>
 
+#include "app/run_study.hpp"
 #include "app/write_fields.hpp"
 #include "geometry/base/atomic_writer.hpp"
 #include "iga/internal_forces.hpp"
