@@ -29,7 +29,7 @@ NOT_KEYS = {
     "byte_order": "VTK XML",
     "header_type": "VTK XML",
 }
-NOT_OPTIONS = {"--gtest": "of GoogleTest", "--mpi": "of Slurm", "--plot-": "of a page's style", "--isopatch": "the same"}
+NOT_OPTIONS = {"--bind-to": "of mpiexec", "--gtest": "of GoogleTest", "--mpi": "of Slurm", "--plot-": "of a page's style", "--isopatch": "the same"}
 ENDINGS = ("cpp", "g2", "h5", "html", "json", "mesh", "png", "so", "svg", "toml", "txt", "vtm", "vtu", "xml", "step", "brep")
 
 

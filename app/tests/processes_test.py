@@ -208,7 +208,7 @@ class Processes(unittest.TestCase):
         process.send_signal(signal.SIGINT)
         process.communicate(timeout=20)
         self.assertNotEqual(process.returncode, 0)
-        self.assertFalse((self.folder / "results").exists())
+        self.assertFalse((self.folder / "results/summary.json").exists())
         left = subprocess.run(["pgrep", "-f", str(study)], text=True, capture_output=True).stdout
         self.assertEqual(left, "")
 

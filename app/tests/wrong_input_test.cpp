@@ -39,7 +39,7 @@ TEST_F(Program, WhatIsNoStudyIsNamed) {
 
 TEST_F(Program, PlainNumbersOfAPointAreSaidToBeMetres) {
   const std::string says =
-      "The part lies between (0, 0, 0) m and (2, 1, 1) m; numbers without a unit are metres";
+      "The part lies between (0, 0, 0) mm and (2000, 1000, 1000) mm; numbers without a unit are metres";
   EXPECT_EQ(run_text(replaced(bar, "point = [2, 1, 1]", "point = [2000, 1000, 1000]")), 2);
   EXPECT_THAT(err_, HasSubstr("outside the part"));
   EXPECT_THAT(err_, HasSubstr(says));
