@@ -29,10 +29,11 @@ void read_patches(const ConfigValue& value, PatchSelection& selection) {
       return;
     }
   }
-  if (text.empty())
-    throw error_at(
-        value.place,
-        "patches: expected \"all\", numbers from 0, ranges such as \"0-8\" or names of bodies, got \"\"");
+  if (text.find_first_not_of("0123456789- ") == text.npos)
+    throw error_at(value.place,
+                   fmt::format("patches: expected \"all\", numbers from 0, ranges such as \"0-8\" or "
+                               "names of bodies, got \"{}\"",
+                               text));
   selection.names.push_back(text);
 }
 

@@ -75,7 +75,8 @@ ConditionEstimate estimate_condition(const LinearSystem& system, const Progress&
       result.head(n) = transposed * gram.solve(z.tail(z.size() - n)) / scale;
       loaded.load -= multiply(system.stiffness, result.head(n));
     }
-    const LinearSolution found = solve(loaded);
+    const LinearSolution found =
+        solve(loaded, {.method = system.has_constraints() ? Method::mumps : Method::cholmod});
     result.head(n) += found.x;
     if (system.has_constraints()) result.tail(z.size() - n) = found.multipliers / scale;
     return result;

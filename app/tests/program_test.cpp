@@ -162,13 +162,13 @@ TEST_F(Program, AFoldBetweenGaussPointsIsAWarningAFoldAtOneAnError) {
   const std::string loaded = replaced(replaced(text, "faces = [\"x_max\"]", "faces = [\"0:back\"]"),
                                       "point = [2, 1, 1]", "point = [0, 0, 0]");
   write_file(folder_ / "cube.g2", cube_with_corner(0.6));
-  EXPECT_EQ(run_text(loaded), 0) << err_;
+  EXPECT_EQ(run_text(loaded + "[discretization]\ndegree = 1\npoints = 2\n"), 0) << err_;
   EXPECT_THAT(err_, HasSubstr("isopatch: warning: patch 0 is folded at parameter (1, 1, 1), (600, 600, 600) "
                               "mm: its Jacobian determinant is -0.2 m^3"));
   EXPECT_THAT(json::parse(read_file(results() / "summary.json"))["model"]["patches_not_certified"],
               testing::ElementsAre(0));
   write_file(folder_ / "cube.g2", cube_with_corner(-0.2));
-  EXPECT_EQ(run_text(loaded), 2);
+  EXPECT_EQ(run_text(loaded + "[discretization]\ndegree = 1\npoints = 2\n"), 2);
   EXPECT_THAT(err_, HasSubstr("isopatch: error: patch 0 is folded: det J = -"));
   // The first layer of Gauss points with a negative one names the worst of its line.
   EXPECT_THAT(err_, HasSubstr("at the Gauss point with parameter (0.788675, 0.211325, 0.788675), place"));

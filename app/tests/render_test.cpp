@@ -98,9 +98,9 @@ TEST_F(Render, ColoursFollowTheField) {
   const auto middle = [&](const char* range) {
     return drawn({"--view", "front", "--edges", "none", "--no-bar", "--range", range}).colour(150, 130);
   };
-  const auto low = middle("20,30");  // the stress is 10 Pa everywhere
-  EXPECT_GT(low[2], 1.2 * low[1]);   // purple
-  const auto high = middle("1,9.999 Pa");
+  const auto low = middle("20,30 MPa");  // the stress is 10 MPa everywhere
+  EXPECT_GT(low[2], 1.2 * low[1]);       // purple
+  const auto high = middle("1,9.999 MPa");
   EXPECT_GT(high[1], 4 * high[2]);  // yellow
 }
 

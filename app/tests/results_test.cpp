@@ -112,7 +112,7 @@ TEST_F(Results, AFullDiskKeepsTheEarlierOnesAndTheSolution) {
   const std::string kept = (results() / "unfinished/results.h5").string();
   EXPECT_THAT(read_file(log), HasSubstr("The solution is kept in " + kept));
   ASSERT_EQ(run({"info", kept}), 0) << err_;
-  EXPECT_THAT(out_, HasSubstr("internal energy 100 mJ"));
+  EXPECT_THAT(out_, HasSubstr("internal energy 100 kJ"));
   auto now = contents();
   EXPECT_EQ(now.erase("unfinished/results.h5"), 1u);
   EXPECT_EQ(now, before);

@@ -114,6 +114,12 @@ class TemporaryFile {
   bool take() {
     descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
     if (descriptor_ < 0) give_up();
+    if (descriptor_ <= STDERR_FILENO) {  // closed by the caller: messages must not go into the file
+      const int low = descriptor_;
+      descriptor_ = ::fcntl(low, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+      ::close(low);
+      if (descriptor_ < 0) give_up();
+    }
     // File systems that know no locks let everybody in.
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
       ::close(descriptor_);

@@ -105,10 +105,7 @@ Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : state_(std::make_uni
   state_->name = path.string();
   check_readable(path);
   if (H5Fis_hdf5(path.c_str()) <= 0) fail(state_->name, "not an HDF5 file");
-  // Whatever a damaged file leaves open is closed with it.
-  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  if (access) H5Pset_fclose_degree(access, H5F_CLOSE_STRONG);
-  state_->file = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access ? access : H5P_DEFAULT), H5Fclose);
+  state_->file = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   if (!state_->file) fail(state_->name, "the HDF5 file cannot be opened; it may be cut off or damaged");
 }
 

@@ -188,7 +188,7 @@ Bounds plain_bounds(const NurbsVolume& volume) {
   for (const NurbsVolume& element : bezier_pieces(unit.volume)) {
     const JacobianPiece piece = jacobian_piece(element, unit.radius);
     result.low = std::min(result.low, piece.lower());
-    result.high = std::max(result.high, piece.upper());
+    result.high = larger(result.high, piece.upper());
   }
   return result;
 }
@@ -249,9 +249,9 @@ TEST(ElementBounds, EncloseEveryBernsteinCoefficient) {
       EXPECT_EQ(element.knots(), pieces[e].knots());
       const JacobianPiece piece = jacobian_piece(pieces[e], unit.radius);
       const double scale = piece.scale / std::pow(piece.lowest_weight, 4);
-      const double lowest =
-          piece.numerator.coefficients.minCoeff() * piece.scale / std::pow(piece.highest_weight, 4);
-      const double highest = piece.numerator.coefficients.maxCoeff() * scale;
+      const double lowest = piece.numerator.coefficients.minCoeff<Eigen::PropagateNaN>() * piece.scale /
+                            std::pow(piece.highest_weight, 4);
+      const double highest = piece.numerator.coefficients.maxCoeff<Eigen::PropagateNaN>() * scale;
       const Bounds sharp = element_bounds(pieces[e], unit.radius);
       for (const Bounds& bounds : {wide[e], sharp}) {
         EXPECT_LE(bounds.low, lowest);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "geometry/base/larger.hpp"
 #include "geometry/models/cylinder.hpp"
 #include "geometry/splines/refine.hpp"
 #include "iga/solve_elasticity.hpp"
@@ -49,8 +50,9 @@ double patch_test_error(const geometry::MultiPatch& model, const DiscretizationO
   double error = 0, size = 0;
   for (std::size_t i = 0; i < field.patches.size(); ++i) {
     const Eigen::Matrix3Xd exact = gradient * field.patches[i].control_points();
-    error = std::max(error, (field.displacement[i] - exact).cwiseAbs().maxCoeff());
-    size = std::max(size, exact.cwiseAbs().maxCoeff());
+    error =
+        isopatch::larger(error, (field.displacement[i] - exact).cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
+    size = isopatch::larger(size, exact.cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
   }
   return error / size;
 }

@@ -41,6 +41,10 @@ class ContourMaker {
       ContourCurve walked;
       walked.curve = BRep_Tool::CurveOnSurface(edge, face_, walked.first, walked.last);
       if (walked.curve.IsNull()) continue;
+      if (BRep_Tool::SameParameter(edge) && BRep_Tool::SameRange(edge) && !BRep_Tool::Degenerated(edge)) {
+        double first = 0, last = 0;
+        walked.edge = BRep_Tool::Curve(edge, first, last);
+      }
       if (edge.Orientation() == TopAbs_REVERSED) std::swap(walked.first, walked.last);
       add(walked);
     }

