@@ -16,6 +16,7 @@ ROOMS = ("app", "geometry", "iga", "segmentation", "solvers")
 TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|R"\((?P<raw>.*?)\)"|"(?P<text>(?:[^"\\\n]|\\.)*)"|\'(?:[^\'\\\n]|\\.)+\'', re.S)
 # Names that no study has, and where they are right.
 NOT_KEYS = {
+    "straight_pieces": "iga, a function for programs that link the library",
     "memory.max": "a file of control groups",
     "memory.high": "the same",
     "quadrature_points": "iga::ElasticityOptions, for programs that link the library; a study's key is checked before",

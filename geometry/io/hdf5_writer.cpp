@@ -43,7 +43,10 @@ struct Hdf5Writer::State {
                            H5Sclose);
     if (!links || !space || H5Pset_create_intermediate_group(links, 1) < 0)
       throw Error(ErrorCode::internal, fmt::format("HDF5: cannot describe dataset '{}'", path));
-    const Hdf5Handle dataset(H5Dcreate2(file, path.c_str(), type, space, links, H5P_DEFAULT, H5P_DEFAULT),
+    // Without the time of writing: equal contents are equal bytes.
+    const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    H5Pset_obj_track_times(creation, false);
+    const Hdf5Handle dataset(H5Dcreate2(file, path.c_str(), type, space, links, creation, H5P_DEFAULT),
                              H5Dclose);
     if (!dataset)
       throw Error(
