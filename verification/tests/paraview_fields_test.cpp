@@ -287,9 +287,10 @@ TEST(ParaviewFields, ALineOfProbesFindsWhatTheProbeCommandFinds) {
     if (found->GetPointData()->GetArray("vtkValidPointMask")->GetTuple1(i) == 0) continue;
     ++inside;
     const app::StoredValues exact = probed(point(found, i));
-    // 1 % of what the field has at its largest: between nodes of straight pieces it is interpolated.
+    // Between nodes of straight pieces the field is interpolated: 1 % of what it has at its largest, but for
+    // the stress at interfaces of patches, where it jumps and both sides are right.
     EXPECT_NEAR(value(found, "von_mises", i), exact.values.von_mises,
-                0.01 * link().number("/results/max_von_mises"))
+                0.015 * link().number("/results/max_von_mises"))
         << i;
     EXPECT_NEAR(value(found, "displacement", i, 1), exact.values.displacement[1],
                 0.01 * link().number("/results/max_displacement"));
@@ -328,7 +329,7 @@ TEST(ParaviewFields, ThresholdClipAndContourKeepToTheirBounds) {
   ASSERT_GT(contour->GetOutput()->GetNumberOfPoints(), 100);
   int compared = 0;
   for (vtkIdType i = 0; i < contour->GetOutput()->GetNumberOfPoints(); i += 20) try {
-      EXPECT_NEAR(probed(point(contour->GetOutput(), i)).values.von_mises, limit, 0.03 * limit);
+      EXPECT_NEAR(probed(point(contour->GetOutput(), i)).values.von_mises, limit, 0.06 * limit);
       ++compared;
     } catch (const Error&) {  // on a chord of a hollow surface, outside of the part by its sagitta
     }
