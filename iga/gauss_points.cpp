@@ -210,11 +210,29 @@ bool is_affine(const NurbsVolume& patch) {
   return true;
 }
 
+// Whether the map is folded or collapsed somewhere, ends included: there the integrands have no degree, and
+// more points only come nearer to where det J is not positive.
+bool degenerates(const NurbsVolume& patch) {
+  constexpr int steps = 6;
+  const Vector3d range = patch.high() - patch.low();
+  for (int k = 0; k <= steps; ++k)
+    for (int j = 0; j <= steps; ++j)
+      for (int i = 0; i <= steps; ++i) {
+        const Matrix3d jacobian = patch.jacobian(patch.low() + range.cwiseProduct(Vector3d(i, j, k) / steps));
+        const double lengths = jacobian.colwise().norm().prod();
+        if (!(jacobian.determinant() > 0.01 * lengths)) return true;
+      }
+  return false;
+}
+
 }  // namespace
 
 GaussPoints gauss_points(const NurbsVolume& patch) {
-  if (is_affine(patch)) return {patch.degree(0) + 1, patch.degree(1) + 1, patch.degree(2) + 1};
-  return {Choice(patch, 0).points(), Choice(patch, 1).points(), Choice(patch, 2).points()};
+  const GaussPoints least = {patch.degree(0) + 1, patch.degree(1) + 1, patch.degree(2) + 1};
+  if (is_affine(patch)) return least;
+  const GaussPoints chosen = {Choice(patch, 0).points(), Choice(patch, 1).points(),
+                              Choice(patch, 2).points()};
+  return chosen == least || degenerates(patch) ? least : chosen;
 }
 
 std::array<geometry::QuadratureRule, 3> gauss_rules(const GaussPoints& points) {

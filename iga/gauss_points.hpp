@@ -17,7 +17,7 @@ using GaussPoints = std::array<int, 3>;
 /// cofactors squared over det J. Both are sampled on some lines through some elements, and their Legendre
 /// coefficients say of what degree they are: cofactors to 1e-10, so that a constant stress is in equilibrium
 /// with its traction to about 1e-9, and the others to the share of a percent that energies can bear.
-/// At most 8 points more than degree + 1, for maps that are no polynomials at all near collapsed edges.
+/// At most 8 points more than degree + 1, and none more where the map is folded or collapsed.
 ///
 /// @param patch  in the solution space
 /// @cost  at most 216 lines of 16 points: a millisecond, whatever the number of elements; nothing for affine

@@ -8,9 +8,11 @@ namespace {
 iga::ElasticityOptions options(const KnownProblem& problem, const Levels& levels) {
   iga::ElasticityOptions result{.coupling = levels.coupling,
                                 .quadrature_points = problem.points > 0 ? problem.points : levels.degree + 2};
+  const bool eliminates = levels.coupling == iga::Coupling::elimination;
+  // Errors of high degrees are below what iterations are asked for by default.
+  result.solver.method = eliminates ? solvers::Method::cholmod : solvers::Method::mumps;
   if (!levels.iterate) return result;
-  result.solver.method =
-      levels.coupling == iga::Coupling::elimination ? solvers::Method::cg : solvers::Method::minres;
+  result.solver.method = eliminates ? solvers::Method::cg : solvers::Method::minres;
   result.solver.tolerance = 1e-12;
   return result;
 }
