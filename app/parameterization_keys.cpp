@@ -52,8 +52,9 @@ const Keys<ParameterizationKeys>& parameterization_keys() {
       fit_integer_key("degree", &segmentation::FitOptions::degree, 2, 8, "Degree of the patches."),
       fit_integer_key("start_spans", &segmentation::FitOptions::start_spans, 1, 64,
                       "Knot spans along every direction before any is halved."),
-      fit_integer_key("max_spans", &segmentation::FitOptions::max_spans, 1, 256,
-                      "Most knot spans along any direction."),
+      fit_integer_key("max_spans", &segmentation::FitOptions::max_spans, 1, 1024,
+                      "Most knot spans along any direction; eight times as many as the solid's own splines "
+                      "or turns ask for, if that is more."),
       number_key(
           "wanted_quality", {0, 1, true, false}, segmentation::ParameterizationOptions{}.wanted_quality,
           [](P& target) -> double& { return target.options.wanted_quality; },

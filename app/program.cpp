@@ -309,7 +309,9 @@ void add_parameterize_command(CLI::App& app, CommandLine& line) {
   segmentation::FitOptions& fit = command.input.options.fit;
   parameterize->add_option("--degree", fit.degree, "Of the patches, 2 to 8")->capture_default_str();
   parameterize
-      ->add_option("--max-spans", fit.max_spans, "Most knot spans along any direction of a patch, up to 256")
+      ->add_option("--max-spans", fit.max_spans,
+                   "Most knot spans along any direction of a patch, up to 1024; eight times the spans that "
+                   "the solid's own splines or turns ask for if that is more")
       ->capture_default_str();
   parameterize
       ->add_option("--start-spans", fit.start_spans, "Knot spans along every direction before any is halved")

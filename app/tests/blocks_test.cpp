@@ -340,8 +340,8 @@ TEST_F(Blocks, ParameterizeTakesAllOptionsOfTheStudysSection) {
   ASSERT_EQ(run({"info", file("a.xml"), "--json"}), 0) << err_;
   EXPECT_EQ(json::parse(out_)["patches"][0]["degree"], json({4, 4, 4}));
   EXPECT_EQ(json::parse(out_)["patches"][0]["elements"], json({2, 2, 2}));
-  EXPECT_EQ(run({"parameterize", file("a.off"), "-o", file("a.xml"), "--max-spans", "500"}), 2);
-  EXPECT_THAT(err_, HasSubstr("max_spans is 500; its range is start_spans to 256"));
+  EXPECT_EQ(run({"parameterize", file("a.off"), "-o", file("a.xml"), "--max-spans", "5000"}), 2);
+  EXPECT_THAT(err_, HasSubstr("max_spans is 5000; its range is start_spans to 1024"));
 }
 
 // Its top has a corner of more than 180 degrees.

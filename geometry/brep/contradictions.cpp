@@ -156,7 +156,7 @@ class Search {
   // Triangles within `chord` of the surface are off by no more than that times its area; twice, since the
   // triangulation is not strict about it.
   void add_volume() {
-    const TessellationOptions options;
+    const TessellationOptions options{.turn = Angle::degrees(60)};  // the chord alone says how good it is
     const Measure volume = brep_.measured_volume(), area = brep_.measured_area();
     const double explained = 2 * options.chord * size_ * area.value;
     if (volume.error > explained) return;  // says so itself

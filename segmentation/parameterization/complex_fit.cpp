@@ -141,7 +141,7 @@ bool any(const Marks& marks) {
 }
 
 /// Halves the marked spans, as far as the limit allows; returns whether any was.
-bool halve(const HexComplex& complex, ComplexFit& fit, Marks marks, int max_spans) {
+bool halve(const HexComplex& complex, ComplexFit& fit, Marks marks) {
   bool changed = false;
   for (std::size_t k = 0; k < marks.size(); ++k) {
     if (complex.sheets[k].symmetric)
@@ -151,11 +151,22 @@ bool halve(const HexComplex& complex, ComplexFit& fit, Marks marks, int max_span
     std::vector<double> inserted;
     for (std::size_t i = 0; i < marks[k].size(); ++i)
       if (marks[k][i]) inserted.push_back((breaks[i] + breaks[i + 1]) / 2);
-    if (inserted.empty() || static_cast<int>(marks[k].size() + inserted.size()) > max_spans) continue;
+    if (inserted.empty() || static_cast<int>(marks[k].size() + inserted.size()) > fit.most_spans[k]) continue;
     fit.sheets[k] = geometry::with_knots(fit.sheets[k], inserted);
     changed = true;
   }
   return changed;
+}
+
+/// What was asked for, or what leaves room for three halvings of the spans that input brings along.
+std::vector<int> most_spans(const std::vector<KnotVector>& start, const FitOptions& options) {
+  std::vector<int> result;
+  for (const KnotVector& knots : start) {
+    const int spans = knots.element_count();
+    result.push_back(spans > options.start_spans ? std::max(options.max_spans, 8 * spans)
+                                                 : options.max_spans);
+  }
+  return result;
 }
 
 Marks no_marks(const ComplexFit& fit) {
@@ -258,7 +269,7 @@ double distance(const SpaceCurve& curve, const Eigen::Vector3d& point, double t)
 }
 
 /// Counts the distance of a face's sides from the edges that the solid has there: its surface alone does not
-/// tell where the solid ends.
+/// tell where the solid ends. Where already the fit's aim is off them, no knots mend it.
 void measure_edges(const HexComplex& complex, ComplexFit& fit, std::size_t face) {
   const BlockSide first = complex.faces[face].uses[0].side;
   const FaceMap& map = complex.map(first);
@@ -268,17 +279,19 @@ void measure_edges(const HexComplex& complex, ComplexFit& fit, std::size_t face)
   const Eigen::Matrix3Xd points = geometry::points_on_grid(
       geometry::NurbsSurface(face_knots(complex, fit, face), fit.faces[face]), {grid.s, grid.t});
   fit.off_edges[face] = 0;
+  const auto sides = sides_of(complex, face);
   for (std::size_t k = 0; k < 4; ++k) {
     const SpaceCurve& curve = map.face().edges[k].curve;
     if (!curve) continue;
     const Shares& along = k < 2 ? grid.s : grid.t;
+    const Eigen::Matrix3Xd aim =
+        sample_edge(complex, sides[k].edge, sides[k].turned ? turned(along) : along).points;
     for (std::size_t i = 0; i < along.size(); ++i) {
       const auto j = static_cast<Eigen::Index>(i);
       const Eigen::Index at = k < 2 ? j + (k == 1 ? n * (m - 1) : 0) : n * j + (k == 3 ? n - 1 : 0);
-      const double off =
-          distance(curve, points.col(at), map.side_parameter(static_cast<int>(k), along[i])) - known_to;
-      fit.off_edges[face] = std::max(fit.off_edges[face], off);
-      grid.values[at] = std::max(grid.values[at], off);
+      const double t = map.side_parameter(static_cast<int>(k), along[i]);
+      fit.off_edges[face] = std::max(fit.off_edges[face], distance(curve, aim.col(j), t) - known_to);
+      grid.values[at] = std::max(grid.values[at], distance(curve, points.col(at), t) - known_to);
     }
   }
   fit.face_deviation[face] = grid.values.maxCoeff();
@@ -306,15 +319,16 @@ void validate(const FitOptions& options) {
         fmt::format("tolerance is {}; its range is 1e-8 to 0.1", options.tolerance));
   check(options.start_spans >= 1 && options.start_spans <= 64,
         fmt::format("start_spans is {}; its range is 1 to 64", options.start_spans));
-  check(options.max_spans >= options.start_spans && options.max_spans <= 256,
-        fmt::format("max_spans is {}; its range is start_spans to 256", options.max_spans));
+  check(options.max_spans >= options.start_spans && options.max_spans <= 1024,
+        fmt::format("max_spans is {}; its range is start_spans to 1024", options.max_spans));
 }
 
 ComplexFit fit(const HexComplex& complex, const FitOptions& options) {
   validate(options);
   const double tolerance = options.tolerance * complex.size;
   ComplexFit fit;
-  fit.sheets = start_knots(complex, options.degree, options.start_spans, options.max_spans);
+  fit.sheets = start_knots(complex, options.degree, options.start_spans);
+  fit.most_spans = most_spans(fit.sheets, options);
   fit.edges.resize(complex.edges.size());
   fit.edge_gap.assign(complex.edges.size(), 0);
   fit.faces.resize(complex.faces.size());
@@ -324,9 +338,9 @@ ComplexFit fit(const HexComplex& complex, const FitOptions& options) {
   for (;; ++fit.rounds) {
     Marks marks = fit_edges(complex, fit, tolerance);
     const bool edges_open = any(marks);
-    if (edges_open && halve(complex, fit, marks, options.max_spans)) continue;
+    if (edges_open && halve(complex, fit, marks)) continue;
     marks = fit_faces(complex, fit, tolerance);
-    if (any(marks) && halve(complex, fit, marks, options.max_spans)) continue;
+    if (any(marks) && halve(complex, fit, marks)) continue;
     for (std::size_t f = 0; f < complex.faces.size(); ++f) measure_edges(complex, fit, f);
     return fit;
   }

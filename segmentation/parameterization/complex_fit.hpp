@@ -19,8 +19,10 @@ struct ComplexFit {
   std::vector<double>
       edge_gap;  ///< largest distance of a face's own curve from the samples at equal arc length
   std::vector<double> face_deviation;  ///< largest distance from points of the surface and from the edges
-  std::vector<double> off_edges;       ///< its part from the edges in space, where blocks know them
+  std::vector<double>
+      off_edges;  ///< of what its sides aim at from the edges in space, where blocks know them
   std::vector<DeviationGrid> face_deviations;  ///< all of them, in the frame of the complex' face
+  std::vector<int> most_spans;                 ///< by sheet, that knot insertion may make
   int rounds = 0;                              ///< of knot insertion
 };
 
@@ -28,7 +30,9 @@ struct FitOptions {
   int degree = 3;           ///< range 2 .. 8
   double tolerance = 1e-4;  ///< largest deviation, share of the model's size; range [1e-8, 0.1]
   int start_spans = 1;      ///< equal spans of every direction at the start; range 1 .. 64
-  int max_spans = 64;       ///< of any direction; range start_spans .. 256
+  /// Of any direction; range start_spans .. 1024. Where the input's splines or turns begin with more than an
+  /// eighth of it, it is eight times as many as they bring.
+  int max_spans = 64;
 };
 void validate(const FitOptions& options);
 

@@ -183,8 +183,7 @@ std::string complaint(const FaceReport& face, const ParameterizationReport& repo
   if (face.off_edges > report.tolerance)
     return fmt::format(
         "face {}: its surface lies {:.3g} off its own edges, more than {:.3g}, so nobody can say where the "
-        "solid "
-        "ends; mend the solid where it was drawn",
+        "solid ends; mend the solid where it was drawn",
         face.name, face.off_edges, report.tolerance);
   const std::string what = fmt::format("face {} deviates by {:.3g} from its surface, more than {:.3g}",
                                        face.name, face.deviation, report.tolerance);
@@ -260,6 +259,7 @@ Parameterization shared_method(const HexComplex& given, const ParameterizationOp
   report.largest_gap = *widest;
   report.gap_at = edge_label(complex, static_cast<std::size_t>(widest - fitted.edge_gap.begin()));
   report.rounds = fitted.rounds;
+  report.max_spans = *std::max_element(fitted.most_spans.begin(), fitted.most_spans.end());
   report.evaluations = blocks.evaluations;
   result.patches = patch_set(complex, std::move(patches));
   return result;
@@ -327,7 +327,6 @@ Parameterization parameterize(const HexComplex& complex, const ParameterizationO
                                 : shared_method(complex, options, progress);
   result.report.size = complex.size;
   result.report.tolerance = options.fit.tolerance * complex.size;
-  if (options.method == ParameterizationMethod::shared) result.report.max_spans = options.fit.max_spans;
   result.report.names = options.names;
   result.report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return result;

@@ -62,21 +62,21 @@ struct FaceReport {
   double gap = 0;        ///< between the two blocks' surfaces, as given
   std::vector<FaceUse> uses = {};  ///< sides of patches that it is
   DeviationGrid deviations = {};   ///< all over it
-  double off_edges = 0;  ///< part of the deviation: of the patch's sides from the solid's edges in space
+  double off_edges = 0;  ///< of where surfaces meet from the solid's edges in space: a fault of the solid
 };
 
 struct ParameterizationReport {
   double size = 0;       ///< of the model
   double tolerance = 0;  ///< allowed deviation, model units
-  int max_spans = 0;     ///< of any direction, as asked for; 0 where the method inserts no knots
+  int max_spans = 0;     ///< most that any direction was allowed; 0 where the method inserts no knots
   OptionNames names = {};
   std::vector<PatchReport> patches;
   std::vector<FaceReport> faces;
   std::vector<std::string> warnings;  ///< that reading the blocks gave cause to
-  double largest_gap = 0;  ///< between outlines of faces along an edge, as given, model units
-  std::string gap_at;      ///< the edge's block and vertices' places
-  int rounds = 0;          ///< of knot insertion
-  int evaluations = 0;     ///< of the shape energy
+  double largest_gap = 0;             ///< between outlines of faces along an edge, as given, model units
+  std::string gap_at;                 ///< the edge's block and vertices' places
+  int rounds = 0;                     ///< of knot insertion
+  int evaluations = 0;                ///< of the shape energy
   double seconds = 0;
 
   bool certified() const;

@@ -98,8 +98,7 @@ ReadBlocks read_blocks(const BlockFiles& files, const Progress& progress) {
     for (const std::string& warning : set.warnings)
       warnings.push_back(fmt::format("{}: {}", path.string(), warning));
     for (const geometry::BrepFile& body : set.bodies)
-      blocks.push_back(
-          hexahedron(hex_solid(body.brep, names.add(body.name), body.largest_correction)));
+      blocks.push_back(hexahedron(hex_solid(body.brep, names.add(body.name), body.largest_correction)));
   }
   if (!files.pairs) return {hex_complex(std::move(blocks), files.complex), std::move(warnings)};
   const auto pairs = parse_pairs(read_file(*files.pairs), files.pairs->string(), blocks);

@@ -15,9 +15,9 @@ namespace isopatch::segmentation {
 struct BlockFiles {
   std::vector<std::filesystem::path>
       files;  ///< any format of `read_breps`; several solids in a file are several blocks
-  std::optional<std::filesystem::path> pairs;  ///< without it, pairs are found from the geometry
-  std::optional<double> length_unit;           ///< as of `geometry::ReadBrepOptions`
-  bool allow_partial = false;                  ///< likewise
+  std::optional<std::filesystem::path> pairs;       ///< without it, pairs are found from the geometry
+  std::optional<double> length_unit;                ///< as of `geometry::ReadBrepOptions`
+  bool allow_partial = false;                       ///< likewise
   GuardLimits limits = {.seconds = 0, .bytes = 0};  ///< likewise
   ComplexOptions complex;
 };

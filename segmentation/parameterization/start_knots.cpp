@@ -12,6 +12,9 @@ using geometry::KnotVector;
 /// Knots closer than this share of the range are one.
 constexpr double same_knot = 1e-7;
 
+/// Input that brings more spans along any direction is fitted anew.
+constexpr int most_spans = 256;
+
 /// Inner breaks with multiplicities, increasing.
 struct Break {
   double at = 0;
@@ -65,7 +68,7 @@ KnotVector knots_of(const Breaks& breaks, int degree) {
 
 }  // namespace
 
-std::vector<KnotVector> start_knots(const HexComplex& complex, int degree, int spans, int most_spans) {
+std::vector<KnotVector> start_knots(const HexComplex& complex, int degree, int spans) {
   std::vector<int> equal(complex.sheets.size(), spans);
   for (const ComplexEdge& edge : complex.edges) {
     int& count = equal[static_cast<std::size_t>(edge.sheet)];

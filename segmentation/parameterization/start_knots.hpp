@@ -10,8 +10,7 @@ namespace isopatch::segmentation {
 ///
 /// `spans` equal spans; more where an edge winds around more than once, so that samples cannot miss a turn;
 /// and the knots of the input's own splines as far as the degree can hold them (`ComplexEdge::knots`), if
-/// that makes no more than `most_spans`.
-std::vector<geometry::KnotVector> start_knots(const HexComplex& complex, int degree, int spans,
-                                              int most_spans);
+/// that makes no more than 256.
+std::vector<geometry::KnotVector> start_knots(const HexComplex& complex, int degree, int spans);
 
 }  // namespace isopatch::segmentation

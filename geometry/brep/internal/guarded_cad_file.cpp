@@ -96,8 +96,9 @@ void try_out(const std::vector<KernelSolid>& bodies, const Progress& progress) {
     progress("checking the bodies", 0.5 + 0.5 * double(i) / double(bodies.size()));
     try {
       const Brep brep(bodies[i].kernel);
-      check(brep);
-      tessellate(brep);
+      const BrepReport report = check(brep);
+      if (!report.contradictions.empty() || !report.boundary.bounds_a_solid())  // else checking has done so
+        tessellate(brep, {.turn = Angle::degrees(60)});
       for (std::size_t f = 0; f < brep.faces().size(); ++f) {
         const FaceId face(static_cast<int>(f));
         const DomainBox box = brep.domain(face);

@@ -127,12 +127,27 @@ TEST(SplineFaces, GiveWayToArcLengthWhereThatMakesBetterPatches) {
 TEST(Sense, OfABlockThatWindsIsThatOfItsSolid) {
   const NurbsVolume given = test::bent({KnotVector::uniform(3, 96), uneven(1, {}), uneven(1, {})},
                                        [](const Eigen::Vector3d& p) { return test::helix(p, 6); });
-  const Parameterization made = parameterize(
-      hex_complex({hexahedron(hex_solid(test::solid_of(given), "spring"))}), {.fit = {.max_spans = 128}});
+  const Parameterization made =
+      parameterize(hex_complex({hexahedron(hex_solid(test::solid_of(given), "spring"))}));
   EXPECT_TRUE(made.report.usable()) << testing::PrintToString(made.report.complaints());
   EXPECT_GT(made.report.patches[0].quality.min_scaled_jacobian, 0.8);
   EXPECT_NEAR(made.report.patches[0].volume, std::abs(geometry::volume(given)),
               1e-3 * made.report.patches[0].volume);
+}
+
+// Of degree 5, so that its knots cannot be kept: twelve half turns need 96 spans of degree 3, more than
+// `max_spans`.
+TEST(Sense, TurnsMayHaveMoreSpansThanAStraightBlock) {
+  const NurbsVolume given = test::bent({KnotVector::uniform(5, 48), uneven(1, {}), uneven(1, {})},
+                                       [](const Eigen::Vector3d& p) { return test::helix(p, 6); });
+  const Parameterization made =
+      parameterize(hex_complex({hexahedron(hex_solid(test::solid_of(given), "spring"))}));
+  EXPECT_TRUE(made.report.usable()) << testing::PrintToString(made.report.complaints());
+  EXPECT_GT(made.patches.patches[0].knots()[0].element_count() +
+                made.patches.patches[0].knots()[1].element_count() +
+                made.patches.patches[0].knots()[2].element_count(),
+            90);
+  EXPECT_LT(made.report.worst_face().off_edges, 1e-6 * made.report.size);
 }
 
 }  // namespace
