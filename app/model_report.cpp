@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/engineering_units.hpp"
 #include "geometry/part_box.hpp"
 
@@ -44,6 +46,11 @@ BoundaryFaceReport report_face(const MultiPatch& model, const geometry::PatchFac
 }
 
 }  // namespace
+
+bool ModelReport::certified() const {
+  return std::all_of(patches.begin(), patches.end(),
+                     [](const PatchReport& patch) { return patch.certificate.accepted(); });
+}
 
 ModelReport report(const MultiPatch& model, const Progress& progress) {
   ModelReport result;

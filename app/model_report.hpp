@@ -44,6 +44,8 @@ struct ModelReport {
   double largest_gap = 0;    ///< between the two sides of an interface, m
   std::int64_t control_points = 0;
   std::int64_t elements = 0;
+  /// Whether no patch is folded anywhere.
+  bool certified() const;
 };
 
 /// @param model  in m
