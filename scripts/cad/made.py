@@ -2,6 +2,7 @@
 
 import copy
 import subprocess
+from dataclasses import replace
 
 import gmsh
 
@@ -59,7 +60,13 @@ def variants(number, name, bodies):
         yield step("shells", "AP214IS", "MM", "shells") if all(b.shells == 1 for b in bodies) else step("nested", "AP214IS", "MM", "nested")
     for kind in ("solids", "faces"):
         unit = iges[(number + (kind == "faces")) % 4]
-        yield Case(f"iges/{name}_{kind}.igs", bodies, unit=IGES_UNITS[unit], warns=False), name, kind, unit, "solids"
+        case = Case(f"iges/{name}_{kind}.igs", bodies, unit=IGES_UNITS[unit], warns=False)
+        if kind == "faces" and name in ("torus", "torus_sector", "ring_shaped_cavity"):
+            # The library reads the section, a circle, as a spline some nanometres off.
+            case.bodies = [replace(body, tolerance=1e-6) for body in bodies]
+        if kind == "faces" and name == "pin_in_a_block":
+            case.code, case.says = (0, 2), "not a manifold"
+        yield case, name, kind, unit, "solids"
     yield Case(f"brep/{name}.brep", bodies, options=MILLIMETRES), name, "-", "MM", "nested" if number % 2 else "solids"
     if number % 4 == 0:
         yield Case(f"brep/{name}_loose.brep", bodies, options=MILLIMETRES), name, "-", "MM", "loose"

@@ -4,6 +4,7 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <ShapeFix_Edge.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
@@ -103,6 +104,20 @@ KernelSolid whole_solid(const TopoDS_Shape& shape, const DescribedFaces& all, do
   return {std::make_shared<ShapeKernel>(std::move(input)), all.body, 0};
 }
 
+/// Curves in the domains of faces: where cylinders of two bodies touch, sewing joins their seams and leaves
+/// one without.
+void add_missing_curves(const TopoDS_Face& face) {
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+    const TopoDS_Edge edge = TopoDS::Edge(it.Current());
+    double first = 0, last = 0;
+    if (!BRep_Tool::CurveOnSurface(edge, face, first, last).IsNull()) continue;
+    int uses = 0;
+    for (TopExp_Explorer other(face, TopAbs_EDGE); other.More(); other.Next())
+      uses += other.Current().IsSame(edge);
+    ShapeFix_Edge().FixAddPCurve(edge, face, uses > 1);
+  }
+}
+
 /// The bodies that faces make when sewn; open where their gaps are too wide.
 std::vector<KernelSolid> sewn(const DescribedFaces& all, double metres, const SewOptions& options) {
   BRepBuilderAPI_Sewing sewing(options.same_point * size_of(all.faces), true, true, true, true);
@@ -115,6 +130,7 @@ std::vector<KernelSolid> sewn(const DescribedFaces& all, double metres, const Se
     const TopoDS_Face& face = all.faces[f];
     for (const TopoDS_Face& part :
          faces_of(sewing.IsModified(face) ? sewing.Modified(face) : TopoDS_Shape(face))) {
+      add_missing_curves(part);
       now.add(part, {all.names[f], all.colours[f]});
       for (TopExp_Explorer it(part, TopAbs_EDGE); it.More(); it.Next())
         correction = std::max(correction, BRep_Tool::Tolerance(TopoDS::Edge(it.Current())));
