@@ -5,14 +5,13 @@
 #include <cmath>
 
 #include "app/engineering_units.hpp"
+#include "app/internal/cut_list.hpp"
 #include "app/internal/json_regions.hpp"
 
 namespace isopatch::app {
 namespace {
 
 using geometry::MultiPatch;
-
-constexpr std::size_t short_list = 24;
 
 std::string_view sign_name(geometry::JacobianSign sign) {
   switch (sign) {
@@ -30,10 +29,6 @@ std::string_view sign_name(geometry::JacobianSign sign) {
 
 std::string triple(const std::array<int, 3>& values) {
   return fmt::format("{}x{}x{}", values[0], values[1], values[2]);
-}
-
-std::string cut(std::size_t shown, std::size_t total, const char* what) {
-  return shown < total ? fmt::format("  ... and {} more {} (--all lists them)\n", total - shown, what) : "";
 }
 
 std::string patches_text(const ModelReport& report, bool all) {

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "app/engineering_units.hpp"
+#include "app/internal/cut_list.hpp"
 #include "app/internal/json_values.hpp"
 
 namespace isopatch::app {
@@ -19,12 +20,6 @@ using geometry::BrepEdge;
 using geometry::BrepFace;
 using geometry::BrepReport;
 using geometry::Convexity;
-
-constexpr std::size_t short_list = 24;
-
-std::string cut(std::size_t shown, std::size_t total, const char* what) {
-  return shown < total ? fmt::format("  ... and {} more {} (--all lists them)\n", total - shown, what) : "";
-}
 
 const char* yes(bool holds, const char* if_so, const char* if_not) {
   return holds ? if_so : if_not;

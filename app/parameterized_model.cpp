@@ -11,9 +11,8 @@ namespace {
 
 using segmentation::FaceReport;
 using segmentation::ParameterizationReport;
-using segmentation::PatchReport;
 
-std::string row(const PatchReport& patch, std::size_t index, std::size_t width) {
+std::string row(const segmentation::PatchReport& patch, std::size_t index, std::size_t width) {
   const bool certified = patch.certificate.accepted();
   return fmt::format("  {:>3}  {:{}}  {:>6}  {:>9.3f}  {:>5.3f}  {}{}\n", index, patch.name, width,
                      patch.control_points, patch.quality.min_scaled_jacobian,
@@ -24,7 +23,7 @@ std::string row(const PatchReport& patch, std::size_t index, std::size_t width) 
 
 std::string histogram_text(const ParameterizationReport& report) {
   std::array<long, 10> sum{};
-  for (const PatchReport& patch : report.patches)
+  for (const segmentation::PatchReport& patch : report.patches)
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += patch.histogram[i];
   long all = 0;
   for (const long count : sum) all += count;
@@ -48,7 +47,7 @@ segmentation::Parameterization parameterized(const BlocksInput& input, const Pro
 
 std::string parameterization_text(const ParameterizationReport& report) {
   std::size_t width = 4;
-  for (const PatchReport& patch : report.patches) width = std::max(width, patch.name.size());
+  for (const segmentation::PatchReport& patch : report.patches) width = std::max(width, patch.name.size());
   std::string text = fmt::format("       {:{}}  {:>6}  {:>9}  {:>5}  {}\n", "block", width, "points",
                                  "scaled J", "mean", "certificate");
   double volume = 0;

@@ -32,6 +32,7 @@ std::string field_name(const PictureOptions& options) {
       return "scaled Jacobian";
     case PictureField::patch:
       return "patches";
+    case PictureField::conditions:  // drawn by themselves
     case PictureField::none:
       break;
   }

@@ -73,19 +73,19 @@ constexpr std::array prefixes = {
     Prefix{"M", 1e6L},  Prefix{"G", 1e9L},
 };
 
-struct Scale {
+struct UnitScale {
   long double factor = 1;
   Dimension dimension;
 };
 
-std::optional<Scale> find_unit(std::string_view symbol) {
+std::optional<UnitScale> find_unit(std::string_view symbol) {
   for (const Unit& unit : units)
-    if (unit.symbol == symbol) return Scale{unit.factor, unit.dimension};
+    if (unit.symbol == symbol) return UnitScale{unit.factor, unit.dimension};
   for (const Prefix& prefix : prefixes) {
     if (!symbol.starts_with(prefix.symbol)) continue;
     const std::string_view rest = symbol.substr(prefix.symbol.size());
     for (const Unit& unit : units)
-      if (unit.takes_prefix && unit.symbol == rest) return Scale{prefix.factor * unit.factor, unit.dimension};
+      if (unit.takes_prefix && unit.symbol == rest) return UnitScale{prefix.factor * unit.factor, unit.dimension};
   }
   return std::nullopt;
 }
@@ -111,7 +111,7 @@ std::string unknown_unit(std::string_view symbol) {
       symbol, did_you_mean(symbol, known));
 }
 
-void raise(Scale& scale, int exponent) {
+void raise(UnitScale& scale, int exponent) {
   scale.factor = std::pow(scale.factor, static_cast<long double>(exponent));
   scale.dimension.length *= exponent;
   scale.dimension.mass *= exponent;
@@ -120,7 +120,7 @@ void raise(Scale& scale, int exponent) {
   scale.dimension.data *= exponent;
 }
 
-void multiply(Scale& scale, const Scale& other, int sign) {
+void multiply(UnitScale& scale, const UnitScale& other, int sign) {
   scale.factor = sign > 0 ? scale.factor * other.factor : scale.factor / other.factor;
   scale.dimension.length += sign * other.dimension.length;
   scale.dimension.mass += sign * other.dimension.mass;
@@ -134,15 +134,15 @@ class UnitParser {
  public:
   explicit UnitParser(std::string_view text) : rest_(text) {}
 
-  Scale whole() {
-    const Scale scale = product();
+  UnitScale whole() {
+    const UnitScale scale = product();
     if (!rest_.empty()) fail(fmt::format("unexpected '{}'", rest_));
     return scale;
   }
 
  private:
-  Scale product() {
-    Scale scale = factor();
+  UnitScale product() {
+    UnitScale scale = factor();
     for (;;) {
       skip_blanks();
       if (rest_.empty() || rest_.front() == ')') return scale;
@@ -152,9 +152,9 @@ class UnitParser {
     }
   }
 
-  Scale factor() {
+  UnitScale factor() {
     skip_blanks();
-    Scale scale;
+    UnitScale scale;
     if (take("(")) {
       if (++depth_ > 16) fail("too many brackets");
       scale = product();
@@ -168,7 +168,7 @@ class UnitParser {
     return scale;
   }
 
-  Scale unit() {
+  UnitScale unit() {
     const std::string_view symbol =
         rest_.substr(0, std::min(rest_.find_first_of(" */^()0123456789+-"), special()));
     if (symbol.empty())
@@ -244,7 +244,7 @@ Quantity parse(std::string_view text, bool number_needed) {
                 fmt::format("'{}' has a decimal comma; numbers are written with a point", whole));
   text = trimmed(text);
   if (text.empty()) return {number, dim::none};
-  const Scale scale = UnitParser(text).whole();
+  const UnitScale scale = UnitParser(text).whole();
   const double value = static_cast<double>(static_cast<long double>(number) * scale.factor);
   if (!std::isfinite(value)) throw Error(ErrorCode::invalid_argument, "the value overflows in SI units");
   return {value, scale.dimension};

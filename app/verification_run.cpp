@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view full_prefix = "Full";
 
 // For the shell.
-std::string quoted(const std::string& text) {
+std::string shell_word(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return result + "'";
@@ -69,7 +69,7 @@ std::string words(std::string name) {
 // Names of GoogleTest's suites, such as "ClosedForms", that the level has.
 std::vector<std::string> test_suites(const fs::path& program, VerificationLevel level) {
   std::vector<std::string> result;
-  for_each_line(quoted(program.string()) + " --gtest_list_tests", [&](const std::string& line) {
+  for_each_line(shell_word(program.string()) + " --gtest_list_tests", [&](const std::string& line) {
     if (line.empty() || line[0] == ' ' || line.find('.') == std::string::npos) return;
     const std::string name = line.substr(0, line.find('.'));
     if (level == VerificationLevel::full || !name.starts_with(full_prefix)) result.push_back(name);
@@ -147,9 +147,9 @@ std::string run_verification(const fs::path& program, const std::vector<std::str
   const std::vector<std::string> of_level = test_suites(program, level);
   const TemporaryFolder folder;
   const fs::path record = folder.path() / "claims.json";
-  const std::string command =
-      fmt::format("ISOPATCH_CLAIMS={} exec {} --gtest_color=no --gtest_filter={} 2>&1",
-                  quoted(record.string()), quoted(program.string()), quoted(filter(of_level, suites)));
+  const std::string command = fmt::format(
+      "ISOPATCH_CLAIMS={} exec {} --gtest_color=no --gtest_filter={} 2>&1", shell_word(record.string()),
+      shell_word(program.string()), shell_word(filter(of_level, suites)));
   std::string running;
   const int status = for_each_line(command, [&](const std::string& line) {
     constexpr std::string_view run = "[ RUN      ] ";

@@ -17,7 +17,17 @@ target_compile_definitions(isopatch_settings INTERFACE EIGEN_DONT_PARALLELIZE)
 set_target_properties(isopatch_settings PROPERTIES EXPORT_NAME settings)
 # GCC 12 reports its own AVX-512 intrinsics as uninitialized and its own string concatenation as overlapping
 # (bug 105651), so those warnings stay off.
-set(ISOPATCH_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wno-maybe-uninitialized -Wno-restrict)
+set(ISOPATCH_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wno-uninitialized
+  -Wno-maybe-uninitialized -Wno-restrict)
+
+# Several sources are compiled as one: each reads the same large headers, which takes most of the time. So names in
+# unnamed namespaces must differ within a folder. Two warnings make no sense then.
+function(isopatch_compile_together target)
+  if(ISOPATCH_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    target_compile_options(${target} PRIVATE -Wno-shadow -Wno-subobject-linkage)
+  endif()
+endfunction()
 
 # isopatch_library(NAME [PUBLIC targets...] [PRIVATE targets...]): target isopatch_NAME, alias
 # isopatch::NAME.
@@ -29,6 +39,7 @@ function(isopatch_library name)
   set_target_properties(isopatch_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   target_link_libraries(isopatch_${name} PUBLIC isopatch_settings ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
   target_compile_options(isopatch_${name} PRIVATE ${ISOPATCH_WARNINGS})
+  isopatch_compile_together(isopatch_${name})
   set_property(GLOBAL APPEND PROPERTY ISOPATCH_LIBRARIES isopatch_${name})
 endfunction()
 
@@ -53,6 +64,7 @@ function(isopatch_tests name)
   endif()
   # Tests spend their time in the libraries; compiling them lightly saves half the build.
   target_compile_options(test_${name} PRIVATE ${ISOPATCH_WARNINGS} -O1)
+  isopatch_compile_together(test_${name})
   target_link_libraries(test_${name} PRIVATE isopatch_startup)
   target_compile_definitions(test_${name} PRIVATE ISOPATCH_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   if(NOT arg_LABELS)
@@ -84,6 +96,7 @@ function(isopatch_parallel_tests name)
   add_executable(test_${name}_parallel ${sources})
   target_link_libraries(test_${name}_parallel PRIVATE ${ARGN} GTest::gtest GTest::gmock GTest::gtest_main)
   target_compile_options(test_${name}_parallel PRIVATE ${ISOPATCH_WARNINGS} -O1)
+  isopatch_compile_together(test_${name}_parallel)
   target_link_libraries(test_${name}_parallel PRIVATE isopatch_startup)
   isopatch_process_tests(${name}.parallel COUNTS 1 2 3 COMMAND test_${name}_parallel --gtest_brief=1)
 endfunction()

@@ -8,7 +8,6 @@
 namespace isopatch::geometry {
 namespace {
 
-constexpr double unit_roundoff = 0.5 * std::numeric_limits<double>::epsilon();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Sum over all permutations of the products of entries.

@@ -2,8 +2,12 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <limits>
 
 namespace isopatch::geometry {
+
+/// Of a single operation, as a share of its result.
+constexpr double unit_roundoff = 0.5 * std::numeric_limits<double>::epsilon();
 
 /// An interval.
 struct Bounds {

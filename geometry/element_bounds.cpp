@@ -10,8 +10,6 @@
 namespace isopatch::geometry {
 namespace {
 
-constexpr double unit_roundoff = 0.5 * std::numeric_limits<double>::epsilon();
-
 /// An element along one direction: the control points that reach it.
 struct Span {
   int first = 0;

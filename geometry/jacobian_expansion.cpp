@@ -1,5 +1,7 @@
 #include "geometry/jacobian_expansion.hpp"
 
+#include "geometry/determinant_bounds.hpp"
+
 #include <array>
 #include <limits>
 #include <vector>
@@ -8,8 +10,6 @@ namespace isopatch::geometry {
 namespace {
 
 using Vector = std::vector<BernsteinPolynomial>;  // one polynomial per component
-
-constexpr double unit_roundoff = 0.5 * std::numeric_limits<double>::epsilon();
 
 Vector derivative(const Vector& components, int direction) {
   Vector result;

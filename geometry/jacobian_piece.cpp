@@ -5,13 +5,9 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/determinant_bounds.hpp"
+
 namespace isopatch::geometry {
-namespace {
-
-constexpr double unit_roundoff = 0.5 * std::numeric_limits<double>::epsilon();
-
-}  // namespace
-
 // Both divide by the weight that makes the bound hold for the numerator's sign.
 double JacobianPiece::lower() const {
   const double n = numerator.coefficients.minCoeff() - error;

@@ -15,15 +15,15 @@ namespace {
 using geometry::KnotVector;
 
 // Mass and stiffness of one direction.
-struct Line {
+struct LineMatrices {
   Eigen::MatrixXd mass;
   Eigen::MatrixXd stiffness;
 };
 
-Line line(const KnotVector& knots, const LineWeight& stiffness, const LineWeight& mass) {
+LineMatrices line(const KnotVector& knots, const LineWeight& stiffness, const LineWeight& mass) {
   const DirectionTable table = direction_table(knots, geometry::gauss_legendre(knots.degree() + 1));
-  Line result{Eigen::MatrixXd::Zero(knots.size(), knots.size()),
-              Eigen::MatrixXd::Zero(knots.size(), knots.size())};
+  LineMatrices result{Eigen::MatrixXd::Zero(knots.size(), knots.size()),
+                      Eigen::MatrixXd::Zero(knots.size(), knots.size())};
   const int n = knots.degree() + 1;
   for (const DirectionTable::Element& e : table.elements) {
     Eigen::VectorXd of_mass = e.weights;
@@ -40,14 +40,14 @@ Line line(const KnotVector& knots, const LineWeight& stiffness, const LineWeight
 }
 
 // The lines of one patch and one component.
-struct Lines {
+struct LinesOfAxis {
   std::array<double, 3> factor;
-  std::array<Line, 3> along;
+  std::array<LineMatrices, 3> along;
 };
 
-std::array<Lines, 3> lines_of(const PatchSpace& space, const Material& material) {
+std::array<LinesOfAxis, 3> lines_of(const PatchSpace& space, const Material& material) {
   const std::array<SeparableCoefficients, 3> coefficients = separable_coefficients(*space.geometry, material);
-  std::array<Lines, 3> result;
+  std::array<LinesOfAxis, 3> result;
   for (std::size_t c = 0; c < 3; ++c) {
     result[c].factor = coefficients[c].factor;
     for (std::size_t d = 0; d < 3; ++d)
@@ -61,7 +61,7 @@ struct Modes {
   Eigen::VectorXd values;
 };
 
-Modes modes(const Line& l, int low, int high, bool fixed_low, bool fixed_high) {
+Modes modes(const LineMatrices& l, int low, int high, bool fixed_low, bool fixed_high) {
   const int n = high - low;
   const int first = fixed_low ? 1 : 0;
   const int count = n - first - (fixed_high ? 1 : 0);
@@ -120,7 +120,7 @@ FastDiagonalization::FastDiagonalization(const geometry::MultiPatch& model, cons
     : level_(&level) {
   std::vector<char> in_block(static_cast<std::size_t>(level.rows.global_rows()), 0);
   std::map<std::array<int, 7>, Modes> known;  // patch, component, direction, range, fixed ends
-  std::map<int, std::array<Lines, 3>> lines;
+  std::map<int, std::array<LinesOfAxis, 3>> lines;
   for (const TensorBlock& block : tensor_blocks(model, level)) {
     const std::vector<int> nodes = nodes_of(level, block);
     for (const int node : nodes)
@@ -134,7 +134,7 @@ FastDiagonalization::FastDiagonalization(const geometry::MultiPatch& model, cons
     for (const int node : nodes) made.rows.push_back(level.row_of_node[static_cast<std::size_t>(node)]);
     for (int c = 0; c < 3; ++c) {
       Component& component = made.components[static_cast<std::size_t>(c)];
-      const Lines& of_patch = lines[block.patch][static_cast<std::size_t>(c)];
+      const LinesOfAxis& of_patch = lines[block.patch][static_cast<std::size_t>(c)];
       const Eigen::Vector3d factor(of_patch.factor[0], of_patch.factor[1], of_patch.factor[2]);
       std::array<Modes, 3> along;
       for (int d = 0; d < 3; ++d) {

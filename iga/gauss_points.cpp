@@ -88,7 +88,7 @@ std::vector<Crossing> crossings(const geometry::KnotVector& knots) {
 }
 
 // Coefficients along direction d of the homogeneous map and of its derivatives across, on one line.
-struct Line {
+struct MapLine {
   Matrix4Xd value, across_a, across_b;
 };
 
@@ -108,17 +108,17 @@ class Choice {
     const std::vector<int> elements = some_elements(static_cast<int>(table_.elements.size()), most_elements);
     for (const Crossing& a : crossings(patch_.knots(a_)))
       for (const Crossing& b : crossings(patch_.knots(b_))) {
-        const Line line = along(a.basis, b.basis);
+        const MapLine line = along(a.basis, b.basis);
         for (const int element : elements) result = std::max(result, on_element(line, element, a, b));
       }
     return std::min(result, patch_.degree(d_) + 1 + most_more);
   }
 
  private:
-  Line along(const geometry::BasisValues& a, const geometry::BasisValues& b) const {
+  MapLine along(const geometry::BasisValues& a, const geometry::BasisValues& b) const {
     const std::array<Index, 3> stride = {1, patch_.size(0), Index{patch_.size(0)} * patch_.size(1)};
     const auto of = [&](int direction) { return stride[static_cast<std::size_t>(direction)]; };
-    Line line;
+    MapLine line;
     for (Matrix4Xd* part : {&line.value, &line.across_a, &line.across_b}) part->setZero(4, patch_.size(d_));
     for (Index j = 0; j < b.values.cols(); ++j)
       for (Index i = 0; i < a.values.cols(); ++i) {
@@ -133,7 +133,7 @@ class Choice {
     return line;
   }
 
-  int on_element(const Line& line, int number, const Crossing& a, const Crossing& b) const {
+  int on_element(const MapLine& line, int number, const Crossing& a, const Crossing& b) const {
     const auto e = static_cast<std::size_t>(number);
     const DirectionTable::Element& element = table_.elements[e];
     const double length = breaks_[e + 1] - breaks_[e];

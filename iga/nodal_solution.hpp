@@ -14,6 +14,7 @@ enum class Coupling {
   lagrange,     ///< every patch keeps its unknowns, multipliers tie them: a saddle point
 };
 std::string_view name(Coupling coupling);
+inline constexpr std::array all_couplings = {Coupling::elimination, Coupling::lagrange};
 
 /// All that a solution needs to know; the same on every process.
 struct SolutionTask {

@@ -14,7 +14,7 @@ namespace isopatch::iga {
 namespace {
 
 using Lane = Eigen::Array<double, register_size, 1>;
-using Packet = Eigen::Array<double, 8, 1>;
+using Lanes = Eigen::Array<double, 8, 1>;
 
 Eigen::Map<const Lane, Eigen::Unaligned> at(const double* from) {
   return Eigen::Map<const Lane, Eigen::Unaligned>(from);
@@ -171,14 +171,14 @@ QuadratureGeometry::Lines QuadratureGeometry::lines(const Eigen::Matrix4Xd& coef
   const int width = blocks() * block_size;
   result.values.assign(static_cast<std::size_t>(planes) * static_cast<std::size_t>(result.fields * width),
                        0.0);
-  std::vector<Packet> line(static_cast<std::size_t>(sizes[0]));  // values, then derivatives along direction 2
+  std::vector<Lanes> line(static_cast<std::size_t>(sizes[0]));  // values, then derivatives along direction 2
   const double* const value2 = &v.values[static_cast<std::size_t>(second * v.functions)];
   const double* const derivative2 = &v.derivatives[static_cast<std::size_t>(second * v.functions)];
   for (int plane = 0; plane < planes; ++plane) {
     const Eigen::Index row = static_cast<Eigen::Index>(sizes[1]) * (result.first_plane + plane) +
                              v.first[static_cast<std::size_t>(second)];
     for (int i = 0; i < sizes[0]; ++i) {
-      Packet& here = line[static_cast<std::size_t>(i)];
+      Lanes& here = line[static_cast<std::size_t>(i)];
       here.setZero();
       for (int k = 0; k < v.functions; ++k) {
         const auto c = coefficients.col(sizes[0] * (row + k) + i).array();
@@ -192,8 +192,8 @@ QuadratureGeometry::Lines QuadratureGeometry::lines(const Eigen::Matrix4Xd& coef
       const auto point = static_cast<std::size_t>(q);
       const double* const value1 = &u.values[point * static_cast<std::size_t>(u.functions)];
       const double* const derivative1 = &u.derivatives[point * static_cast<std::size_t>(u.functions)];
-      const Packet* const from = &line[static_cast<std::size_t>(u.first[point])];
-      Packet plain = value1[0] * from[0];
+      const Lanes* const from = &line[static_cast<std::size_t>(u.first[point])];
+      Lanes plain = value1[0] * from[0];
       Eigen::Array4d along = derivative1[0] * from[0].head<4>();
       for (int k = 1; k < u.functions; ++k) {
         plain += value1[k] * from[k];

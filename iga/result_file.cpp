@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "geometry/base/error.hpp"
 #include "geometry/io/hdf5_connections.hpp"
 
@@ -14,47 +16,154 @@ using geometry::KnotVector;
 using geometry::NurbsVolume;
 
 constexpr const char* format_name = "isopatch result";
-constexpr std::int64_t format_version = 2;
+constexpr std::int64_t format_version = 3;
 
-std::string patch_group(std::size_t patch) {
-  return fmt::format("/patches/{:05}", patch);
+/// Numbers of all patches one after the other: files of many small datasets take long to write.
+class Packed {
+ public:
+  template <class Matrix>
+  void add(const Matrix& values) {
+    numbers_.insert(numbers_.end(), values.data(), values.data() + values.size());
+  }
+  void write(Hdf5Writer& file, const std::string& path, Eigen::Index rows) const {
+    if (rows == 1)
+      file.write(path, numbers_);
+    else
+      file.write(path, Eigen::MatrixXd(Eigen::Map<const Eigen::MatrixXd>(
+                           numbers_.data(), rows, static_cast<Eigen::Index>(numbers_.size()) / rows)));
+  }
+
+ private:
+  std::vector<double> numbers_;
+};
+
+/// Takes numbers off one after the other.
+class Unpacked {
+ public:
+  Unpacked(Eigen::MatrixXd values, std::string path) : values_(std::move(values)), path_(std::move(path)) {}
+
+  void require(Eigen::Index count) const {
+    if (count > values_.cols() - taken_)
+      throw Error(ErrorCode::bad_format,
+                  fmt::format("{} ends early: {} columns are too few", path_, values_.cols()));
+  }
+  Eigen::MatrixXd take(Eigen::Index count) {
+    require(count);
+    taken_ += count;
+    return values_.middleCols(taken_ - count, count);
+  }
+  void require_end() const {
+    if (taken_ != values_.cols())
+      throw Error(ErrorCode::bad_format, fmt::format("{} has {} columns, of which {} belong to patches",
+                                                     path_, values_.cols(), taken_));
+  }
+
+ private:
+  Eigen::MatrixXd values_;
+  std::string path_;
+  Eigen::Index taken_ = 0;
+};
+
+bool same(const Material& a, const Material& b) {
+  return a.lambda == b.lambda && a.mu == b.mu && a.density == b.density && a.name == b.name;
 }
 
-void write_patch(Hdf5Writer& file, const ElasticField& field, std::size_t p) {
-  const std::string group = patch_group(p);
-  const NurbsVolume& patch = field.patches[p];
-  for (int d = 0; d < 3; ++d) {
-    file.write(fmt::format("{}/degree_{}", group, d), std::int64_t{patch.degree(d)});
-    file.write(fmt::format("{}/knots_{}", group, d), patch.knots(d).knots());
-  }
-  file.write(group + "/control_points", patch.control_points());
-  file.write(group + "/weights", patch.weights());
-  file.write(group + "/displacement", field.displacement[p]);
-  const Material& material = field.materials[p];
-  file.write(group + "/material/name", material.name);
-  file.write(group + "/material/lambda", material.lambda);
-  file.write(group + "/material/mu", material.mu);
-  file.write(group + "/material/density", material.density);
+std::string material_group(std::size_t material) {
+  return fmt::format("/materials/{:05}", material);
 }
 
-void read_patch(const Hdf5Reader& file, const std::string& group, ElasticField& field) {
-  std::array<KnotVector, 3> knots;
-  for (int d = 0; d < 3; ++d) {
-    const std::int64_t degree = file.integer(fmt::format("{}/degree_{}", group, d));
-    const Eigen::VectorXd values = file.vector(fmt::format("{}/knots_{}", group, d));
-    knots[static_cast<std::size_t>(d)] =
-        KnotVector(static_cast<int>(std::min<std::int64_t>(degree, KnotVector::max_degree + 1)),
-                   {values.begin(), values.end()});
+/// Each once, and which one every patch has.
+void write_materials(Hdf5Writer& file, const std::vector<Material>& of_patches) {
+  std::vector<Material> materials;
+  std::vector<std::int64_t> numbers;
+  for (const Material& material : of_patches) {
+    const auto found = std::find_if(materials.begin(), materials.end(),
+                                    [&](const Material& other) { return same(material, other); });
+    numbers.push_back(found - materials.begin());
+    if (found == materials.end()) materials.push_back(material);
   }
-  field.patches.emplace_back(knots, file.matrix(group + "/control_points", 3),
-                             file.vector(group + "/weights"));
-  field.displacement.push_back(file.matrix(group + "/displacement", 3));
-  if (field.displacement.back().cols() != field.patches.back().size())
-    throw Error(ErrorCode::bad_format,
-                fmt::format("{}/displacement has {} columns for {} control points", group,
-                            field.displacement.back().cols(), field.patches.back().size()));
-  field.materials.push_back({file.number(group + "/material/lambda"), file.number(group + "/material/mu"),
-                             file.number(group + "/material/density"), file.text(group + "/material/name")});
+  for (std::size_t m = 0; m < materials.size(); ++m) {
+    const std::string group = material_group(m);
+    file.write(group + "/name", materials[m].name);
+    file.write(group + "/lambda", materials[m].lambda);
+    file.write(group + "/mu", materials[m].mu);
+    file.write(group + "/density", materials[m].density);
+  }
+  file.write("/patches/material", numbers);
+}
+
+void read_materials(const Hdf5Reader& file, std::vector<Material>& of_patches) {
+  const std::vector<std::int64_t> numbers = file.integers("/patches/material");
+  std::vector<Material> materials;
+  const auto most = numbers.empty() ? -1 : *std::max_element(numbers.begin(), numbers.end());
+  if (most >= static_cast<std::int64_t>(numbers.size()) ||
+      std::any_of(numbers.begin(), numbers.end(), [](std::int64_t number) { return number < 0; }))
+    throw Error(ErrorCode::bad_format, "/patches/material has numbers that no material has");
+  for (std::int64_t m = 0; m <= most; ++m) {
+    const std::string group = material_group(static_cast<std::size_t>(m));
+    materials.push_back({file.number(group + "/lambda"), file.number(group + "/mu"),
+                         file.number(group + "/density"), file.text(group + "/name")});
+  }
+  for (const std::int64_t number : numbers) of_patches.push_back(materials[static_cast<std::size_t>(number)]);
+}
+
+void write_patches(Hdf5Writer& file, const ElasticField& field) {
+  std::vector<std::int64_t> degrees, knot_counts;
+  Packed knots, weights;
+  for (const NurbsVolume& patch : field.patches) {
+    for (const KnotVector& along : patch.knots()) {
+      degrees.push_back(along.degree());
+      knot_counts.push_back(static_cast<std::int64_t>(along.knots().size()));
+      knots.add(along.knots());
+    }
+    weights.add(patch.weights());
+  }
+  file.write("/patches/degrees", degrees);
+  file.write("/patches/knot_counts", knot_counts);
+  knots.write(file, "/patches/knots", 1);
+  weights.write(file, "/patches/weights", 1);
+  const auto write_points = [&](const std::string& path, const auto& of_patch) {
+    Packed points;
+    for (std::size_t p = 0; p < field.patches.size(); ++p) points.add(of_patch(p));
+    points.write(file, path, 3);
+  };
+  write_points("/patches/control_points",
+               [&](std::size_t p) -> decltype(auto) { return field.patches[p].control_points(); });
+  write_points("/patches/displacement",
+               [&](std::size_t p) -> const Eigen::Matrix3Xd& { return field.displacement[p]; });
+  write_materials(file, field.materials);
+}
+
+void read_patches(const Hdf5Reader& file, std::size_t count, ElasticField& field) {
+  const auto numbers = static_cast<std::int64_t>(3 * count);
+  const std::vector<std::int64_t> degrees = file.integers("/patches/degrees", numbers);
+  const std::vector<std::int64_t> knot_counts = file.integers("/patches/knot_counts", numbers);
+  const auto packed = [&](const std::string& path, int rows) {
+    return Unpacked(rows == 1 ? Eigen::MatrixXd(file.vector(path).transpose()) : file.matrix(path, rows),
+                    path);
+  };
+  Unpacked all_knots = packed("/patches/knots", 1), weights = packed("/patches/weights", 1),
+           points = packed("/patches/control_points", 3), displacement = packed("/patches/displacement", 3);
+  for (std::size_t p = 0; p < count; ++p) {
+    std::array<KnotVector, 3> knots;
+    Eigen::Index size = 1;
+    for (std::size_t d = 0; d < 3; ++d) {
+      const Eigen::MatrixXd values = all_knots.take(std::max<std::int64_t>(knot_counts[3 * p + d], 0));
+      knots[d] = KnotVector(
+          static_cast<int>(std::clamp<std::int64_t>(degrees[3 * p + d], -1, KnotVector::max_degree + 1)),
+          {values.data(), values.data() + values.size()});
+      size *= knots[d].size();
+      points.require(size);  // before the product can overflow
+    }
+    const Eigen::Matrix3Xd net = points.take(size);
+    field.patches.emplace_back(knots, net, Eigen::VectorXd(weights.take(size).transpose()));
+    field.displacement.emplace_back(displacement.take(size));
+  }
+  for (const Unpacked* each : {&all_knots, &weights, &points, &displacement}) each->require_end();
+  read_materials(file, field.materials);
+  if (field.materials.size() != count)
+    throw Error(ErrorCode::bad_format, fmt::format("/patches/material has {} numbers for {} patches",
+                                                   field.materials.size(), count));
 }
 
 }  // namespace
@@ -68,7 +177,7 @@ void write_hdf5(const ElasticField& field, const std::vector<Multiplier>& multip
   file.write("/study", study);
   file.write("/summary", summary);
   geometry::write_connections(file, "/model", connections);
-  for (std::size_t p = 0; p < field.patches.size(); ++p) write_patch(file, field, p);
+  write_patches(file, field);
   std::vector<std::int64_t> nodes;
   nodes.reserve(2 * multipliers.size());
   Eigen::Matrix3Xd forces(3, static_cast<Eigen::Index>(multipliers.size()));
@@ -106,8 +215,7 @@ StoredResult read_result(const std::filesystem::path& path) {
   StoredResult result;
   try {
     result.connections = geometry::read_connections(file, "/model");
-    for (std::size_t p = 0; p < result.connections.reversed.size(); ++p)
-      read_patch(file, patch_group(p), result.field);
+    read_patches(file, result.connections.reversed.size(), result.field);
     geometry::validate(result.connections, result.field.patches.size());
   } catch (const Error& error) {
     if (error.code() != ErrorCode::invalid_argument) throw;

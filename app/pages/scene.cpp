@@ -4,15 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/pages/internal/base64.hpp"
+#include "app/pages/internal/point_json.hpp"
 
 namespace isopatch::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json to_json(const Eigen::Vector3d& v) {
-  return Json::array({v[0], v[1], v[2]});
-}
 
 // One field of all patches, sample by sample.
 std::string block(const std::vector<Eigen::MatrixXd>& values) {

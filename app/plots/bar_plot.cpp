@@ -12,8 +12,8 @@
 namespace isopatch::app {
 namespace {
 
-constexpr double width = 640;
-constexpr double right = width - 90;  // room for the sums
+constexpr double plot_width = 640;
+constexpr double bars_end = plot_width - 90;  // room for the sums
 constexpr double thickness = 24;
 constexpr double pitch = 36;
 constexpr double widest_name = 200;
@@ -65,8 +65,8 @@ void draw_axis(Svg& svg, const BarPlot& plot, const AxisScale& axis, double left
     svg.line({at, bottom}, {at, bottom + 5}, "axis");
     svg.text({at, bottom + 18}, tick.text, "text", Anchor::middle);
   }
-  svg.polyline({{left, top}, {left, bottom}, {right, bottom}}, "axis");
-  svg.text({(left + right) / 2, bottom + 36}, axis_text(plot.label, plot.unit), "text", Anchor::middle);
+  svg.polyline({{left, top}, {left, bottom}, {bars_end, bottom}}, "axis");
+  svg.text({(left + bars_end) / 2, bottom + 36}, axis_text(plot.label, plot.unit), "text", Anchor::middle);
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ std::string to_svg(const BarPlot& plot) {
   check(plot);
   std::vector<Legend::Entry> entries;
   for (const std::string& part : plot.parts) entries.push_back({part, Legend::Sample::area});
-  const Legend names(entries, width);
+  const Legend names(entries, plot_width);
   std::vector<double> values;
   double left = 20;
   for (const PlotBar& bar : plot.bars) {
@@ -84,8 +84,8 @@ std::string to_svg(const BarPlot& plot) {
   }
   const double top = names.bottom() + 10;
   const double bottom = top + pitch * std::max(1., static_cast<double>(plot.bars.size()));
-  const AxisScale axis({.label = "", .unit = "", .include = {0}}, values, left, right);
-  Svg svg(width, bottom + 46, plot.title, plot.description);
+  const AxisScale axis({.label = "", .unit = "", .include = {0}}, values, left, bars_end);
+  Svg svg(plot_width, bottom + 46, plot.title, plot.description);
   draw_axis(svg, plot, axis, left, top, bottom);
   for (std::size_t i = 0; i < plot.bars.size(); ++i) {
     const double at = top + pitch * static_cast<double>(i) + (pitch - thickness) / 2;

@@ -10,7 +10,7 @@
 namespace isopatch::app {
 namespace {
 
-constexpr double width = 640;
+constexpr double drawing_width = 640;
 constexpr double margin = 34;  // for the numbers outside
 
 void check(const GraphDrawing& drawing) {
@@ -28,7 +28,7 @@ void check(const GraphDrawing& drawing) {
 Legend legend_of(const GraphDrawing& drawing) {
   std::vector<Legend::Entry> entries;
   for (const std::string& name : drawing.series) entries.push_back({name, Legend::Sample::line, false});
-  return Legend(std::move(entries), width);
+  return Legend(std::move(entries), drawing_width);
 }
 
 }  // namespace
@@ -36,12 +36,12 @@ Legend legend_of(const GraphDrawing& drawing) {
 std::string to_svg(const GraphDrawing& drawing) {
   check(drawing);
   const Legend legend = legend_of(drawing);
-  const double radius = width / 2 - margin;
-  const double middle = legend.bottom() + width / 2;
+  const double radius = drawing_width / 2 - margin;
+  const double middle = legend.bottom() + drawing_width / 2;
   const auto place = [&](const std::array<double, 2>& at) {
-    return SvgPoint{width / 2 + radius * at[0], middle - radius * at[1]};
+    return SvgPoint{drawing_width / 2 + radius * at[0], middle - radius * at[1]};
   };
-  Svg svg(width, middle + width / 2, drawing.title, drawing.description);
+  Svg svg(drawing_width, middle + drawing_width / 2, drawing.title, drawing.description);
   legend.draw(svg);
   for (const GraphDrawing::Label& label : drawing.labels) {
     const SvgPoint at = place(label.at);

@@ -12,8 +12,8 @@
 namespace isopatch::app {
 namespace {
 
-constexpr double width = 640;
-constexpr double right = width - 26;
+constexpr double line_plot_width = 640;
+constexpr double lines_end = line_plot_width - 26;
 constexpr double area_height = 300;
 constexpr double axis_height = 46;
 constexpr std::size_t markers_of_long_series = 12;
@@ -60,7 +60,7 @@ PlotArea plot_area(const LinePlot& plot, double top) {
   double widest = 0;
   for (const Tick& tick : y.ticks()) widest = std::max(widest, text_width(tick.text, text_size));
   const double left = 38 + widest;
-  return {plot, AxisScale(plot.x, xs, left, right), y, left, top, bottom};
+  return {plot, AxisScale(plot.x, xs, left, lines_end), y, left, top, bottom};
 }
 
 void draw_axes(Svg& svg, const PlotArea& area) {
@@ -75,13 +75,13 @@ void draw_axes(Svg& svg, const PlotArea& area) {
   for (const Tick& tick : area.y.ticks()) {
     const double at = area.y.place(tick.value);
     const bool minor = tick.text.empty();
-    if (!minor) svg.line({area.left, at}, {right, at}, "grid");
+    if (!minor) svg.line({area.left, at}, {lines_end, at}, "grid");
     svg.line({area.left - (minor ? 3 : 5), at}, {area.left, at}, "axis");
     if (!minor) svg.text({area.left - 8, at + 4}, tick.text, "text", Anchor::end);
   }
-  svg.polyline({{area.left, area.top}, {area.left, bottom}, {right, bottom}}, "axis");
-  svg.text({(area.left + right) / 2, bottom + 36},
-           fitted(axis_text(area.plot.x.label, area.plot.x.unit), text_size, right - area.left), "text",
+  svg.polyline({{area.left, area.top}, {area.left, bottom}, {lines_end, bottom}}, "axis");
+  svg.text({(area.left + lines_end) / 2, bottom + 36},
+           fitted(axis_text(area.plot.x.label, area.plot.x.unit), text_size, lines_end - area.left), "text",
            Anchor::middle);
   svg.vertical_text({16, (area.top + bottom) / 2},
                     fitted(axis_text(area.plot.y.label, area.plot.y.unit), text_size, area_height));
@@ -91,8 +91,8 @@ void draw_levels(Svg& svg, const PlotArea& area) {
   for (const PlotLevel& level : area.plot.levels) {
     if (!has_place(level.value, area.plot.y.scale)) continue;
     const double at = area.y.place(level.value);
-    svg.line({area.left, at}, {right, at}, "level");
-    svg.text({right - 4, at - 5}, level.label, "quiet", Anchor::end);
+    svg.line({area.left, at}, {lines_end, at}, "level");
+    svg.text({lines_end - 4, at - 5}, level.label, "quiet", Anchor::end);
   }
 }
 
@@ -175,7 +175,7 @@ Legend legend(const LinePlot& plot) {
   for (const PlotSeries& series : plot.series)
     entries.push_back({legend_text(series),
                        series.dashed ? Legend::Sample::dashed_line : Legend::Sample::line, series.markers});
-  return {entries, width};
+  return {entries, line_plot_width};
 }
 
 }  // namespace
@@ -192,7 +192,7 @@ std::string to_svg(const LinePlot& plot) {
   check(plot);
   const Legend names = legend(plot);
   const PlotArea area = plot_area(plot, names.bottom() + 14);
-  Svg svg(width, area.bottom + axis_height, plot.title, plot.description);
+  Svg svg(line_plot_width, area.bottom + axis_height, plot.title, plot.description);
   draw_axes(svg, area);
   draw_levels(svg, area);
   for (const PlotSeries& series : plot.series) draw_slope(svg, area, series);

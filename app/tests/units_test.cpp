@@ -12,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string refusal(const std::string& text) {
+std::string unit_refusal(const std::string& text) {
   try {
     parse_quantity(text);
   } catch (const Error& error) {
@@ -63,25 +63,25 @@ TEST(Units, MeasureMemoryInPowersOf1000And1024) {
   EXPECT_EQ(parse_quantity("1 TB").dimension, dimensions::data);
   EXPECT_EQ(describe(dimensions::data), "an amount of memory");
   EXPECT_EQ(si_unit(parse_quantity("1 B/s").dimension), "s^-1 B");
-  EXPECT_THAT(refusal("2 gb"), HasSubstr("did you mean 'GB'?"));
-  EXPECT_THAT(refusal("2 KB"), HasSubstr("did you mean 'kB'?"));
+  EXPECT_THAT(unit_refusal("2 gb"), HasSubstr("did you mean 'GB'?"));
+  EXPECT_THAT(unit_refusal("2 KB"), HasSubstr("did you mean 'kB'?"));
 }
 
 TEST(Units, RefuseWhatIsNoQuantity) {
-  EXPECT_THAT(refusal("nan"), HasSubstr("not a finite number"));
-  EXPECT_THAT(refusal("inf m"), HasSubstr("not a finite number"));
-  EXPECT_THAT(refusal("1e999 m"), HasSubstr("too large"));
-  EXPECT_THAT(refusal("1e308 GPa"), HasSubstr("overflows"));
-  EXPECT_THAT(refusal("20 Mpa"), HasSubstr("did you mean 'MPa'?"));
-  EXPECT_THAT(refusal("20 furlong"), HasSubstr("unknown unit 'furlong'"));
-  EXPECT_THAT(refusal("MPa"), HasSubstr("expected a number with a unit"));
-  EXPECT_THAT(refusal(""), HasSubstr("expected a number"));
-  EXPECT_THAT(refusal("1 N/"), HasSubstr("a unit is missing"));
-  EXPECT_THAT(refusal("1 (N"), HasSubstr("bracket is not closed"));
-  EXPECT_THAT(refusal("1 N)"), HasSubstr("unexpected ')'"));
-  EXPECT_THAT(refusal("1 m^99"), HasSubstr("exponent"));
-  EXPECT_THAT(refusal("1 m^"), HasSubstr("exponent"));
-  EXPECT_THAT(refusal("1 " + std::string(1000, '(')), HasSubstr("too many brackets"));
+  EXPECT_THAT(unit_refusal("nan"), HasSubstr("not a finite number"));
+  EXPECT_THAT(unit_refusal("inf m"), HasSubstr("not a finite number"));
+  EXPECT_THAT(unit_refusal("1e999 m"), HasSubstr("too large"));
+  EXPECT_THAT(unit_refusal("1e308 GPa"), HasSubstr("overflows"));
+  EXPECT_THAT(unit_refusal("20 Mpa"), HasSubstr("did you mean 'MPa'?"));
+  EXPECT_THAT(unit_refusal("20 furlong"), HasSubstr("unknown unit 'furlong'"));
+  EXPECT_THAT(unit_refusal("MPa"), HasSubstr("expected a number with a unit"));
+  EXPECT_THAT(unit_refusal(""), HasSubstr("expected a number"));
+  EXPECT_THAT(unit_refusal("1 N/"), HasSubstr("a unit is missing"));
+  EXPECT_THAT(unit_refusal("1 (N"), HasSubstr("bracket is not closed"));
+  EXPECT_THAT(unit_refusal("1 N)"), HasSubstr("unexpected ')'"));
+  EXPECT_THAT(unit_refusal("1 m^99"), HasSubstr("exponent"));
+  EXPECT_THAT(unit_refusal("1 m^"), HasSubstr("exponent"));
+  EXPECT_THAT(unit_refusal("1 " + std::string(1000, '(')), HasSubstr("too many brackets"));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace isopatch::geometry {
 namespace {
 
-using Kind = Part21Token::Kind;
+using TokenKind = Part21Token::Kind;
 
 constexpr int deepest = 200;
 
@@ -28,7 +28,7 @@ void pass_values(Part21Scanner& scanner, const Visit& visit) {
   while (depth > 0) {
     const Part21Token token = scanner.next();
     const auto shown = token.bytes.substr(0, 40);
-    if (token.kind == Kind::end) scanner.fail(token.line, "the entity does not end");
+    if (token.kind == TokenKind::end) scanner.fail(token.line, "the entity does not end");
     visit(token);
     if (token.is(')')) {
       if (wants_value && !may_be_empty) scanner.fail(token.line, "a value is missing before ')'");
@@ -40,12 +40,12 @@ void pass_values(Part21Scanner& scanner, const Visit& visit) {
       may_be_empty = false;
     } else if (!wants_value) {
       scanner.fail(token.line, fmt::format("',' or ')' is expected where '{}' stands", shown));
-    } else if (token.is('(') || token.kind == Kind::word) {
-      if (token.kind == Kind::word && !scanner.next().is('('))
+    } else if (token.is('(') || token.kind == TokenKind::word) {
+      if (token.kind == TokenKind::word && !scanner.next().is('('))
         scanner.fail(token.line, fmt::format("'{}' is no value", shown));
       if (++depth > deepest) scanner.fail(token.line, "more than 200 brackets in one another");
       may_be_empty = true;
-    } else if (token.kind == Kind::sign && !token.is('$') && !token.is('*')) {
+    } else if (token.kind == TokenKind::sign && !token.is('$') && !token.is('*')) {
       scanner.fail(token.line, fmt::format("'{}' is no value", shown));
     } else {
       wants_value = may_be_empty = false;
@@ -56,23 +56,23 @@ void pass_values(Part21Scanner& scanner, const Visit& visit) {
 Part21Value value_of(const Part21Token& token) {
   Part21Value value;
   switch (token.kind) {
-    case Kind::number:
+    case TokenKind::number:
       value.kind = Part21Value::Kind::number;
       value.number = token.number;
       break;
-    case Kind::reference:
+    case TokenKind::reference:
       value.kind = Part21Value::Kind::reference;
       value.reference = token.reference;
       break;
-    case Kind::text:
+    case TokenKind::text:
       value.kind = Part21Value::Kind::text;
       value.text = std::string(token.bytes.substr(1, token.bytes.size() - 2));
       break;
-    case Kind::enumeration:
+    case TokenKind::enumeration:
       value.kind = Part21Value::Kind::enumeration;
       value.text = std::string(token.bytes.substr(1, token.bytes.size() - 2));
       break;
-    case Kind::binary:
+    case TokenKind::binary:
       value.kind = Part21Value::Kind::binary;
       break;
     default:
@@ -84,13 +84,13 @@ Part21Value value_of(const Part21Token& token) {
 // Of a body that has been checked.
 std::vector<Part21Value> values_of(Part21Scanner& scanner) {
   std::vector<Part21Value> result;
-  for (Part21Token token = scanner.next(); !token.is(')') && token.kind != Kind::end;
+  for (Part21Token token = scanner.next(); !token.is(')') && token.kind != TokenKind::end;
        token = scanner.next()) {
     if (token.is(',')) continue;
     if (token.is('(')) {
       result.emplace_back().kind = Part21Value::Kind::list;
       result.back().items = values_of(scanner);
-    } else if (token.kind == Kind::word) {
+    } else if (token.kind == TokenKind::word) {
       scanner.next();
       result.emplace_back().kind = Part21Value::Kind::typed;
       result.back().text = std::string(token.bytes);
@@ -110,7 +110,7 @@ Part21File::Part21File(std::string_view text, const std::string& source) : text_
     throw Error(ErrorCode::bad_format,
                 source + ": this is no STEP file: it does not begin with ISO-10303-21");
   bool in_data = false, ended = false;
-  for (Part21Token token = scanner.next(); token.kind != Kind::end && !ended; token = scanner.next()) {
+  for (Part21Token token = scanner.next(); token.kind != TokenKind::end && !ended; token = scanner.next()) {
     if (token.is("ENDSEC")) {
       if (in_data) end_of_data_ = token.begin;
       in_data = false;
@@ -118,7 +118,7 @@ Part21File::Part21File(std::string_view text, const std::string& source) : text_
       in_data = true;
     } else if (token.is("END-ISO-10303-21")) {
       ended = true;
-    } else if (in_data && token.kind == Kind::reference) {
+    } else if (in_data && token.kind == TokenKind::reference) {
       add_instance(scanner, token);
     }
   }
@@ -136,12 +136,12 @@ void Part21File::add_instance(Part21Scanner& scanner, const Part21Token& start) 
   if (!scanner.next().is('=')) scanner.fail(start.line, "'=' is missing");
   const Part21Token first = scanner.next();
   instance.references_begin = references_.size();
-  if (first.kind == Kind::word) {
+  if (first.kind == TokenKind::word) {
     instance.type = first.bytes;
     add_entity(scanner, instance.id, first);
   } else if (first.is('(')) {
     Part21Token type = scanner.next();
-    for (; type.kind == Kind::word; type = scanner.next()) add_entity(scanner, instance.id, type);
+    for (; type.kind == TokenKind::word; type = scanner.next()) add_entity(scanner, instance.id, type);
     if (!type.is(')')) scanner.fail(type.line, fmt::format("'{}' is no entity", type.bytes.substr(0, 40)));
   } else {
     scanner.fail(first.line, fmt::format("'{}' is no entity", first.bytes.substr(0, 40)));
@@ -162,8 +162,8 @@ void Part21File::add_entity(Part21Scanner& scanner, std::int64_t id, const Part2
   scanner.set_entity(fmt::format("#{} = {}", id, type.bytes));
   if (!scanner.next().is('(')) scanner.fail(type.line, "'(' is missing");
   pass_values(scanner, [&](const Part21Token& seen) {
-    if (seen.kind == Kind::reference) references_.push_back(seen.reference);
-    if (seen.kind == Kind::number && is_irregular(seen.bytes)) irregular_numbers_.push_back(seen.bytes);
+    if (seen.kind == TokenKind::reference) references_.push_back(seen.reference);
+    if (seen.kind == TokenKind::number && is_irregular(seen.bytes)) irregular_numbers_.push_back(seen.bytes);
   });
 }
 
@@ -197,7 +197,7 @@ std::vector<Part21Record> Part21File::records(const Part21Instance& instance) co
   Part21Scanner scanner(instance.body, source_, instance.line);
   Part21Token token = scanner.next();
   if (token.is('(')) token = scanner.next();
-  for (; token.kind == Kind::word; token = scanner.next()) {
+  for (; token.kind == TokenKind::word; token = scanner.next()) {
     scanner.next();
     result.push_back({std::string(token.bytes), values_of(scanner)});
   }
@@ -213,8 +213,8 @@ const Part21Record* record_of(const std::vector<Part21Record>& records, std::str
 std::vector<std::string_view> Part21File::texts() const {
   std::vector<std::string_view> result;
   Part21Scanner scanner(text_, source_);
-  for (Part21Token token = scanner.next(); token.kind != Kind::end; token = scanner.next())
-    if (token.kind == Kind::text) result.push_back(token.bytes.substr(1, token.bytes.size() - 2));
+  for (Part21Token token = scanner.next(); token.kind != TokenKind::end; token = scanner.next())
+    if (token.kind == TokenKind::text) result.push_back(token.bytes.substr(1, token.bytes.size() - 2));
   return result;
 }
 

@@ -10,8 +10,6 @@
 namespace isopatch::geometry {
 namespace {
 
-using Kind = Part21Value::Kind;
-
 constexpr std::array<std::string_view, 3> solids = {"MANIFOLD_SOLID_BREP", "BREP_WITH_VOIDS", "FACETED_BREP"};
 constexpr std::array<std::string_view, 18> other_kinds = {"CSG_SOLID",
                                                           "EXTRUDED_AREA_SOLID",

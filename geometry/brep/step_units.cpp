@@ -80,7 +80,7 @@ std::string unit_name(double metres) {
 /// A unit followed down to the metre.
 struct Length {
   double metres = 0;         ///< 0 where it cannot be followed
-  std::string problem;       ///< then
+  std::string problem = {};  ///< then
   int conversions = 0;       ///< from unit to unit on the way
   std::int64_t measure = 0;  ///< the instance that says how much of the next unit it is
 };

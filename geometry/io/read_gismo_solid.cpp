@@ -13,8 +13,6 @@
 namespace isopatch::geometry {
 namespace {
 
-constexpr int max_id = 2'000'000'000;
-
 bool is_trimmed_surface(pugi::xml_node node) {
   return std::string_view(node.name()) == "TrimSurface" ||
          std::string_view(node.attribute("type").value()) == "TrimSurface";

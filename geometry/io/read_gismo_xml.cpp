@@ -14,8 +14,6 @@
 namespace isopatch::geometry {
 namespace {
 
-constexpr int max_id = 2'000'000'000;
-
 class GismoReader {
  public:
   GismoReader(std::string_view text, const std::string& source) : xml_(text, source) {}

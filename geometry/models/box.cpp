@@ -9,7 +9,7 @@
 namespace isopatch::geometry {
 namespace {
 
-constexpr const char* model = "box";
+constexpr const char* box_model_name = "box";
 constexpr std::array<std::string_view, 6> names = {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"};
 // Below 1 / sqrt(3): each column of the Jacobian matrix, in units of a patch's size, then differs so little
 // from a column of the identity that the matrix, and every Bernstein coefficient of its determinant, stays
@@ -114,14 +114,15 @@ void validate(const BoxOptions& options) {
   constexpr std::array axes = {"x", "y", "z"};
   for (std::size_t d = 0; d < 3; ++d) {
     const std::string axis = std::string(" along ") + axes[d];
-    check_length(model, "size" + axis, options.size[static_cast<Eigen::Index>(d)]);
-    check_range(model, "origin" + axis, options.origin[static_cast<Eigen::Index>(d)], -1e100, 1e100);
-    check_count(model, "patches" + axis, options.patches[d]);
+    check_length(box_model_name, "size" + axis, options.size[static_cast<Eigen::Index>(d)]);
+    check_range(box_model_name, "origin" + axis, options.origin[static_cast<Eigen::Index>(d)], -1e100, 1e100);
+    check_count(box_model_name, "patches" + axis, options.patches[d]);
   }
-  check_total(model, 1.0 * options.patches[0] * options.patches[1] * options.patches[2]);
-  check_range(model, "distortion", options.distortion, 0, largest_change);
-  check_range(model, "curvature", options.curvature, 0, largest_change);
-  check_range(model, "distortion + curvature", options.distortion + options.curvature, 0, largest_change);
+  check_total(box_model_name, 1.0 * options.patches[0] * options.patches[1] * options.patches[2]);
+  check_range(box_model_name, "distortion", options.distortion, 0, largest_change);
+  check_range(box_model_name, "curvature", options.curvature, 0, largest_change);
+  check_range(box_model_name, "distortion + curvature", options.distortion + options.curvature, 0,
+              largest_change);
 }
 
 PatchSet box_model(const BoxOptions& options) {

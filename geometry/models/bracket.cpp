@@ -9,15 +9,15 @@
 namespace isopatch::geometry {
 namespace {
 
-constexpr const char* model = "bracket";
+constexpr const char* bracket_model_name = "bracket";
 
 }  // namespace
 
 void validate(const BracketOptions& options) {
-  check_length(model, "leg", options.leg);
-  check_length(model, "width", options.width);
-  check_length(model, "thickness", options.thickness);
-  check_below(model, "width", options.width, "leg", options.leg);
+  check_length(bracket_model_name, "leg", options.leg);
+  check_length(bracket_model_name, "width", options.width);
+  check_length(bracket_model_name, "thickness", options.thickness);
+  check_below(bracket_model_name, "width", options.width, "leg", options.leg);
 }
 
 PatchSet bracket_model(const BracketOptions& options) {

@@ -9,7 +9,7 @@
 namespace isopatch::geometry {
 namespace {
 
-constexpr const char* model = "cook";
+constexpr const char* cook_model_name = "cook";
 
 // The membrane's point at shares (s, t) of its width and its height there.
 Eigen::Vector3d place(const CookOptions& options, double s, double t) {
@@ -21,14 +21,14 @@ Eigen::Vector3d place(const CookOptions& options, double s, double t) {
 }  // namespace
 
 void validate(const CookOptions& options) {
-  check_length(model, "width", options.width);
-  check_length(model, "left_height", options.left_height);
-  check_length(model, "right_height", options.right_height);
-  check_range(model, "rise", options.rise, -1e100, 1e100);
-  check_length(model, "thickness", options.thickness);
-  check_count(model, "patches along x", options.patches[0]);
-  check_count(model, "patches along y", options.patches[1]);
-  check_total(model, 1.0 * options.patches[0] * options.patches[1]);
+  check_length(cook_model_name, "width", options.width);
+  check_length(cook_model_name, "left_height", options.left_height);
+  check_length(cook_model_name, "right_height", options.right_height);
+  check_range(cook_model_name, "rise", options.rise, -1e100, 1e100);
+  check_length(cook_model_name, "thickness", options.thickness);
+  check_count(cook_model_name, "patches along x", options.patches[0]);
+  check_count(cook_model_name, "patches along y", options.patches[1]);
+  check_total(cook_model_name, 1.0 * options.patches[0] * options.patches[1]);
 }
 
 PatchSet cook_model(const CookOptions& options) {

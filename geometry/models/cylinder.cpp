@@ -9,7 +9,7 @@
 namespace isopatch::geometry {
 namespace {
 
-constexpr const char* model = "cylinder";
+constexpr const char* cylinder_model_name = "cylinder";
 constexpr Angle full_turn = Angle::degrees(360);
 
 // Counted in whole pieces, so that 360 degrees in any number of pieces close exactly.
@@ -28,17 +28,19 @@ int patches_around(const CylinderOptions& options) {
 }  // namespace
 
 void validate(const CylinderOptions& options) {
-  check_length(model, "inner_radius", options.inner_radius);
-  check_length(model, "outer_radius", options.outer_radius);
-  check_below(model, "inner_radius", options.inner_radius, "outer_radius", options.outer_radius);
-  check_length(model, "height", options.height);
-  check_angle(model, "angle", options.angle, full_turn);
-  check_count(model, "radial_patches", options.radial_patches);
-  check_count(model, "axial_patches", options.axial_patches);
+  check_length(cylinder_model_name, "inner_radius", options.inner_radius);
+  check_length(cylinder_model_name, "outer_radius", options.outer_radius);
+  check_below(cylinder_model_name, "inner_radius", options.inner_radius, "outer_radius",
+              options.outer_radius);
+  check_length(cylinder_model_name, "height", options.height);
+  check_angle(cylinder_model_name, "angle", options.angle, full_turn);
+  check_count(cylinder_model_name, "radial_patches", options.radial_patches);
+  check_count(cylinder_model_name, "axial_patches", options.axial_patches);
   if (options.patches_around != 0)
-    check_range(model, "patches_around", options.patches_around,
+    check_range(cylinder_model_name, "patches_around", options.patches_around,
                 arc_piece_count(options.angle, Angle::degrees(120)), 1000);
-  check_total(model, 1.0 * patches_around(options) * options.radial_patches * options.axial_patches);
+  check_total(cylinder_model_name,
+              1.0 * patches_around(options) * options.radial_patches * options.axial_patches);
 }
 
 PatchSet cylinder_model(const CylinderOptions& options) {

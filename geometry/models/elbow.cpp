@@ -11,7 +11,7 @@
 namespace isopatch::geometry {
 namespace {
 
-constexpr const char* model = "elbow";
+constexpr const char* elbow_model_name = "elbow";
 
 // The trace of a patch where the pipe goes on.
 NurbsSurface end_of(const NurbsVolume& pipe) {
@@ -42,14 +42,14 @@ std::vector<NurbsVolume> pieces_along(const ElbowOptions& options, NurbsSurface 
 }  // namespace
 
 void validate(const ElbowOptions& options) {
-  check_length(model, "inner_radius", options.inner_radius);
-  check_length(model, "outer_radius", options.outer_radius);
-  check_below(model, "inner_radius", options.inner_radius, "outer_radius", options.outer_radius);
-  check_length(model, "bend_radius", options.bend_radius);
-  check_below(model, "outer_radius", options.outer_radius, "bend_radius", options.bend_radius);
-  check_angle(model, "bend_angle", options.bend_angle, Angle::degrees(180));
-  check_length_or_zero(model, "inlet_length", options.inlet_length);
-  check_length_or_zero(model, "outlet_length", options.outlet_length);
+  check_length(elbow_model_name, "inner_radius", options.inner_radius);
+  check_length(elbow_model_name, "outer_radius", options.outer_radius);
+  check_below(elbow_model_name, "inner_radius", options.inner_radius, "outer_radius", options.outer_radius);
+  check_length(elbow_model_name, "bend_radius", options.bend_radius);
+  check_below(elbow_model_name, "outer_radius", options.outer_radius, "bend_radius", options.bend_radius);
+  check_angle(elbow_model_name, "bend_angle", options.bend_angle, Angle::degrees(180));
+  check_length_or_zero(elbow_model_name, "inlet_length", options.inlet_length);
+  check_length_or_zero(elbow_model_name, "outlet_length", options.outlet_length);
 }
 
 PatchSet elbow_model(const ElbowOptions& options) {

@@ -9,7 +9,7 @@
 namespace isopatch::geometry {
 namespace {
 
-constexpr const char* model = "elliptic_plate";
+constexpr const char* elliptic_plate_model_name = "elliptic_plate";
 
 // A quarter of an ellipse: a circle's, stretched along the axes, which leaves the weights.
 NurbsCurve quarter(double along_x, double along_y, double z) {
@@ -22,14 +22,14 @@ NurbsCurve quarter(double along_x, double along_y, double z) {
 }  // namespace
 
 void validate(const EllipticPlateOptions& options) {
-  check_length(model, "inner_x", options.inner_x);
-  check_length(model, "inner_y", options.inner_y);
-  check_length(model, "outer_x", options.outer_x);
-  check_length(model, "outer_y", options.outer_y);
-  check_length(model, "thickness", options.thickness);
-  check_below(model, "inner_x", options.inner_x, "outer_x", options.outer_x);
-  check_below(model, "inner_y", options.inner_y, "outer_y", options.outer_y);
-  check_count(model, "layers", options.layers);
+  check_length(elliptic_plate_model_name, "inner_x", options.inner_x);
+  check_length(elliptic_plate_model_name, "inner_y", options.inner_y);
+  check_length(elliptic_plate_model_name, "outer_x", options.outer_x);
+  check_length(elliptic_plate_model_name, "outer_y", options.outer_y);
+  check_length(elliptic_plate_model_name, "thickness", options.thickness);
+  check_below(elliptic_plate_model_name, "inner_x", options.inner_x, "outer_x", options.outer_x);
+  check_below(elliptic_plate_model_name, "inner_y", options.inner_y, "outer_y", options.outer_y);
+  check_count(elliptic_plate_model_name, "layers", options.layers);
 }
 
 PatchSet elliptic_plate_model(const EllipticPlateOptions& options) {

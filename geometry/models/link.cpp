@@ -17,7 +17,7 @@
 namespace isopatch::geometry {
 namespace {
 
-constexpr const char* model = "link";
+constexpr const char* link_model_name = "link";
 
 // One end of the link: an eye about the origin whose shank leaves along +x.
 struct Eye {
@@ -137,27 +137,28 @@ void check_front(std::string_view side, const Eye& eye) {
         fmt::format(
             "{}: {}_bore_radius is {:g}; between this bore and the shank's fillets too little is left "
             "of {}_outer_radius {:g}; make the bore or shank_width smaller or fillet_radius larger",
-            model, side, eye.bore_radius, side, eye.outer_radius));
+            link_model_name, side, eye.bore_radius, side, eye.outer_radius));
 }
 
 }  // namespace
 
 void validate(const LinkOptions& options) {
-  check_length(model, "distance", options.distance);
-  check_length(model, "left_bore_radius", options.left_bore_radius);
-  check_length(model, "right_bore_radius", options.right_bore_radius);
-  check_length(model, "left_outer_radius", options.left_outer_radius);
-  check_length(model, "right_outer_radius", options.right_outer_radius);
-  check_length(model, "shank_width", options.shank_width);
-  check_length(model, "fillet_radius", options.fillet_radius);
-  check_length(model, "thickness", options.thickness);
-  check_count(model, "shank_patches", options.shank_patches);
-  check_below(model, "left_bore_radius", options.left_bore_radius, "left_outer_radius",
+  check_length(link_model_name, "distance", options.distance);
+  check_length(link_model_name, "left_bore_radius", options.left_bore_radius);
+  check_length(link_model_name, "right_bore_radius", options.right_bore_radius);
+  check_length(link_model_name, "left_outer_radius", options.left_outer_radius);
+  check_length(link_model_name, "right_outer_radius", options.right_outer_radius);
+  check_length(link_model_name, "shank_width", options.shank_width);
+  check_length(link_model_name, "fillet_radius", options.fillet_radius);
+  check_length(link_model_name, "thickness", options.thickness);
+  check_count(link_model_name, "shank_patches", options.shank_patches);
+  check_below(link_model_name, "left_bore_radius", options.left_bore_radius, "left_outer_radius",
               options.left_outer_radius);
-  check_below(model, "right_bore_radius", options.right_bore_radius, "right_outer_radius",
+  check_below(link_model_name, "right_bore_radius", options.right_bore_radius, "right_outer_radius",
               options.right_outer_radius);
   const double smaller = std::min(options.left_outer_radius, options.right_outer_radius);
-  check_below(model, "shank_width", options.shank_width, "twice the smaller outer radius", 2 * smaller);
+  check_below(link_model_name, "shank_width", options.shank_width, "twice the smaller outer radius",
+              2 * smaller);
   check_front("left", left_eye(options));
   check_front("right", right_eye(options));
   const double needed = left_eye(options).shank_start() + right_eye(options).shank_start();
@@ -166,7 +167,7 @@ void validate(const LinkOptions& options) {
         ErrorCode::invalid_argument,
         fmt::format("{}: distance is {:g}; it must be above {:g}, which eyes and fillets take; a smaller "
                     "fillet_radius takes less",
-                    model, options.distance, needed));
+                    link_model_name, options.distance, needed));
 }
 
 PatchSet link_model(const LinkOptions& options) {

@@ -11,17 +11,17 @@
 namespace isopatch::geometry {
 namespace {
 
-constexpr const char* model = "plate";
+constexpr const char* plate_model_name = "plate";
 
 }  // namespace
 
 void validate(const PlateOptions& options) {
-  check_length(model, "width", options.width);
-  check_length(model, "height", options.height);
-  check_length(model, "hole_radius", options.hole_radius);
-  check_length(model, "thickness", options.thickness);
-  check_below(model, "hole_radius", options.hole_radius, "width", options.width);
-  check_below(model, "hole_radius", options.hole_radius, "height", options.height);
+  check_length(plate_model_name, "width", options.width);
+  check_length(plate_model_name, "height", options.height);
+  check_length(plate_model_name, "hole_radius", options.hole_radius);
+  check_length(plate_model_name, "thickness", options.thickness);
+  check_below(plate_model_name, "hole_radius", options.hole_radius, "width", options.width);
+  check_below(plate_model_name, "hole_radius", options.hole_radius, "height", options.height);
 }
 
 PatchSet plate_model(const PlateOptions& options) {

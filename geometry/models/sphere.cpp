@@ -11,7 +11,7 @@
 namespace isopatch::geometry {
 namespace {
 
-constexpr const char* model = "sphere";
+constexpr const char* sphere_model_name = "sphere";
 
 // Bernstein coefficients of a polynomial in two variables, (degree + 1, degree + 1).
 using Biquadratic = Eigen::Matrix3d;
@@ -85,10 +85,10 @@ NurbsSurface patch_about(const NurbsSurface& unit, int axis, double radius) {
 }  // namespace
 
 void validate(const SphereOptions& options) {
-  check_length(model, "inner_radius", options.inner_radius);
-  check_length(model, "outer_radius", options.outer_radius);
-  check_below(model, "inner_radius", options.inner_radius, "outer_radius", options.outer_radius);
-  check_count(model, "radial_patches", options.radial_patches);
+  check_length(sphere_model_name, "inner_radius", options.inner_radius);
+  check_length(sphere_model_name, "outer_radius", options.outer_radius);
+  check_below(sphere_model_name, "inner_radius", options.inner_radius, "outer_radius", options.outer_radius);
+  check_count(sphere_model_name, "radial_patches", options.radial_patches);
 }
 
 PatchSet sphere_model(const SphereOptions& options) {

@@ -11,7 +11,7 @@
 namespace isopatch::geometry {
 namespace {
 
-constexpr const char* model = "twisted_beam";
+constexpr const char* twisted_beam_model_name = "twisted_beam";
 
 // Coefficients of cos and sin of sweep * t, t in [0, 1]: interpolated at the breaks, with the slopes at both
 // ends. The error is at most 5/384 of the piece's angle to the fourth power, 8e-7 for 5 degrees (Hall, Meyer
@@ -38,10 +38,10 @@ Eigen::MatrixX2d turn(const KnotVector& knots, double sweep) {
 }  // namespace
 
 void validate(const TwistedBeamOptions& options) {
-  check_length(model, "length", options.length);
-  check_length(model, "width", options.width);
-  check_length(model, "depth", options.depth);
-  check_angle(model, "twist", options.twist, Angle::degrees(720));
+  check_length(twisted_beam_model_name, "length", options.length);
+  check_length(twisted_beam_model_name, "width", options.width);
+  check_length(twisted_beam_model_name, "depth", options.depth);
+  check_angle(twisted_beam_model_name, "twist", options.twist, Angle::degrees(720));
 }
 
 PatchSet twisted_beam_model(const TwistedBeamOptions& options) {

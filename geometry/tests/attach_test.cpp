@@ -12,7 +12,7 @@
 namespace isopatch::geometry {
 namespace {
 
-double volume_of(const MultiPatch& model) {
+double total_volume(const MultiPatch& model) {
   double sum = 0;
   for (const NurbsVolume& patch : model.patches()) sum += volume(patch);
   return sum;
@@ -47,7 +47,7 @@ TEST(Attached, LengthensAPartByWhatItIsMoved) {
   ASSERT_EQ(set.patches.size(), 4u);
   const MultiPatch model = connect(set);
   EXPECT_EQ(model.interfaces().size(), 4u) << "old and old, two times old and new, new and new";
-  EXPECT_NEAR(volume_of(model), 3, 1e-13);
+  EXPECT_NEAR(total_volume(model), 3, 1e-13);
   EXPECT_EQ(model.bodies().size(), 1u);
 }
 
@@ -68,7 +68,7 @@ TEST(Attached, FillsABoreWithARingOfExactArcs) {
   Eigen::Affine3d shrink(Eigen::Scaling(0.6, 0.6, 1.0));
   const MultiPatch model = connect(attached(quarter_tube(), {{PatchId(0), Side::west}}, shrink));
   EXPECT_EQ(model.interfaces().size(), 1u);
-  EXPECT_NEAR(volume_of(model), std::numbers::pi / 4 * (4 - 0.36), 1e-12);
+  EXPECT_NEAR(total_volume(model), std::numbers::pi / 4 * (4 - 0.36), 1e-12);
   for (const double t : {0.1, 0.5, 0.8})
     EXPECT_NEAR(model.patch(PatchId(1)).point({t, t, 1}).head<2>().norm(), 0.6, 1e-14);
 }

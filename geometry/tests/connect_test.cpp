@@ -23,8 +23,6 @@ using test::ring_sector;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-constexpr double pi = std::numbers::pi;
-
 double volume_of(const MultiPatch& model) {
   double sum = 0;
   for (const NurbsVolume& patch : model.patches()) sum += volume(patch);
@@ -109,7 +107,10 @@ TEST(Connect, JoinsFacesWithDifferentKnots) {
 TEST(Connect, DoesNotJoinTheHalvesOfARingByTheirCorners) {
   // West of one half and west of the other share four corners, as do the two easts; neither is an interface.
   const MultiPatch model =
-      connect({{ring_sector(1, 2, 0, pi, 0.5), permuted(ring_sector(1, 2, pi, 2 * pi, 0.5), 37)}, {}, {}});
+      connect({{ring_sector(1, 2, 0, std::numbers::pi, 0.5),
+                permuted(ring_sector(1, 2, std::numbers::pi, 2 * std::numbers::pi, 0.5), 37)},
+               {},
+               {}});
   ASSERT_EQ(model.interfaces().size(), 2u);
   EXPECT_EQ(model.boundary_faces().size(), 8u);
   for (const Interface& i : model.interfaces())
@@ -136,7 +137,7 @@ TEST(Connect, SetsCollapsedFacesAside) {
   EXPECT_EQ(model.degenerate_faces()[0], (PatchFace{PatchId(0), Side::west}));
   EXPECT_EQ(model.interfaces().size(), 1u);
   EXPECT_EQ(model.boundary_faces().size(), 3u);
-  EXPECT_NEAR(volume_of(model), 2 * pi, 1e-12);
+  EXPECT_NEAR(volume_of(model), 2 * std::numbers::pi, 1e-12);
 }
 
 TEST(Connect, TurnsLeftHandedPatchesAroundAndTranslatesNames) {

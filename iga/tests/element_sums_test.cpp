@@ -19,7 +19,7 @@ namespace {
 using testing::problem;
 
 // Rational patches of mixed degrees, several elements in each direction, two materials.
-ElasticityProblem elbow() {
+ElasticityProblem elbow_of_two_materials() {
   ElasticityProblem p = problem(geometry::connect(geometry::elbow_model({})),
                                 {.degree = {3, 2, 2}, .refine = 1}, isotropic(200, 0.3, 2.0));
   p.materials[1] = isotropic(70, 0.2, 3.0);
@@ -48,7 +48,7 @@ void for_each_table(const Discretization& d, Visit visit) {
 }
 
 TEST(InternalForces, AreThoseOfPlainTables) {
-  const ElasticityProblem p = elbow();
+  const ElasticityProblem p = elbow_of_two_materials();
   const Discretization& d = p.discretization;
   const Eigen::Matrix3Xd u = some_displacement(d);
   Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, d.node_count());
@@ -86,7 +86,7 @@ TEST(InternalForces, AreThoseOfPlainTables) {
 }
 
 TEST(Loads, OfVolumesAreThoseOfPlainTables) {
-  ElasticityProblem p = elbow();
+  ElasticityProblem p = elbow_of_two_materials();
   const Discretization& d = p.discretization;
   const auto force = [](const Eigen::Vector3d& x) {
     return Eigen::Vector3d(x[1] * x[2], 1 + x[0], std::cos(x[1]));
@@ -107,7 +107,7 @@ TEST(Loads, OfVolumesAreThoseOfPlainTables) {
 }
 
 TEST(MaxDisplacement, IsTheLargestOfTheGrid) {
-  const ElasticityProblem p = elbow();
+  const ElasticityProblem p = elbow_of_two_materials();
   const Discretization& d = p.discretization;
   const Eigen::Matrix3Xd u = some_displacement(d);
   ElasticField field{d.patches, {}, p.materials};
@@ -135,7 +135,7 @@ TEST(MaxDisplacement, IsTheLargestOfTheGrid) {
 }
 
 TEST(ElementSums, DoNotDependOnTheNumberOfThreads) {
-  ElasticityProblem p = elbow();
+  ElasticityProblem p = elbow_of_two_materials();
   const Discretization& d = p.discretization;
   const Eigen::Matrix3Xd u = some_displacement(d);
   p.volume_loads = gravity("weight", {PatchId(0), PatchId(1)}, {1, 2, 3}, p.materials);

@@ -21,7 +21,7 @@ using testing::boundary;
 using testing::problem;
 
 // A pipe elbow, clamped at its inlet and pulled aside at its outlet: rational patches with mixed degrees.
-ElasticityProblem elbow() {
+ElasticityProblem pulled_elbow() {
   ElasticityProblem p = problem(geometry::connect(geometry::elbow_model({})), {.degree = {2, 2, 2}},
                                 isotropic(200, 0.3, 2.0, "soft"));
   const auto& model = p.discretization.model;
@@ -31,7 +31,7 @@ ElasticityProblem elbow() {
 }
 
 const ElasticitySolution& elbow_solution() {
-  static const ElasticitySolution solution = solve_elasticity(elbow());
+  static const ElasticitySolution solution = solve_elasticity(pulled_elbow());
   return solution;
 }
 
@@ -69,7 +69,7 @@ TEST(ElasticField, HasFiniteStressOnACollapsedEdge) {
 TEST(ResultFile, ComesBackAsItWas) {
   const ElasticitySolution& solution = elbow_solution();
   const auto path = std::filesystem::temp_directory_path() / "isopatch_result_test.h5";
-  const geometry::MultiPatch model = elbow().discretization.model;
+  const geometry::MultiPatch model = pulled_elbow().discretization.model;
   const geometry::PatchConnections connections = geometry::connections_of(model);
   write_file(path, to_hdf5({solution.field, solution.multipliers, connections, "title = \"x\"", "{}"}));
   const StoredResult back = read_result(path);
@@ -107,7 +107,7 @@ TEST(ResultFile, ComesBackAsItWas) {
 // Whatever a changed bit does to a file of results: an error, or the same results.
 TEST(ResultFile, NoChangedBitGivesOtherResults) {
   const ElasticitySolution& solution = elbow_solution();
-  const auto connections = geometry::connections_of(elbow().discretization.model);
+  const auto connections = geometry::connections_of(pulled_elbow().discretization.model);
   const std::string good =
       to_hdf5({solution.field, solution.multipliers, connections, "title = \"x\"", "{}"});
   const auto path = std::filesystem::temp_directory_path() / "isopatch_changed_result_test.h5";
@@ -129,7 +129,7 @@ TEST(ResultFile, NoChangedBitGivesOtherResults) {
 }
 
 TEST(Loads, HaveTheResultantsOfTheirKind) {
-  ElasticityProblem p = elbow();
+  ElasticityProblem p = pulled_elbow();
   const auto& model = p.discretization.model;
   EXPECT_LT((load_vector(p).rowwise().sum() - Eigen::Vector3d(0, 0.1, 0)).norm(), 1e-11);
   // Pressure on the whole closed surface has no resultant; on the outlet, a plane face looking to +x, it has
@@ -151,7 +151,7 @@ TEST(Loads, HaveTheResultantsOfTheirKind) {
 }
 
 TEST(Loads, NeedABoundaryFaceAndADensity) {
-  ElasticityProblem p = elbow();
+  ElasticityProblem p = pulled_elbow();
   p.surface_loads[0].faces = {p.discretization.model.interfaces()[0].first};
   EXPECT_THROW(load_vector(p), Error);
   p.materials[0].density = 0;

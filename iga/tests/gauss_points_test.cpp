@@ -18,7 +18,7 @@ using geometry::NurbsVolume;
 using testing::boundary;
 using testing::problem;
 
-const Material steel = isotropic(205e9, 0.29);
+const Material stiff_steel = isotropic(205e9, 0.29);
 
 TEST(GaussPoints, AffineMapsKeepDegreePlusOne) {
   const NurbsVolume cube;
@@ -44,7 +44,7 @@ TEST(GaussPoints, ArcsNeedMoreThanStraightDirectionsAndFewerWhenRefined) {
 double patch_test_error(const geometry::MultiPatch& model, const DiscretizationOptions& options) {
   Eigen::Matrix3d gradient;
   gradient << 1e-3, 2e-4, -3e-4, 5e-4, -7e-4, 1e-4, 2e-4, 6e-4, 4e-4;
-  ElasticityProblem p = problem(model, options, steel);
+  ElasticityProblem p = problem(model, options, stiff_steel);
   p.supports = {{"boundary", model.boundary_faces(), PrescribedDisplacement{.gradient = gradient}}};
   const ElasticField field = solve_elasticity(p).field;
   double error = 0, size = 0;
@@ -91,7 +91,7 @@ geometry::MultiPatch mitred_pipe() {
 TEST(GaussPoints, EnergiesOfStronglyCurvedElementsAreThoseOfManyPoints) {
   const geometry::MultiPatch model = mitred_pipe();
   const auto energy = [&](const DiscretizationOptions& options, int points) {
-    ElasticityProblem p = problem(model, options, steel);
+    ElasticityProblem p = problem(model, options, stiff_steel);
     const auto face = [](geometry::Side side) {
       return std::vector<geometry::PatchFace>{{PatchId(0), side}};
     };

@@ -17,11 +17,9 @@ using geometry::Parameter;
 using geometry::PatchFace;
 using testing::boundary;
 using testing::problem;
+using testing::steel;
 
-const Material steel = isotropic(210e9, 0.3, 7850, "steel");
 const Material soft = isotropic(3e9, 0.3, 1200, "soft");
-constexpr Coupling couplings[] = {Coupling::elimination, Coupling::lagrange};
-
 // A point of an interface as its first patch sees it.
 struct InterfacePoint {
   Eigen::Vector3d place;
@@ -75,7 +73,7 @@ TEST(InterfaceTractions, AreStressTimesNormalOfAConstantStress) {
   gradient << 1e-3, 2e-4, -3e-4, 5e-4, -7e-4, 1e-4, 2e-4, 6e-4, 4e-4;
   const Eigen::Matrix3d sigma = stress(0.5 * (gradient + gradient.transpose()), steel);
   for (const auto& patches : {std::array{2, 1, 1}, std::array{1, 3, 2}, std::array{2, 2, 2}}) {
-    for (const Coupling coupling : couplings) {
+    for (const Coupling coupling : all_couplings) {
       ElasticityProblem p = problem(slanted_box(patches, 5), {.degree = {2, 3, 2}, .refine = 1}, steel);
       p.supports = {{"boundary", p.discretization.model.boundary_faces(),
                      PrescribedDisplacement{.gradient = gradient}}};
@@ -93,7 +91,7 @@ TEST(InterfaceTractions, AreStressTimesNormalOfAConstantStress) {
 }
 
 TEST(InterfaceTractions, AreUniformInABarOfTwoMaterials) {
-  for (const Coupling coupling : couplings) {
+  for (const Coupling coupling : all_couplings) {
     ElasticityProblem p = problem(geometry::connect(geometry::box_model(
                                       {.size = {4, 1, 1}, .patches = {2, 2, 1}, .orientation_seed = 3})),
                                   {.degree = {2, 2, 2}, .refine = 1}, steel);
@@ -146,7 +144,7 @@ ElasticityProblem cantilever(const std::array<int, 3>& patches, int refine) {
 }
 
 TEST(InterfaceTractions, BalanceTheLoadOfABentBarAtEachInterface) {
-  for (const Coupling coupling : couplings) {
+  for (const Coupling coupling : all_couplings) {
     const ElasticityProblem p = cantilever({4, 1, 1}, 1);
     const ElasticitySolution solution = solve_elasticity(p, {.coupling = coupling});
     for (const InterfaceTraction& traction : interface_tractions(p, solution.multipliers)) {

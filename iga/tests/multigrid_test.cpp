@@ -20,15 +20,10 @@ namespace isopatch::iga {
 namespace {
 
 using testing::boundary;
+using testing::distorted_box;
 using ::testing::HasSubstr;
 using testing::problem;
-
-const Material steel = isotropic(210e9, 0.3, 7850, "steel");
-
-geometry::MultiPatch distorted_box() {
-  return geometry::connect(geometry::box_model(
-      {.patches = {2, 2, 2}, .distortion = 0.3, .curvature = 0.2, .orientation_seed = 7}));
-}
+using testing::steel;
 
 // Held obliquely and pulled: all kinds of frames.
 ElasticityProblem held_box(const DiscretizationOptions& options) {

@@ -21,10 +21,10 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using testing::problem;
 
-const Material steel = isotropic(200e9, 0.3, 7850, "steel");
+const Material soft_steel = isotropic(200e9, 0.3, 7850, "steel");
 
 /// A sheet of 1 m x 1 m, clamped all round, under 1 Pa.
-ElasticityProblem sheet(double thickness, const Material& material = steel) {
+ElasticityProblem sheet(double thickness, const Material& material = soft_steel) {
   const geometry::MultiPatch model =
       geometry::connect(geometry::box_model({.size = {1, 1, thickness}, .patches = {2, 2, 1}}));
   ElasticityProblem p = problem(model, {.degree = {4, 4, 4}, .elements_per_direction = {4, 4, 1}}, material);

@@ -25,4 +25,12 @@ inline ElasticityProblem problem(const geometry::MultiPatch& model, const Discre
           {}};
 }
 
+/// 2x2x2 distorted and curved patches in random orientations.
+inline geometry::MultiPatch distorted_box() {
+  return geometry::connect(geometry::box_model(
+      {.patches = {2, 2, 2}, .distortion = 0.3, .curvature = 0.2, .orientation_seed = 7}));
+}
+
+inline const Material steel = isotropic(210e9, 0.3, 7850, "steel");
+
 }  // namespace isopatch::iga::testing

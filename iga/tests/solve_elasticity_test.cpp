@@ -12,11 +12,10 @@ namespace isopatch::iga {
 namespace {
 
 using testing::boundary;
+using testing::distorted_box;
 using ::testing::HasSubstr;
 using testing::problem;
-
-const Material steel = isotropic(210e9, 0.3, 7850, "steel");
-constexpr Coupling couplings[] = {Coupling::elimination, Coupling::lagrange};
+using testing::steel;
 
 // Largest difference of the coefficients from those of u = gradient * x, relative to the largest one.
 double affine_error(const ElasticField& field, const Eigen::Matrix3d& gradient) {
@@ -31,16 +30,10 @@ double affine_error(const ElasticField& field, const Eigen::Matrix3d& gradient) 
   return error / size;
 }
 
-// 2x2x2 distorted and curved patches in random orientations.
-geometry::MultiPatch distorted_box() {
-  return geometry::connect(geometry::box_model(
-      {.patches = {2, 2, 2}, .distortion = 0.3, .curvature = 0.2, .orientation_seed = 7}));
-}
-
 TEST(SolveElasticity, PassesThePatchTestOnADistortedBoxInBothCouplings) {
   Eigen::Matrix3d gradient;
   gradient << 1e-3, 2e-4, -3e-4, 5e-4, -7e-4, 1e-4, 2e-4, 6e-4, 4e-4;
-  for (const Coupling coupling : couplings) {
+  for (const Coupling coupling : all_couplings) {
     ElasticityProblem p = problem(distorted_box(), {.refine = 1}, steel);
     p.supports = {
         {"boundary", p.discretization.model.boundary_faces(), PrescribedDisplacement{.gradient = gradient}}};
@@ -54,7 +47,7 @@ TEST(SolveElasticity, PassesThePatchTestOnADistortedBoxInBothCouplings) {
 }
 
 TEST(SolveElasticity, StretchesABarByTractionAgainstSymmetryPlanes) {
-  for (const Coupling coupling : couplings) {
+  for (const Coupling coupling : all_couplings) {
     ElasticityProblem p = problem(distorted_box(), {}, steel);
     const auto& model = p.discretization.model;
     for (const char* plane : {"x_min", "y_min", "z_min"})
@@ -89,7 +82,7 @@ double cylinder_error(double nu, int degree, int refine, Coupling coupling) {
 }
 
 TEST(SolveElasticity, SolvesTheThickCylinder) {
-  for (const Coupling coupling : couplings)
+  for (const Coupling coupling : all_couplings)
     EXPECT_LT(cylinder_error(0.3, 4, 2, coupling), 1e-6) << name(coupling);
 }
 

@@ -28,8 +28,7 @@ using ::testing::AllOf;
 using testing::boundary;
 using ::testing::HasSubstr;
 using testing::problem;
-
-const Material steel = isotropic(210e9, 0.3, 7850, "steel");
+using testing::steel;
 
 geometry::MultiPatch box(const std::array<int, 3>& patches, const Eigen::Vector3d& size = {1, 1, 1}) {
   return geometry::connect(geometry::box_model({.size = size, .patches = patches}));
@@ -92,8 +91,6 @@ SizeForecast size_of(const geometry::MultiPatch& model, const DiscretizationOpti
 }
 
 constexpr double plenty = 1e15;
-constexpr Coupling couplings[] = {Coupling::elimination, Coupling::lagrange};
-
 /// All that a study can ask for.
 template <class Visit>
 void for_all_options(Visit visit) {
@@ -142,7 +139,7 @@ bool is_possible(const solvers::SolverOptions& o, Coupling coupling) {
 }
 
 TEST(SolverPlans, LeaveNothingOpenAndKeepToWhatWasAskedFor) {
-  for (const Coupling coupling : couplings) {
+  for (const Coupling coupling : all_couplings) {
     const SizeForecast size = size_of(box({2, 1, 1}), {.degree = {2, 2, 2}, .refine = 2}, coupling);
     for_all_options([&](const solvers::SolverOptions& options) {
       if (!is_possible(options, coupling)) {
@@ -163,7 +160,7 @@ TEST(SolverPlans, LeaveNothingOpenAndKeepToWhatWasAskedFor) {
 }
 
 TEST(SolverPlans, FitAllOfThemOrSayWhatWouldFit) {
-  for (const Coupling coupling : couplings) {
+  for (const Coupling coupling : all_couplings) {
     const SizeForecast size = size_of(box({2, 2, 2}), {.degree = {3, 3, 3}, .refine = 3}, coupling);
     for (const double available : {1e6, 1e8, 3e8, 1e9})
       for_all_options([&](const solvers::SolverOptions& options) {
@@ -266,7 +263,7 @@ TEST(SolverMemory, TheLimitHoldsForAllMethodsPreconditionersOperatorsAndCoupling
   if (!forget_peak()) GTEST_SKIP() << "/proc/self/clear_refs cannot be written";
   const ElasticityProblem p =
       held(box({2, 1, 1}), {.degree = {3, 3, 3}, .elements_per_direction = {4, 4, 4}});
-  for (const Coupling coupling : couplings) {
+  for (const Coupling coupling : all_couplings) {
     int refused = 0, solved = 0;
     for_all_options([&](solvers::SolverOptions options) {
       if (!is_possible(options, coupling)) return;

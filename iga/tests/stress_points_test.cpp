@@ -19,11 +19,11 @@ using testing::boundary;
 using ::testing::HasSubstr;
 using testing::problem;
 
-const Material steel = isotropic(205e9, 0.29);
+const Material tube_steel = isotropic(205e9, 0.29);
 
 TEST(LargestStress, OfAThickCylinderIsLamesAtTheBore) {
   const geometry::MultiPatch model = geometry::connect(geometry::cylinder_model());
-  ElasticityProblem p = problem(model, {.degree = {4, 4, 2}, .refine = 2}, steel);
+  ElasticityProblem p = problem(model, {.degree = {4, 4, 2}, .refine = 2}, tube_steel);
   for (const char* plane : {"start", "end", "bottom", "top"})
     p.supports.push_back({plane, boundary(model, plane), PlaneSupport{}});
   p.surface_loads = {pressure_load("pressure", boundary(model, "inner"), 3e6)};
@@ -51,7 +51,7 @@ TEST(LargestStress, OfEqualOnesIsTheFirstByPatchAndParameter) {
 TEST(LargestStress, OfAUniformOneIsAtTheFirstPlaceOfTheFirstPatch) {
   const geometry::MultiPatch model =
       geometry::connect(geometry::box_model({.patches = {2, 2, 1}, .distortion = 0.3, .curvature = 0.2}));
-  ElasticityProblem p = problem(model, {.degree = {2, 2, 2}}, steel);
+  ElasticityProblem p = problem(model, {.degree = {2, 2, 2}}, tube_steel);
   for (const char* plane : {"x_min", "y_min", "z_min"})
     p.supports.push_back({plane, boundary(model, plane), PlaneSupport{}});
   p.surface_loads = {constant_traction("pull", boundary(model, "x_max"), {1e8, 0, 0})};
@@ -70,7 +70,7 @@ geometry::MultiPatch folded_at_an_edge() {
 }
 
 TEST(LargestStress, IsNotSoughtWhereTheMapIsFolded) {
-  ElasticityProblem p = problem(folded_at_an_edge(), {.degree = {2, 2, 2}}, steel);
+  ElasticityProblem p = problem(folded_at_an_edge(), {.degree = {2, 2, 2}}, tube_steel);
   const auto side = [](geometry::Side s) { return std::vector<geometry::PatchFace>{{PatchId(0), s}}; };
   p.supports = {{"held", side(geometry::Side::west), PrescribedDisplacement{}}};
   p.surface_loads = {constant_traction("pull", side(geometry::Side::south), {0, -1e6, 0})};
@@ -94,7 +94,7 @@ TEST(LargestStress, CollapsedEdgesCountApart) {
     if (points(0, i) == 0) points(1, i) = 0;  // a wedge whose edge is the z axis
   const geometry::MultiPatch model = geometry::connect({{NurbsVolume(cube.knots(), points)}, {}, {}});
   const Discretization d = discretize(model, {.degree = {2, 2, 2}});
-  ElasticField field{d.patches, {0.001 * d.patches[0].control_points()}, {steel}};
+  ElasticField field{d.patches, {0.001 * d.patches[0].control_points()}, {tube_steel}};
   const LeftOut left_out = stresses_on_faces(field).left_out;
   EXPECT_EQ(left_out.folded, 0);
   EXPECT_GT(left_out.collapsed, 0);
@@ -114,13 +114,13 @@ TEST(LargestStress, ANumberThatIsNoneIsAnError) {
       EXPECT_THAT(error.what(), HasSubstr("patch 0"));
     }
   };
-  expect_error([&] { internal_forces(d, {steel}, u); });
-  expect_error([&] { stresses_on_faces({d.patches, {u}, {steel}}); });
+  expect_error([&] { internal_forces(d, {tube_steel}, u); });
+  expect_error([&] { stresses_on_faces({d.patches, {u}, {tube_steel}}); });
 }
 
 TEST(IdleLoads, ArePressuresOnFacesThatAreHeld) {
   const geometry::MultiPatch model = geometry::connect(geometry::box_model());
-  ElasticityProblem p = problem(model, {.degree = {2, 2, 2}}, steel);
+  ElasticityProblem p = problem(model, {.degree = {2, 2, 2}}, tube_steel);
   p.supports = {{"clamp", boundary(model, "x_min"), PrescribedDisplacement{}},
                 {"slide", boundary(model, "y_min"), PlaneSupport{}}};
   p.surface_loads = {pressure_load("on the clamp", boundary(model, "x_min"), 1e6),

@@ -14,7 +14,6 @@ namespace {
 using geometry::Brep;
 using geometry::BrepEdge;
 using geometry::BrepFace;
-using geometry::EdgeUse;
 
 std::string name_of(const Brep& brep, FaceId id) {
   const BrepFace& face = brep.face(id);
@@ -38,9 +37,9 @@ std::string millimetres(const Eigen::Vector3d& point) {
 }
 
 geometry::SolidFault fault_at(FaceId face, const std::string& solid, const std::string& remark,
-                              const Brep& brep, const std::vector<EdgeUse>& edges) {
+                              const Brep& brep, const std::vector<geometry::EdgeUse>& edges) {
   geometry::SolidFault fault{.faces = {{face.value, solid, remark}}};
-  for (const EdgeUse& use : edges) {
+  for (const geometry::EdgeUse& use : edges) {
     constexpr int pieces = 24;
     Eigen::Matrix3Xd points(3, pieces + 1);
     for (int i = 0; i <= pieces; ++i) points.col(i) = brep.point(use.edge, double(i) / pieces);
@@ -63,8 +62,8 @@ std::string advice_on_cutting(geometry::SurfaceKind kind) {
 /// A face that goes all around: its loop walks an edge in both directions.
 void refuse_seam(const Brep& brep, FaceId id, const std::string& solid) {
   for (const auto& loop : brep.face(id).loops)
-    for (const EdgeUse& use : loop) {
-      if (std::find(loop.begin(), loop.end(), EdgeUse{use.edge, !use.reversed}) == loop.end()) continue;
+    for (const geometry::EdgeUse& use : loop) {
+      if (std::find(loop.begin(), loop.end(), geometry::EdgeUse{use.edge, !use.reversed}) == loop.end()) continue;
       const BrepEdge& seam = brep.edge(use.edge);
       throw geometry::SolidError(
           ErrorCode::unsupported,
@@ -86,7 +85,7 @@ void refuse_inner_loops(const Brep& brep, FaceId id, const std::string& solid) {
         fmt::format("{} has no edges, it is closed on itself; {}. {}", described(brep, id, solid),
                     advice_on_cutting(brep.face(id).kind), counted(brep)),
         fault_at(id, solid, "no edges", brep, {}));
-  std::vector<EdgeUse> inner;
+  std::vector<geometry::EdgeUse> inner;
   for (std::size_t i = 1; i < loops.size(); ++i) inner.insert(inner.end(), loops[i].begin(), loops[i].end());
   const std::size_t holes = loops.size() - 1;
   throw geometry::SolidError(
@@ -100,7 +99,7 @@ void refuse_inner_loops(const Brep& brep, FaceId id, const std::string& solid) {
 }
 
 void refuse_closed_edges(const Brep& brep, FaceId id, const std::string& solid) {
-  for (const EdgeUse& use : brep.face(id).loops.front()) {
+  for (const geometry::EdgeUse& use : brep.face(id).loops.front()) {
     const BrepEdge& edge = brep.edge(use.edge);
     if (edge.start != edge.end) continue;
     throw geometry::SolidError(
@@ -114,7 +113,7 @@ void refuse_closed_edges(const Brep& brep, FaceId id, const std::string& solid) 
   }
 }
 
-SolidEdge solid_edge(const Brep& brep, const EdgeUse& use) {
+SolidEdge solid_edge(const Brep& brep, const geometry::EdgeUse& use) {
   SolidEdge result;
   result.curve = [brep, use](double t) -> Eigen::Vector3d {
     return brep.point(use.edge, use.reversed ? 1 - t : t);
@@ -146,7 +145,7 @@ SolidFace solid_face(const Brep& brep, FaceId id) {
   SolidFace result;
   result.name = name_of(brep, id);
   if (face.colour) result.colour = geometry::hex_text(*face.colour);
-  for (const EdgeUse& use : face.loops.front()) {
+  for (const geometry::EdgeUse& use : face.loops.front()) {
     const BrepEdge& edge = brep.edge(use.edge);
     result.corners.push_back((use.reversed ? edge.end : edge.start).value);
     result.curves.push_back([brep, id, use](double t) -> Eigen::Vector2d {

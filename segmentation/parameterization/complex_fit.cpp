@@ -39,11 +39,6 @@ KnotVector knots_along(const HexComplex& complex, const ComplexFit& fit, int blo
   return use.reversed ? reversed(knots) : knots;
 }
 
-Shares turned(Shares shares) {
-  for (double& x : shares) x = 1 - x;
-  return shares;
-}
-
 /// The sides of a face as the complex' edges; `turned` says whether the edge runs against the face's frame.
 struct FaceSide {
   std::size_t edge = 0;

@@ -4,12 +4,13 @@
 #include <algorithm>
 
 namespace isopatch::segmentation {
-namespace {
 
 std::vector<double> turned(std::vector<double> shares) {
   for (double& x : shares) x = 1 - x;
   return shares;
 }
+
+namespace {
 
 // Largest distance of the surfaces' own points from a point.
 double spread(const Eigen::Vector3d& point, const std::vector<NearSurface>& surfaces) {

@@ -7,6 +7,9 @@
 
 namespace isopatch::segmentation {
 
+/// Shares of a way as its other end has them: 1 - x.
+std::vector<double> turned(std::vector<double> shares);
+
 /// A surface near a point, with a parameter to start from.
 struct NearSurface {
   const FaceMap* map = nullptr;

@@ -17,9 +17,9 @@ void prepare_to_be_alone() {
 }
 
 // Lives from the first use of MPI to the end of the process.
-class Session {
+class MpiSession {
  public:
-  Session() {
+  MpiSession() {
     int running = 0;
     MPI_Initialized(&running);
     if (running) return;
@@ -29,13 +29,13 @@ class Session {
       throw Error(ErrorCode::internal, "MPI could not be started");
     started_ = true;
   }
-  ~Session() {
+  ~MpiSession() {
     int finished = 0;
     MPI_Finalized(&finished);
     if (started_ && !finished) MPI_Finalize();
   }
-  Session(const Session&) = delete;
-  Session& operator=(const Session&) = delete;
+  MpiSession(const MpiSession&) = delete;
+  MpiSession& operator=(const MpiSession&) = delete;
 
  private:
   bool started_ = false;
@@ -44,7 +44,7 @@ class Session {
 }  // namespace
 
 void start_mpi() {
-  static const Session session;
+  static const MpiSession session;
 }
 
 }  // namespace isopatch::solvers

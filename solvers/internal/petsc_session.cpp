@@ -22,9 +22,9 @@ PetscErrorCode remember_message(MPI_Comm, int, const char* function, const char*
 }
 
 // Lives from the first use of PETSc to the end of the process.
-class Session {
+class PetscSession {
  public:
-  Session() {
+  PetscSession() {
     PetscBool running = PETSC_FALSE;
     PetscInitialized(&running);
     if (running) return;
@@ -33,15 +33,15 @@ class Session {
     PetscPushErrorHandler(remember_message, nullptr);
     started_ = true;
   }
-  ~Session() {
+  ~PetscSession() {
     int mpi_finished = 0;
     MPI_Finalized(&mpi_finished);
     if (!started_ || mpi_finished) return;
     PetscPopErrorHandler();
     PetscFinalize();
   }
-  Session(const Session&) = delete;
-  Session& operator=(const Session&) = delete;
+  PetscSession(const PetscSession&) = delete;
+  PetscSession& operator=(const PetscSession&) = delete;
 
  private:
   bool started_ = false;
@@ -51,7 +51,7 @@ class Session {
 
 void start_petsc() {
   start_mpi();
-  static const Session session;
+  static const PetscSession session;
 }
 
 namespace petsc {

@@ -15,8 +15,6 @@
 namespace isopatch::verification {
 namespace {
 
-constexpr iga::Coupling couplings[] = {iga::Coupling::elimination, iga::Coupling::lagrange};
-
 // A study's problem, with the study's name.
 struct NamedProblem {
   ClaimStudy named;
@@ -31,7 +29,7 @@ NamedProblem built(const std::string& file, std::vector<std::string> overrides, 
 
 TEST(Coupling, ConditionOfBothSystems) {
   for (const ModelCase& model : model_cases())
-    for (const iga::Coupling coupling : couplings) {
+    for (const iga::Coupling coupling : iga::all_couplings) {
       std::vector<std::string> overrides = pulled_overrides(model);
       overrides.insert(overrides.end(), {"discretization.degree=1", "discretization.refine=0"});
       const NamedProblem p = built("verification/studies/pulled.toml", overrides, coupling);
@@ -47,7 +45,7 @@ TEST(Coupling, ConditionOfBothSystems) {
 TEST(FullCoupling, ConditionOfLargerSystems) {
   const auto show = [](const std::string& what, const std::string& file,
                        const std::vector<std::string>& more) {
-    for (const iga::Coupling coupling : couplings) {
+    for (const iga::Coupling coupling : iga::all_couplings) {
       const NamedProblem p = built(file, more, coupling);
       report(Figure{.what = fmt::format("{}, {}: condition number", what, iga::name(coupling)),
                     .unit = "",

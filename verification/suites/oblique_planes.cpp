@@ -19,8 +19,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr iga::Coupling couplings[] = {iga::Coupling::elimination, iga::Coupling::lagrange};
-
 // A model on its planes of symmetry, one of which may be pushed along its normal, under a traction.
 struct OnPlanes {
   std::string model;
@@ -52,7 +50,7 @@ TEST(PatchTests, SymmetryPlanesTurned) {
                                        {"sphere", {"x0", "y0", "z0"}, "outer"},
                                        {"plate", {"x_min", "y_min", "bottom"}, "x_max"}};
   for (const OnPlanes& c : cases)
-    for (const iga::Coupling coupling : couplings) {
+    for (const iga::Coupling coupling : iga::all_couplings) {
       const geometry::PatchSet set = patches_of(model_case(c.model));
       const auto along = iga::solve_elasticity(problem(c, set, traction), {.coupling = coupling});
       const auto turned = iga::solve_elasticity(
@@ -99,7 +97,7 @@ TEST(PatchTests, RollersAtSixtyDegreesToEachOther) {
     p.surface_loads.push_back({face, faces_of(model, face),
                                [stress = field.stress(material)](
                                    const Vector3d&, const Vector3d& n) -> Vector3d { return stress * n; }});
-  for (const iga::Coupling coupling : couplings) {
+  for (const iga::Coupling coupling : iga::all_couplings) {
     const auto solution = iga::solve_elasticity(p, {.coupling = coupling});
     const std::string of =
         fmt::format("sheared box between rollers at 60 degrees, {}: ", iga::name(coupling));
@@ -132,7 +130,7 @@ TEST(PatchTests, RollersAtSixtyDegreesToEachOther) {
 // Lame's cylinder is the same in a sector of any angle, one of whose planes then is oblique.
 TEST(PatchTests, SectorsOfACylinder) {
   for (const int degrees : {90, 50, 140})
-    for (const iga::Coupling coupling : couplings) {
+    for (const iga::Coupling coupling : iga::all_couplings) {
       const SolvedStudy s = solved("examples/thick_cylinder/study.toml",
                                    {fmt::format("model.angle={} deg", degrees),
                                     fmt::format("coupling.method={}", iga::name(coupling))});

@@ -16,7 +16,6 @@
 namespace isopatch::verification {
 namespace {
 
-constexpr iga::Coupling couplings[] = {iga::Coupling::elimination, iga::Coupling::lagrange};
 constexpr double allowed = 1e-10;
 
 double volume_of(const iga::ElasticField& field) {
@@ -44,7 +43,7 @@ LinearField held_field(const SolvedStudy& s) {
 
 // Prescribed on the whole surface, as a user would write it.
 void expect_follows_its_surface(const ModelCase& model, const std::vector<std::string>& more = {}) {
-  for (const iga::Coupling coupling : couplings) {
+  for (const iga::Coupling coupling : iga::all_couplings) {
     std::vector<std::string> overrides = model.overrides;
     overrides.insert(overrides.end(), more.begin(), more.end());
     overrides.push_back(fmt::format("coupling.method={}", iga::name(coupling)));
@@ -98,7 +97,7 @@ void expect_is_pulled_into_it(const ModelCase& model, const std::string& what,
                               const geometry::PatchSet& set) {
   const LinearField field = generic_linear_field();
   const iga::ElasticityProblem problem = pulled_into(field, geometry::connect(set), model.held);
-  for (const iga::Coupling coupling : couplings)
+  for (const iga::Coupling coupling : iga::all_couplings)
     expect_linear(fmt::format("{}, {}, {}", model.name, what, iga::name(coupling)),
                   iga::solve_elasticity(problem, {.coupling = coupling, .quadrature_points = 10}), field, {});
 }

@@ -22,8 +22,6 @@ namespace {
 using geometry::NurbsVolume;
 using geometry::PatchSet;
 
-constexpr iga::Coupling couplings[] = {iga::Coupling::elimination, iga::Coupling::lagrange};
-
 // Error where the whole surface follows the field.
 double error_of(const PatchSet& set, const iga::DiscretizationOptions& options, iga::Coupling coupling) {
   const LinearField field = generic_linear_field();
@@ -51,7 +49,7 @@ void expect_exact(const std::string& what, iga::Coupling coupling, double error)
 
 TEST(PatchTests, EveryOrientationOfANeighbour) {
   const PatchSet box = geometry::box_model({.patches = {2, 1, 1}, .distortion = 0.3, .curvature = 0.2});
-  for (const iga::Coupling coupling : couplings) {
+  for (const iga::Coupling coupling : iga::all_couplings) {
     double worst = 0;
     for (const geometry::PatchOrientation& orientation : geometry::patch_orientations()) {
       PatchSet set{box.patches, {}, {}};
@@ -78,7 +76,7 @@ PatchSet refined_differently(PatchSet set) {
 
 TEST(PatchTests, NeighboursRefinedDifferently) {
   for (const char* name : {"distorted box", "link"})
-    for (const iga::Coupling coupling : couplings)
+    for (const iga::Coupling coupling : iga::all_couplings)
       expect_exact(fmt::format("{}, other knots and degrees in every patch", name), coupling,
                    error_of(refined_differently(patches_of(model_case(name))), {}, coupling));
 }
@@ -103,7 +101,7 @@ TEST(PatchTests, CollapsedFace) {
   set = {{NurbsVolume(set.patches[0].knots(), points), set.patches[1]}, {}, {}};
   for (const int degree : {1, 2, 3}) {
     const iga::DiscretizationOptions options{.degree = {degree, degree, degree}, .refine = 1};
-    for (const iga::Coupling coupling : couplings)
+    for (const iga::Coupling coupling : iga::all_couplings)
       expect_exact(fmt::format("wedge beside a cube, p = {}", degree), coupling,
                    error_of(set, options, coupling));
     const iga::Discretization d = iga::discretize(geometry::connect(set), options);

@@ -27,7 +27,10 @@
 #include <vtkXMLMultiBlockDataReader.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -180,6 +183,20 @@ app::StoredValues probed(const Vector3d& place) {
   return app::probe(link().stored, where);
 }
 
+// How far a von Mises stress in the link is from what the probe command finds within 20 um: at interfaces of
+// patches the stress jumps, both sides are right, and straight pieces pass them a little aside.
+double off_by(double von_mises, const Vector3d& place) {
+  constexpr double beside = 20e-6;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Vector3d& step : {Vector3d(0, 0, 0), Vector3d(beside, 0, 0), Vector3d(-beside, 0, 0),
+                               Vector3d(0, beside, 0), Vector3d(0, -beside, 0)})
+    try {
+      smallest = std::min(smallest, std::abs(probed(place + step).values.von_mises - von_mises));
+    } catch (const Error&) {  // outside of the part
+    }
+  return smallest;
+}
+
 vtkSmartPointer<vtkPolyData> slice(vtkDataSet* data, const Vector3d& origin, const Vector3d& normal) {
   vtkNew<vtkPlane> plane;
   plane->SetOrigin(origin.data());
@@ -287,10 +304,9 @@ TEST(ParaviewFields, ALineOfProbesFindsWhatTheProbeCommandFinds) {
     if (found->GetPointData()->GetArray("vtkValidPointMask")->GetTuple1(i) == 0) continue;
     ++inside;
     const app::StoredValues exact = probed(point(found, i));
-    // Between nodes of straight pieces the field is interpolated: 1 % of what it has at its largest, but for
-    // the stress at interfaces of patches, where it jumps and both sides are right.
-    EXPECT_NEAR(value(found, "von_mises", i), exact.values.von_mises,
-                0.015 * link().number("/results/max_von_mises"))
+    // Between nodes of straight pieces the field is interpolated: 1 % of what it has at its largest.
+    EXPECT_LT(off_by(value(found, "von_mises", i), point(found, i)),
+              0.01 * link().number("/results/max_von_mises"))
         << i;
     EXPECT_NEAR(value(found, "displacement", i, 1), exact.values.displacement[1],
                 0.01 * link().number("/results/max_displacement"));
@@ -328,11 +344,12 @@ TEST(ParaviewFields, ThresholdClipAndContourKeepToTheirBounds) {
   contour->Update();
   ASSERT_GT(contour->GetOutput()->GetNumberOfPoints(), 100);
   int compared = 0;
-  for (vtkIdType i = 0; i < contour->GetOutput()->GetNumberOfPoints(); i += 20) try {
-      EXPECT_NEAR(probed(point(contour->GetOutput(), i)).values.von_mises, limit, 0.06 * limit);
-      ++compared;
-    } catch (const Error&) {  // on a chord of a hollow surface, outside of the part by its sagitta
-    }
+  for (vtkIdType i = 0; i < contour->GetOutput()->GetNumberOfPoints(); i += 20) {
+    const double off = off_by(limit, point(contour->GetOutput(), i));
+    if (!std::isfinite(off)) continue;  // on a chord of a hollow surface, outside of the part by its sagitta
+    EXPECT_LT(off, 0.01 * link().number("/results/max_von_mises"));
+    ++compared;
+  }
   EXPECT_GT(compared, 10);
 }
 

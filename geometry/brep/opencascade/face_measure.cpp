@@ -21,7 +21,7 @@ namespace isopatch::geometry {
 namespace {
 
 /// Area and flux.
-using Values = Eigen::Array2d;
+using FaceValues = Eigen::Array2d;
 
 // Points of the surface after which a row and a face are left as they are: a second or so for a face.
 constexpr int most_of_row = 3000, most_of_face = 2000000;
@@ -45,17 +45,17 @@ class FaceIntegral {
   FaceMeasure make() {
     std::vector<Stretch> stretches;
     for (std::size_t i = 0; i < curves_.size(); ++i) add_stretches(static_cast<int>(i), stretches);
-    const auto allowed = [&](const Values& total) -> Values {
-      if (points_ > most_of_face) return Values::Constant(std::numeric_limits<double>::infinity());
-      return options_.relative * std::abs(total(0)) * Values(1, options_.size);
+    const auto allowed = [&](const FaceValues& total) -> FaceValues {
+      if (points_ > most_of_face) return FaceValues::Constant(std::numeric_limits<double>::infinity());
+      return options_.relative * std::abs(total(0)) * FaceValues(1, options_.size);
     };
     AdaptiveIntegral<2> integrate;
     const auto found = integrate([&](int curve, double t) { return on_contour(curve, t); }, stretches,
                                  allowed, most_of_face);
     const double bridge = contour_.longest_bridge;
-    Values open = bridge * bridge * Values(1, options_.size);
+    FaceValues open = bridge * bridge * FaceValues(1, options_.size);
     if (found.value(0) < 0) open += found.value.abs();  // the loops run around what is outside
-    const Values error = found.error + rise_ * inner_error_ + open;
+    const FaceValues error = found.error + rise_ * inner_error_ + open;
     return {{std::abs(found.value(0)), error(0)}, {found.value(1), error(1)}, open(1)};
   }
 
@@ -140,14 +140,14 @@ class FaceIntegral {
     return (from + to) / 2;
   }
 
-  Values on_contour(int curve, double t) {
+  FaceValues on_contour(int curve, double t) {
     gp_Pnt2d at;
     gp_Vec2d along;
     curves_[static_cast<std::size_t>(curve)].D1(t, at, along);
     follow_edge(curve, t, at, along);
     const double u_range = right_ - left_, v_range = high_ - low_;
-    if (std::abs(along.Y()) * u_range <= 1e-14 * std::abs(along.X()) * v_range) return Values::Zero();
-    if (std::abs(at.X() - left_) <= 1e-14 * u_range) return Values::Zero();
+    if (std::abs(along.Y()) * u_range <= 1e-14 * std::abs(along.X()) * v_range) return FaceValues::Zero();
+    if (std::abs(at.X() - left_) <= 1e-14 * u_range) return FaceValues::Zero();
     return along.Y() * along_u(at.X(), at.Y());
   }
 
@@ -181,7 +181,7 @@ class FaceIntegral {
   }
 
   // From the left end of the domain to u.
-  Values along_u(double u, double v) {
+  FaceValues along_u(double u, double v) {
     if (plane_) return (u - left_) * density(u, v);
     std::vector<Stretch>& stretches = row_;
     stretches.clear();
@@ -194,16 +194,16 @@ class FaceIntegral {
     }
     stretches.push_back({0, from, high});
     const double relative = 0.1 * options_.relative;
-    const auto allowed = [&](const Values& total) {
-      return Values(relative * total(0) * Values(1, options_.size));
+    const auto allowed = [&](const FaceValues& total) {
+      return FaceValues(relative * total(0) * FaceValues(1, options_.size));
     };
     const auto found =
         integrate_row_([&](int, double at) { return density(at, v); }, stretches, allowed, most_of_row);
     inner_error_ = inner_error_.max(found.error);
-    return u < left_ ? Values(-found.value) : found.value;
+    return u < left_ ? FaceValues(-found.value) : found.value;
   }
 
-  Values density(double u, double v) {
+  FaceValues density(double u, double v) {
     ++points_;
     gp_Pnt at;
     gp_Vec along_u, along_v;
@@ -222,7 +222,7 @@ class FaceIntegral {
   std::vector<double> u_knots_, v_knots_, u_cuts_;
   std::vector<Stretch> row_;
   AdaptiveIntegral<2> integrate_row_;
-  Values inner_error_ = Values::Zero();
+  FaceValues inner_error_ = FaceValues::Zero();
   int points_ = 0;
 };
 

@@ -11,6 +11,7 @@
 #include "geometry/brep/check_brep.hpp"
 #include "geometry/brep/make_brep.hpp"
 #include "geometry/brep/tests/data_file.hpp"
+#include "geometry/brep/tests/message_of.hpp"
 #include "geometry/brep/tests/sample_solids.hpp"
 #include "geometry/brep/write_brep.hpp"
 #include "geometry/io/read_off.hpp"
@@ -35,16 +36,6 @@ class ReadBrep : public testing::Test {
   fs::path file(const std::string& name) const { return folder_ / name; }
   fs::path folder_;
 };
-
-template <class Work>
-std::string message_of(Work work) {
-  try {
-    work();
-  } catch (const Error& error) {
-    return std::string(name(error.code())) + ": " + error.what();
-  }
-  return "no error";
-}
 
 TEST_F(ReadBrep, EveryFormatKeepsAnLShapedSolidInEveryUnit) {
   const Brep brep = make_brep(test::l_shape());
@@ -151,7 +142,8 @@ TEST_F(ReadBrep, RoundSolidsBecomeTrimmedSurfacesAndComeBack) {
         EXPECT_NEAR(again.area(FaceId(static_cast<int>(f))), brep.area(FaceId(static_cast<int>(f))),
                     1e-6 * brep.area(FaceId(static_cast<int>(f))));
     }
-    EXPECT_THAT(message_of([&] { write_brep(file("round.off"), brep); }), HasSubstr("is no straight line"));
+    EXPECT_THAT(test::message_of([&] { write_brep(file("round.off"), brep); }),
+                HasSubstr("is no straight line"));
   }
 }
 
@@ -224,14 +216,14 @@ TEST_F(ReadBrep, SolidsOfThePapersAreWhatIsKnownOfThem) {
 TEST_F(ReadBrep, GapsThatAreTooWideAreRefusedWithTheirPlace) {
   const auto path = data_file("solids/gsSolidSP2.xml");
   ISOPATCH_NEEDS(path);
-  EXPECT_THAT(message_of([&] { read_breps(path); }),
+  EXPECT_THAT(test::message_of([&] { read_breps(path); }),
               AllOf(HasSubstr("not_manifold"), HasSubstr("gsSolidSP2.xml"),
                     HasSubstr("curve 2 of loop 0 of face 0"), HasSubstr("belongs to one face only")));
 }
 
 TEST_F(ReadBrep, WhatIsNoSolidIsRefusedWithTheFilesName) {
   const auto refusal = [&](const fs::path& path, const ReadBrepOptions& options = {}) {
-    return message_of([&] { read_brep(path, options); });
+    return test::message_of([&] { read_brep(path, options); });
   };
   EXPECT_THAT(refusal(file("absent.step")), AllOf(HasSubstr("io"), HasSubstr("absent.step")));
   EXPECT_THAT(refusal(file("absent.off")), AllOf(HasSubstr("io"), HasSubstr("absent.off")));
@@ -259,10 +251,10 @@ TEST_F(ReadBrep, WhatIsNoSolidIsRefusedWithTheFilesName) {
   write_brep(file("good.step"), make_brep(test::block(1, 2, 3)));
   EXPECT_THAT(refusal(file("good.step"), {.length_unit = 0.001}), HasSubstr("states its unit"));
   EXPECT_THAT(refusal(file("good.step"), {.sew = {.same_point = 0.5}}), HasSubstr("same_point is 0.5"));
-  EXPECT_THAT(message_of([&] { write_brep(file("good.stl"), make_brep(test::block(1, 2, 3))); }),
+  EXPECT_THAT(test::message_of([&] { write_brep(file("good.stl"), make_brep(test::block(1, 2, 3))); }),
               HasSubstr("solids are written as .step"));
   EXPECT_THAT(
-      message_of([&] { write_brep(file("x.step"), make_brep(test::block(1, 2, 3)), {.unit = "km"}); }),
+      test::message_of([&] { write_brep(file("x.step"), make_brep(test::block(1, 2, 3)), {.unit = "km"}); }),
       HasSubstr("unit is 'km'"));
 }
 

@@ -25,7 +25,7 @@ std::string numbers(const Eigen::Vector3d& v) {
   return fmt::format("({},{},{})", number(v.x()), number(v.y()), number(v.z()));
 }
 
-std::vector<std::string> references(const std::vector<int>& entities) {
+std::vector<std::string> reference_words(const std::vector<int>& entities) {
   std::vector<std::string> result;
   for (const int entity : entities) result.push_back(fmt::format("#{}", entity));
   return result;
@@ -69,7 +69,7 @@ int StepText::spline(const NurbsCurve& curve, const Eigen::Vector3d& shift) {
   }
   return add(fmt::format(
       "B_SPLINE_CURVE_WITH_KNOTS('',{},({}),.UNSPECIFIED.,.F.,.F.,({}),({}),.UNSPECIFIED.)", curve.degree(0),
-      fmt::join(references(points), ","), fmt::join(counts, ","), fmt::join(knots, ",")));
+      fmt::join(reference_words(points), ","), fmt::join(counts, ","), fmt::join(knots, ",")));
 }
 
 int StepText::plane(const Eigen::Vector3d& origin, const Eigen::Vector3d& normal) {
@@ -83,17 +83,17 @@ int StepText::loop(const std::vector<int>& uses) {
   for (const int use : uses)
     oriented.push_back(
         add(fmt::format("ORIENTED_EDGE('',*,*,#{},.{}.)", std::abs(use), use > 0 ? 'T' : 'F')));
-  const int list = add(fmt::format("EDGE_LOOP('',({}))", fmt::join(references(oriented), ",")));
+  const int list = add(fmt::format("EDGE_LOOP('',({}))", fmt::join(reference_words(oriented), ",")));
   return add(fmt::format("FACE_BOUND('',#{},.T.)", list));
 }
 int StepText::face(int surface, const std::vector<int>& loops, bool agrees) {
-  return add(fmt::format("ADVANCED_FACE('',({}),#{},.{}.)", fmt::join(references(loops), ","), surface,
+  return add(fmt::format("ADVANCED_FACE('',({}),#{},.{}.)", fmt::join(reference_words(loops), ","), surface,
                          agrees ? 'T' : 'F'));
 }
 
 std::string StepText::file(const std::vector<int>& faces, const std::string& unit) const {
   StepText all = *this;
-  const int shell = all.add(fmt::format("CLOSED_SHELL('',({}))", fmt::join(references(faces), ",")));
+  const int shell = all.add(fmt::format("CLOSED_SHELL('',({}))", fmt::join(reference_words(faces), ",")));
   const int solid = all.add(fmt::format("MANIFOLD_SOLID_BREP('part',#{})", shell));
   const int length =
       all.add(fmt::format("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT({},.METRE.))", unit == "mm" ? ".MILLI." : "$"));

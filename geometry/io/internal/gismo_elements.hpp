@@ -11,6 +11,9 @@
 
 namespace isopatch::geometry {
 
+/// Of an element's id.
+constexpr int max_id = 2'000'000'000;
+
 // What all geometries of a G+Smo file are made of. `name` says in messages what is being read.
 
 /// @throws Error bad_format if there is no such child

@@ -9,7 +9,7 @@ namespace {
 
 using testing::HasSubstr;
 
-PatchSet read(const std::string& text) {
+PatchSet read_g2_text(const std::string& text) {
   return read_g2(text, "a.g2");
 }
 
@@ -26,7 +26,7 @@ std::string g2_of(const NurbsVolume& patch) {
 
 TEST(G2, ReadsWhatTheFormatSays) {
   // A brick 2 x 3 x 5 with four extra integers in its header, as written with a colour.
-  const PatchSet found = read(
+  const PatchSet found = read_g2_text(
       "700 1 0 4 255 0 0 255\n3 0\n2 2\n0 0 1 1\n2 2\n0 0 1 1\n2 2\n0 0 1 1\n"
       "0 0 0 2 0 0 0 3 0 2 3 0 0 0 5 2 0 5 0 3 5 2 3 5\n");
   ASSERT_EQ(found.patches.size(), 1u);
@@ -38,7 +38,7 @@ TEST(G2, RandomPatchesComeBack) {
   for (int round = 0; round < 30; ++round) {
     const NurbsVolume a = random_patch(random);
     const NurbsVolume b = random_patch(random);
-    const PatchSet found = read(g2_of(a) + g2_of(b));
+    const PatchSet found = read_g2_text(g2_of(a) + g2_of(b));
     ASSERT_EQ(found.patches.size(), 2u);
     EXPECT_EQ(found.patches[1].knots(), b.knots());
     EXPECT_EQ(found.patches[1].weights(), b.weights());
@@ -50,7 +50,7 @@ TEST(G2, RandomPatchesComeBack) {
 
 TEST(G2, ErrorsNameFileLineAndCause) {
   const std::string good = g2_of(NurbsVolume());
-  ASSERT_EQ(error_of([&] { read(good); }), "no error");
+  ASSERT_EQ(error_of([&] { read_g2_text(good); }), "no error");
   const std::vector<std::array<std::string, 3>> cases = {
       {"700", "200",
        "unsupported: a.g2:1: object of type 200 (SplineSurface); the solver needs volumes: type 700"},
@@ -69,16 +69,17 @@ TEST(G2, ErrorsNameFileLineAndCause) {
       {"3 0\n", "3 1\n", "bad_format: a.g2:8: 8 control points of patch 0 are announced"},
   };
   for (const auto& [from, to, says] : cases)
-    EXPECT_THAT(error_of([&, f = from, t = to] { read(replaced(good, f, t)); }), HasSubstr(says));
-  EXPECT_THAT(error_of([] { read(" \n"); }), HasSubstr("the file is empty"));
+    EXPECT_THAT(error_of([&, f = from, t = to] { read_g2_text(replaced(good, f, t)); }), HasSubstr(says));
+  EXPECT_THAT(error_of([] { read_g2_text(" \n"); }), HasSubstr("the file is empty"));
 }
 
 TEST(G2, RefusesWeightsThatAreNotPositive) {
   const std::string text =
       "700 1 0 0\n3 1\n2 2\n0 0 1 1\n2 2\n0 0 1 1\n2 2\n0 0 1 1\n"
       "0 0 0 0\n 1 0 0 1\n 0 1 0 1\n 1 1 0 1\n 0 0 1 1\n 1 0 1 1\n 0 1 1 1\n 1 1 1 1\n";
-  EXPECT_THAT(error_of([&] { read(text); }), HasSubstr("bad_format: a.g2:9: weight 0 of patch 0 is 0"));
-  EXPECT_THAT(error_of([&] { read(replaced(text, "0 0 0 0", "0 0 0 -1")); }),
+  EXPECT_THAT(error_of([&] { read_g2_text(text); }),
+              HasSubstr("bad_format: a.g2:9: weight 0 of patch 0 is 0"));
+  EXPECT_THAT(error_of([&] { read_g2_text(replaced(text, "0 0 0 0", "0 0 0 -1")); }),
               HasSubstr("weight 0 of patch 0 is -1"));
 }
 

@@ -19,7 +19,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-PatchSet read(const std::string& text) {
+PatchSet read_gismo_xml_text(const std::string& text) {
   return read_gismo_xml(text, "a.xml");
 }
 
@@ -46,7 +46,7 @@ const std::string one_cube = R"(<?xml version="1.0"?>
 )";
 
 TEST(GismoXml, ReadsPatchesAndNamedBoundaries) {
-  const PatchSet found = read(one_cube);
+  const PatchSet found = read_gismo_xml_text(one_cube);
   ASSERT_EQ(found.patches.size(), 1u);
   EXPECT_TRUE(same_bits(found.patches[0], NurbsVolume()));
   ASSERT_EQ(found.boundaries.size(), 1u);
@@ -59,11 +59,12 @@ TEST(GismoXml, WithoutAListAllVolumesAreRead) {
   std::string text = one_cube;
   const std::size_t from = text.find(" <MultiPatch");
   text.erase(from, text.find("</MultiPatch>") + 14 - from);
-  EXPECT_EQ(read(text).patches.size(), 1u);
+  EXPECT_EQ(read_gismo_xml_text(text).patches.size(), 1u);
 }
 
 TEST(GismoXml, ReadsNumbersHoweverWritten) {
-  const PatchSet found = read(replaced(one_cube, "0 1 0  1 1 0", "+0 1.0E+00 -0e5  1. .1e1 1e-400"));
+  const PatchSet found =
+      read_gismo_xml_text(replaced(one_cube, "0 1 0  1 1 0", "+0 1.0E+00 -0e5  1. .1e1 1e-400"));
   EXPECT_TRUE(same_bits(found.patches[0], NurbsVolume()));
 }
 
@@ -73,7 +74,7 @@ TEST(GismoXml, RandomPatchesComeBackToTheLastBit) {
     PatchSet set;
     for (int p = 0; p <= round % 3; ++p) set.patches.push_back(random_patch(random));
     set.boundaries.push_back({"a <\"b\"> & 'c'\n\xC3\xBC", {{PatchId(0), Side::back}}});
-    const PatchSet back = read(to_gismo_xml(set));
+    const PatchSet back = read_gismo_xml_text(to_gismo_xml(set));
     ASSERT_EQ(back.patches.size(), set.patches.size());
     for (std::size_t p = 0; p < set.patches.size(); ++p)
       ASSERT_TRUE(same_bits(back.patches[p], set.patches[p]));
@@ -91,7 +92,7 @@ TEST(GismoXml, KeepsTheInputsNamesOfLeftHandedPatches) {
   const std::string text = to_gismo_xml(model);
   EXPECT_THAT(text, HasSubstr("<interfaces>0 2 1 2 0 1 2 0 1 1\n</interfaces>"));
   EXPECT_THAT(text, HasSubstr("<boundary name=\"far\">1 1\n</boundary>"));
-  const PatchSet back = read(text);
+  const PatchSet back = read_gismo_xml_text(text);
   EXPECT_TRUE(same_bits(back.patches[1], set.patches[1]));
   EXPECT_EQ(connect(back).boundaries()[0].faces, model.boundaries()[0].faces);
 }
@@ -130,9 +131,9 @@ TEST(GismoXml, PublishedModelsComeBackToTheLastBit) {
     const auto path = data_file(name);
     if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there";
     const PatchSet first = read_gismo_xml(read_file(path), name);
-    const PatchSet second = read(to_gismo_xml(first));
+    const PatchSet second = read_gismo_xml_text(to_gismo_xml(first));
     // One of these models has gaps of 4.9e-6 of its size.
-    const PatchSet third = read(to_gismo_xml(connect(first, {.same_point = 1e-5})));
+    const PatchSet third = read_gismo_xml_text(to_gismo_xml(connect(first, {.same_point = 1e-5})));
     ASSERT_EQ(first.patches.size(), second.patches.size());
     ASSERT_EQ(first.patches.size(), third.patches.size());
     for (std::size_t p = 0; p < first.patches.size(); ++p) {
@@ -184,7 +185,8 @@ TEST(GismoXml, ErrorsNameFileLineAndCause) {
        "bad_format: a.xml:18: the data end"},
   };
   for (const Broken& broken : cases)
-    EXPECT_THAT(error_of([&] { read(replaced(one_cube, broken.from, broken.to)); }), HasSubstr(broken.says));
+    EXPECT_THAT(error_of([&] { read_gismo_xml_text(replaced(one_cube, broken.from, broken.to)); }),
+                HasSubstr(broken.says));
 }
 
 // Bytes as base64, by the letters of the alphabet.
@@ -233,7 +235,7 @@ TEST(GismoXml, ReadsNumbersInBase64) {
         cube_in_base64<std::int32_t>("B64Int32"), cube_in_base64<std::int64_t>("B64Int64"),
         cube_in_base64<std::uint16_t>("B64Uint16"), cube_in_base64<std::uint32_t>("B64Uint32"),
         cube_in_base64<std::uint64_t>("B64Uint64")}) {
-    const PatchSet found = read(text);
+    const PatchSet found = read_gismo_xml_text(text);
     ASSERT_EQ(found.patches.size(), 1u);
     EXPECT_EQ(found.patches[0].point({1, 1, 0}), Eigen::Vector3d(3, 3, 0));
     EXPECT_EQ(found.patches[0].weights()[7], 2);
@@ -244,17 +246,19 @@ TEST(GismoXml, BrokenBase64IsAnError) {
   const std::string good = cube_in_base64<double>("B64Float64");
   const std::string first = base64_of<double>({0, 0, 1, 1});
   const auto with = [&](const std::string& knots) { return replaced(good, first, knots); };
-  EXPECT_THAT(error_of([&] { read(with(first.substr(0, 20))); }), HasSubstr("no whole numbers of 8 bytes"));
-  EXPECT_THAT(error_of([&] { read(with(first.substr(0, 21))); }), HasSubstr("base64"));
-  EXPECT_THAT(error_of([&] { read(with("*" + first.substr(1))); }),
+  EXPECT_THAT(error_of([&] { read_gismo_xml_text(with(first.substr(0, 20))); }),
+              HasSubstr("no whole numbers of 8 bytes"));
+  EXPECT_THAT(error_of([&] { read_gismo_xml_text(with(first.substr(0, 21))); }), HasSubstr("base64"));
+  EXPECT_THAT(error_of([&] { read_gismo_xml_text(with("*" + first.substr(1))); }),
               HasSubstr("'*' does not belong into base64"));
-  EXPECT_THAT(error_of([&] { read(with("=" + first)); }), HasSubstr("does not belong into base64"));
+  EXPECT_THAT(error_of([&] { read_gismo_xml_text(with("=" + first)); }),
+              HasSubstr("does not belong into base64"));
   EXPECT_THAT(error_of([&] {
-                read(with(base64_of<double>({0, 0, 1, std::nan("")})));
+                read_gismo_xml_text(with(base64_of<double>({0, 0, 1, std::nan("")})));
               }),
               HasSubstr("it must be finite"));
   EXPECT_THAT(error_of([&] {
-                read(with(base64_of<double>({0, 0, .5, 1, 1})));
+                read_gismo_xml_text(with(base64_of<double>({0, 0, .5, 1, 1})));
               }),
               HasSubstr("numbers where the knot vectors ask for"));
 }
@@ -265,7 +269,7 @@ TEST(GismoXml, RefusesWeightsThatAreNotPositive) {
   while (!patch.is_rational()) patch = random_patch(random);
   const std::string text = to_gismo_xml(PatchSet{{patch}, {}, {}});
   const std::string weight = fmt::format("<weights>{}", patch.weights()[0]);
-  EXPECT_THAT(error_of([&] { read(replaced(text, weight, "<weights>-2")); }),
+  EXPECT_THAT(error_of([&] { read_gismo_xml_text(replaced(text, weight, "<weights>-2")); }),
               AllOf(StartsWith("bad_format: a.xml:"), HasSubstr("weight 0 is -2; weights must be positive")));
 }
 
@@ -274,7 +278,8 @@ TEST(GismoXml, AnnouncedCountsAreNotBelieved) {
   for (int i = 1; i < 5000; ++i) knots += fmt::format(" {}", i);
   std::string text = one_cube;
   for (int d = 0; d < 3; ++d) text = replaced(text, "0 0 1 1", knots + " 5000 5000");
-  EXPECT_THAT(error_of([&] { read(text); }), HasSubstr("5001 x 5001 x 5001 control points are more than"));
+  EXPECT_THAT(error_of([&] { read_gismo_xml_text(text); }),
+              HasSubstr("5001 x 5001 x 5001 control points are more than"));
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-PatchSet read(const std::string& text) {
+PatchSet read_mfem_text(const std::string& text) {
   return read_mfem_mesh(text, "a.mesh");
 }
 
@@ -138,7 +138,7 @@ void expect_two_bricks(const PatchSet& found) {
 }
 
 TEST(MfemMesh, ReadsTwoPatchesNumberedByHand) {
-  const PatchSet found = read(two_bricks + hand_numbered_points());
+  const PatchSet found = read_mfem_text(two_bricks + hand_numbered_points());
   expect_two_bricks(found);
   ASSERT_EQ(found.boundaries.size(), 2u);
   EXPECT_EQ(found.boundaries[0].name, "attribute 2");
@@ -156,9 +156,9 @@ TEST(MfemMesh, KnotVectorsListedAgainstTheirPatchAreTurned) {
   for (const auto& [from, to] :
        {std::pair{"0  3 5", "0  5 3"}, {"0  7 0", "0  0 7"}, {"0  8 1", "0  1 8"}, {"0  2 9", "0  9 2"}})
     text = replaced(text, from, to);
-  const PatchSet found = read(text);
+  const PatchSet found = read_mfem_text(text);
   EXPECT_EQ(found.patches[0].control_points(),
-            read(two_bricks + hand_numbered_points()).patches[0].control_points());
+            read_mfem_text(two_bricks + hand_numbered_points()).patches[0].control_points());
   EXPECT_EQ(found.patches[0].knots(0).knots()[3], 0.7);
 }
 
@@ -305,7 +305,7 @@ class TwoCubes {
 TEST(MfemMesh, NumberingFollowsEveryOrientationOfNeighbours) {
   for (unsigned seed = 0; seed < 300; ++seed) {
     TwoCubes cubes(seed);
-    const PatchSet found = read(cubes.text());
+    const PatchSet found = read_mfem_text(cubes.text());
     ASSERT_EQ(found.patches.size(), 2u);
     for (int p = 0; p < 2; ++p)
       ASSERT_EQ(found.patches[static_cast<std::size_t>(p)].control_points(), cubes.points(p)) << seed;
@@ -314,19 +314,20 @@ TEST(MfemMesh, NumberingFollowsEveryOrientationOfNeighbours) {
 }
 
 TEST(MfemMesh, ReadsCoefficientsPatchByPatchAndAxisByAxis) {
-  const PatchSet numbered = read(two_bricks + hand_numbered_points());
+  const PatchSet numbered = read_mfem_text(two_bricks + hand_numbered_points());
   std::string by_patch = "NURBS_patches\n";
   for (std::size_t p = 0; p < 2; ++p) {
     by_patch += fmt::format("\n# patch {}\n\n", p);
     for (const auto& x : numbered.patches[p].control_points().colwise())
       by_patch += fmt::format("{} {} {}\n", x[0], x[1], x[2]);
   }
-  expect_two_bricks(read(two_bricks + by_patch));
+  expect_two_bricks(read_mfem_text(two_bricks + by_patch));
   std::istringstream points(hand_numbered_points());
   std::array<std::string, 3> axes;
   std::string word;
   for (std::size_t n = 0; points >> word; ++n) axes[n % 3] += word + "\n";
-  expect_two_bricks(read(replaced(two_bricks, "Ordering: 1", "Ordering: 0") + axes[0] + axes[1] + axes[2]));
+  expect_two_bricks(
+      read_mfem_text(replaced(two_bricks, "Ordering: 1", "Ordering: 0") + axes[0] + axes[1] + axes[2]));
 }
 
 std::string with_own_patches(const std::vector<NurbsVolume>& patches, const std::string& kind) {
@@ -347,21 +348,22 @@ std::string with_own_patches(const std::vector<NurbsVolume>& patches, const std:
 TEST(MfemMesh, ReadsPatchesWithTheirOwnControlPoints) {
   std::mt19937 random(5);
   const std::vector<NurbsVolume> patches = {random_patch(random), random_patch(random)};
-  const PatchSet cartesian = read(with_own_patches(patches, "controlpoints_cartesian"));
+  const PatchSet cartesian = read_mfem_text(with_own_patches(patches, "controlpoints_cartesian"));
   ASSERT_EQ(cartesian.patches.size(), 2u);
   for (std::size_t p = 0; p < 2; ++p) EXPECT_TRUE(same_bits(cartesian.patches[p], patches[p]));
   for (const char* kind : {"controlpoints", "controlpoints_homogeneous"})
-    EXPECT_LT(
-        (read(with_own_patches(patches, kind)).patches[1].control_points() - patches[1].control_points())
-            .norm(),
-        1e-15 * patches[1].control_points().norm());
+    EXPECT_LT((read_mfem_text(with_own_patches(patches, kind)).patches[1].control_points() -
+               patches[1].control_points())
+                  .norm(),
+              1e-15 * patches[1].control_points().norm());
   EXPECT_EQ(cartesian.boundaries.size(), 2u);
 }
 
 TEST(MfemMesh, ReadsWeights) {
   std::string weights = "weights\n";
   for (int i = 0; i < 48; ++i) weights += fmt::format("{}\n", 1 + i);
-  const PatchSet found = read(replaced(two_bricks, "unitweights", weights) + hand_numbered_points());
+  const PatchSet found =
+      read_mfem_text(replaced(two_bricks, "unitweights", weights) + hand_numbered_points());
   expect_two_bricks(found);
   // Vertex 3 is the first corner of patch 0, vertex 4 of patch 1, vertex 9 the last but one corner of both.
   EXPECT_EQ(found.patches[0].weights()[0], 4);
@@ -373,18 +375,19 @@ TEST(MfemMesh, ReadsWeights) {
 TEST(MfemMesh, ReadsVersionsWithSpacing) {
   for (const char* spacing : {"spacing\n0\n", "spacing\n2\n0 1 0 2 0.5 0.25\n# the other\n3 2 3 0 7 8 9\n",
                               "refinements\n1 2 3\nknotvector_refinements\n1 2\n2 2 3\n0\n1 4\nspacing\n0\n"})
-    expect_two_bricks(read(
+    expect_two_bricks(read_mfem_text(
         replaced(replaced(two_bricks, "v1.0", "v1.1"), "unitweights", spacing + std::string("unitweights")) +
         hand_numbered_points()));
   EXPECT_THAT(error_of([] {
-                read(replaced(replaced(two_bricks, "v1.0", "v1.1"), "unitweights", "spacing\n1\n4 1 0 0\n"));
+                read_mfem_text(
+                    replaced(replaced(two_bricks, "v1.0", "v1.1"), "unitweights", "spacing\n1\n4 1 0 0\n"));
               }),
               HasSubstr("the knot vector of a spacing formula is '4', outside 0 .. 3"));
 }
 
 TEST(MfemMesh, ErrorsNameFileLineAndCause) {
   const std::string good = two_bricks + hand_numbered_points();
-  ASSERT_EQ(error_of([&] { read(good); }), "no error");
+  ASSERT_EQ(error_of([&] { read_mfem_text(good); }), "no error");
   const std::vector<std::array<std::string, 3>> cases = {
       {"v1.0", "v2.0", "unsupported: a.mesh:1: version 'v2.0'; v1.0 and v1.1 are supported"},
       {"mesh v1.0", "NC-patch mesh v1.0", "unsupported: a.mesh:1: NC-patch meshes are not supported"},
@@ -423,7 +426,7 @@ TEST(MfemMesh, ErrorsNameFileLineAndCause) {
       text.resize(text.size() - 2);
     else
       text = replaced(text, from, to);
-    EXPECT_THAT(error_of([&] { read(text); }), HasSubstr(says)) << from << " -> " << to;
+    EXPECT_THAT(error_of([&] { read_mfem_text(text); }), HasSubstr(says)) << from << " -> " << to;
   }
 }
 

@@ -78,7 +78,7 @@ std::string trimmed(int id) {
 )";
 }
 
-const std::string solid = R"(<Solid vertices="5" faces="5" volumes="2" id="0">
+const std::string solid_element = R"(<Solid vertices="5" faces="5" volumes="2" id="0">
 <Vertex>0 0 0  1 0 0  0 1 0  0 0 1  -1/2 0 0</Vertex>
 <Face>
 3 0 2 1 7
@@ -97,7 +97,7 @@ std::string file(const std::string& content) {
 }
 
 TEST(GismoSolid, VolumesAreReadFaceByFace) {
-  const auto solids = read_gismo_solids(file(trimmed(7) + solid), "s.xml");
+  const auto solids = read_gismo_solids(file(trimmed(7) + solid_element), "s.xml");
   ASSERT_EQ(solids.size(), 2u);
   EXPECT_EQ(solids[1].name, "volume 1");
   ASSERT_EQ(solids[0].surfaces.size(), 4u);
@@ -121,7 +121,7 @@ TEST(GismoSolid, SurfacesAloneMakeOneSolid) {
 }
 
 TEST(GismoSolid, WriteReadKeepsEveryBit) {
-  SolidBoundary given = read_gismo_solids(file(trimmed(7) + solid), "s.xml")[0];
+  SolidBoundary given = read_gismo_solids(file(trimmed(7) + solid_element), "s.xml")[0];
   TrimmedSurface& first = *given.surfaces[0];
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(4);
   weights(2) = 1.0 / 3;
@@ -156,14 +156,14 @@ TEST(GismoSolid, PartedCurvesThatDoNotMeetAreRefused) {
 }
 
 TEST(GismoSolid, IsToldFromVolumePatches) {
-  EXPECT_TRUE(is_gismo_solid(file(solid)));
+  EXPECT_TRUE(is_gismo_solid(file(solid_element)));
   EXPECT_TRUE(is_gismo_solid(file(trimmed(0))));
   EXPECT_FALSE(is_gismo_solid(file("<Geometry type=\"TensorBSpline3\"/>")));
 }
 
 TEST(GismoSolid, BreachesNameTheLine) {
   const auto refusal = [](const std::string& from, const std::string& to) {
-    return error_of([&] { read_gismo_solids(replaced(file(trimmed(7) + solid), from, to), "s.xml"); });
+    return error_of([&] { read_gismo_solids(replaced(file(trimmed(7) + solid_element), from, to), "s.xml"); });
   };
   EXPECT_THAT(refusal("3 0 1 3 7", "3 0 1 9 7"),
               AllOf(HasSubstr("s.xml:"), HasSubstr("a corner of face 1 is '9'")));

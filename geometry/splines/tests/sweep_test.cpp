@@ -16,7 +16,7 @@ namespace isopatch::geometry {
 namespace {
 
 // Knot insertion and degree elevation cost a few roundings more than evaluation.
-constexpr double exact = 1e-14;
+constexpr double nearly_exact = 1e-14;
 
 Eigen::Vector3d at(const NurbsCurve& curve, double t) {
   return curve.point(Parameter<1>(t));
@@ -32,11 +32,11 @@ TEST(Ruled, MeetsBothCurvesAlthoughDegreesAndKnotsDiffer) {
   EXPECT_EQ(surface.degree(0), 3);
   EXPECT_EQ(surface.degree(1), 1);
   for (const double t : {0.0, 0.1, 0.3, 0.45, 0.6, 0.99, 1.0}) {
-    EXPECT_LE((at(surface, t, 0) - at(low, t)).norm(), exact);
-    EXPECT_LE((at(surface, t, 1) - at(high, t)).norm(), exact);
+    EXPECT_LE((at(surface, t, 0) - at(low, t)).norm(), nearly_exact);
+    EXPECT_LE((at(surface, t, 1) - at(high, t)).norm(), nearly_exact);
     // The ruling is straight: the middle lies between the ends.
     const Eigen::Vector3d chord = at(high, t) - at(low, t);
-    EXPECT_LE(chord.normalized().cross(at(surface, t, 0.5) - at(low, t)).norm(), exact);
+    EXPECT_LE(chord.normalized().cross(at(surface, t, 0.5) - at(low, t)).norm(), nearly_exact);
   }
 }
 
@@ -45,7 +45,7 @@ TEST(Ruled, EqualWeightsGiveConstantSpeedAcross) {
   const NurbsSurface outer = extruded(arc({0, 0, 0}, 2, Angle(), Angle::degrees(90)), {0, 0, 1});
   const NurbsVolume wall = ruled(inner, outer);
   for (const double t : {0.0, 0.25, 0.7, 1.0})
-    EXPECT_NEAR(wall.point({0.37, 0.5, t}).head<2>().norm(), 1 + t, exact);
+    EXPECT_NEAR(wall.point({0.37, 0.5, t}).head<2>().norm(), 1 + t, nearly_exact);
 }
 
 TEST(Ruled, RefusesDifferentParameterRanges) {
@@ -65,7 +65,7 @@ TEST(Extruded, MovesEveryPointAlongTheVector) {
   const Eigen::Vector3d vector(1, -2, 3);
   const NurbsVolume volume = extruded(base, vector);
   for (const double t : {0.0, 0.4, 1.0})
-    EXPECT_LE((volume.point({0.3, 0.8, t}) - (at(base, 0.3, 0.8) + t * vector)).norm(), exact);
+    EXPECT_LE((volume.point({0.3, 0.8, t}) - (at(base, 0.3, 0.8) + t * vector)).norm(), nearly_exact);
   EXPECT_THROW(extruded(base, Eigen::Vector3d::Zero()), Error);
 }
 
@@ -82,11 +82,11 @@ TEST(Revolved, TurnsEveryPointAboutTheAxis) {
     // Half the parameter is half the angle, whatever the sweep.
     for (const double t : {0.0, 0.5, 1.0}) {
       const Eigen::AngleAxisd turn(t * sweep.radians(), direction);
-      EXPECT_LE((volume.point({s, 0.6, t}) - (center + turn * (start - center))).norm(), exact);
+      EXPECT_LE((volume.point({s, 0.6, t}) - (center + turn * (start - center))).norm(), nearly_exact);
     }
     const double radius = direction.cross(start - center).norm();
     for (const double t : {0.1, 0.3, 0.8})
-      EXPECT_NEAR(direction.cross(volume.point({s, 0.6, t}) - center).norm(), radius, exact);
+      EXPECT_NEAR(direction.cross(volume.point({s, 0.6, t}) - center).norm(), radius, nearly_exact);
   }
 }
 
@@ -110,7 +110,7 @@ TEST(Permuted, ExchangesTheParametersOnly) {
     for (int d = 0; d < 3; ++d)
       parameter[d] = old[static_cast<std::size_t>(from[static_cast<std::size_t>(d)])];
     EXPECT_EQ(other.degree(0), volume.degree(from[0]));
-    EXPECT_LE((other.point(parameter) - volume.point({0.1, 0.6, 0.8})).norm(), exact);
+    EXPECT_LE((other.point(parameter) - volume.point({0.1, 0.6, 0.8})).norm(), nearly_exact);
   } while (std::next_permutation(from.begin(), from.end()));
   EXPECT_THROW(permuted<3>(volume, {0, 1, 1}), Error);
 }

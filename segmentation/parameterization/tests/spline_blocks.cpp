@@ -14,7 +14,7 @@ using geometry::NurbsCurve;
 using geometry::NurbsSurface;
 using geometry::TrimmedSurface;
 
-NurbsCurve line(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+NurbsCurve spline_line(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
   Eigen::Matrix3Xd points = Eigen::Matrix3Xd::Zero(3, 2);
   points.col(0).head<2>() = from;
   points.col(1).head<2>() = to;
@@ -23,7 +23,7 @@ NurbsCurve line(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
 
 TrimmedSurface untrimmed(const NurbsSurface& surface) {
   const Eigen::Vector2d a = surface.low(), c = surface.high(), b(c[0], a[1]), d(a[0], c[1]);
-  return {"", surface, {{line(a, b), line(b, c), line(c, d), line(d, a)}}};
+  return {"", surface, {{spline_line(a, b), spline_line(b, c), spline_line(c, d), spline_line(d, a)}}};
 }
 
 /// The parallelogram with a corner and two sides.
@@ -74,7 +74,8 @@ geometry::Brep wavy_top_over_planes(const KnotVector& knots) {
   const auto wall = [&](double at) {
     return TrimmedSurface{"",
                           plane(at * y, width * x, 2 * z),
-                          {{line({1, right}, {1, 0}), line({1, 0}, {0, 0}), line({0, 0}, {0, left}), wave}}};
+                          {{spline_line({1, right}, {1, 0}), spline_line({1, 0}, {0, 0}),
+                            spline_line({0, 0}, {0, left}), wave}}};
   };
   return geometry::sew({untrimmed(NurbsSurface({knots, KnotVector()}, top)), wall(0), wall(depth),
                         untrimmed(plane(Eigen::Vector3d::Zero(), width * x, depth * y)),
