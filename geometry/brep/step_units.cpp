@@ -200,6 +200,9 @@ StepUnits step_units(const Part21File& file) {
     const auto records = file.records(*context);
     const Part21Record* units = record_of(records, "GLOBAL_UNIT_ASSIGNED_CONTEXT");
     if (units == nullptr || units->values.empty()) return found;
+    if (record_of(records, "GEOMETRIC_REPRESENTATION_CONTEXT") == nullptr)  // the kernel passes it over then
+      return std::optional(
+          Length{.problem = file.place(*context) + " has units, but is no GEOMETRIC_REPRESENTATION_CONTEXT"});
     for (const Part21Value& unit : units->values.front().items)
       if (!found) found = follower.length_of(unit.reference);
     return found;

@@ -14,6 +14,8 @@ namespace {
 void prepare_to_be_alone() {
   leave_launcher();
   ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+  // Programs that begin and end at the same time take away each other's folders below /tmp, and fail.
+  ::setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
 }
 
 // Lives from the first use of MPI to the end of the process.

@@ -66,5 +66,18 @@ TEST(DamagedCadFile, AUnitThatDoesNotCallItselfALengthIsNone) {
   EXPECT_THAT(units.warnings, ElementsAre(AllOf(HasSubstr("#3"), HasSubstr("no LENGTH_UNIT"))));
 }
 
+// The CAD library passes such a context over, units and all.
+TEST(DamagedCadFile, UnitsOfSomethingElseThanAGeometricContextAreNone) {
+  const std::string text =
+      "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n"
+      "#1=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MICRO.,.METRE.));\n"
+      "#4=(SOME_CONTEXT(3)GLOBAL_UNIT_ASSIGNED_CONTEXT((#1))REPRESENTATION_CONTEXT('',''));\n"
+      "#5=SHAPE_REPRESENTATION('',(),#4);\nENDSEC;\nEND-ISO-10303-21;\n";
+  const StepUnits units = step_units(Part21File(text, "a.step"));
+  EXPECT_FALSE(units.stated);
+  EXPECT_THAT(units.warnings,
+              ElementsAre(AllOf(HasSubstr("#4"), HasSubstr("no GEOMETRIC_REPRESENTATION_CONTEXT"))));
+}
+
 }  // namespace
 }  // namespace isopatch::geometry
