@@ -27,7 +27,7 @@ Key<O> angle_key(const std::string& name, Angle O::*member, std::string meaning)
 }
 
 template <class O>
-Key<O> patches_key(const std::string& directions) {
+Key<O> patch_count_key(const std::string& directions) {
   static constexpr std::size_t count = std::tuple_size_v<decltype(O::patches)>;
   return custom_key<O>("patches", fmt::format("{} integers, from 1 to 1000", count),
                        "Patches along " + directions + ".",
@@ -47,7 +47,7 @@ Keys<geometry::BoxOptions> box_model_keys(ModelUnits units) {
   return {
       point_key<O>(units, "size", &O::size, "Lengths of the edges, positive."),
       point_key<O>(units, "origin", &O::origin, "The corner with the lowest coordinates."),
-      patches_key<O>("x, y and z"),
+      patch_count_key<O>("x, y and z"),
       quantity_key<O>("distortion", &O::distortion, dimensions::none, {0, 0.4},
                       "Share of a patch's size by whose half its corners are moved at random."),
       quantity_key<O>("curvature", &O::curvature, dimensions::none, {0, 0.4},
@@ -141,7 +141,7 @@ Keys<geometry::CookOptions> cook_model_keys(ModelUnits units) {
       length_key<O>(units, "right_height", &O::right_height, "Of the loaded edge, positive."),
       length_key<O>(units, "rise", &O::rise, "y of the lower right corner."),
       length_key<O>(units, "thickness", &O::thickness, "z runs from 0 to thickness."),
-      patches_key<O>("x and y"),
+      patch_count_key<O>("x and y"),
   };
 }
 

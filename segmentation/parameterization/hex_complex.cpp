@@ -277,17 +277,17 @@ SolidFault fault_of(const std::vector<Hexahedron>& blocks, const std::vector<Blo
 }
 
 /// A face and the box around a coarse grid of it.
-struct Candidate {
+struct FaceWithBox {
   BlockSide side;
   Eigen::AlignedBox3d box;
 };
 
-std::vector<Candidate> candidates(const BlockMaps& maps, double margin) {
-  std::vector<Candidate> result;
+std::vector<FaceWithBox> candidates(const BlockMaps& maps, double margin) {
+  std::vector<FaceWithBox> result;
   std::vector<double> at;
   for (int i = 0; i <= 8; ++i) at.push_back(i / 8.0);
   for (std::size_t f = 0; f < 6 * maps.size(); ++f) {
-    Candidate candidate{{static_cast<int>(f / 6), Side(f % 6)}, {}};
+    FaceWithBox candidate{{static_cast<int>(f / 6), Side(f % 6)}, {}};
     const Eigen::Matrix3Xd grid = map_of(maps, candidate.side).grid(at, at);
     for (const auto& point : grid.colwise()) candidate.box.extend(Eigen::Vector3d(point));
     const Eigen::Vector3d wider = Eigen::Vector3d::Constant(margin);
@@ -353,7 +353,7 @@ HexComplex hex_complex(std::vector<Hexahedron> blocks, const ComplexOptions& opt
   const double size = size_of(blocks);
   const double reach = options.same_point * size;
   BlockMaps maps = face_maps(blocks);
-  const std::vector<Candidate> all = candidates(maps, reach);
+  const std::vector<FaceWithBox> all = candidates(maps, reach);
   std::vector<Match> matches;
   std::vector<PartialContact> partial;
   std::map<BlockSide, BlockSide> partner;

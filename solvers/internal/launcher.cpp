@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 11> of_launchers = {
     "OMPI_APP_CTX", "OMPI_MCA_orte_", "OMPI_MCA_ess", "OMPI_MCA_pmix",    "OMPI_NUM_APP_CTX",
     "PRTE_"};
 
-std::string variable(const char* name) {
+std::string environment_value(const char* name) {
   const char* const value = std::getenv(name);
   return value ? value : "";
 }
@@ -28,15 +28,17 @@ std::string variable(const char* name) {
 bool is_of_this_step(const std::string& space) {
   constexpr std::string_view slurms = "slurm.pmix.";
   return !space.starts_with(slurms) ||
-         space == fmt::format("{}{}.{}", slurms, variable("SLURM_JOB_ID"), variable("SLURM_STEP_ID"));
+         space == fmt::format("{}{}.{}", slurms, environment_value("SLURM_JOB_ID"),
+                              environment_value("SLURM_STEP_ID"));
 }
 
 }  // namespace
 
 std::string launcher_objection(int started) {
 #ifdef OPEN_MPI
-  const std::string space = variable("PMIX_NAMESPACE");
-  if (!variable("OMPI_COMM_WORLD_SIZE").empty() || (!space.empty() && is_of_this_step(space))) return "";
+  const std::string space = environment_value("PMIX_NAMESPACE");
+  if (!environment_value("OMPI_COMM_WORLD_SIZE").empty() || (!space.empty() && is_of_this_step(space)))
+    return "";
   return fmt::format(
       "{} processes were started that cannot find each other, because their launcher does not speak PMIx: "
       "with "

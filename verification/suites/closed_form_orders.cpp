@@ -22,8 +22,6 @@ using Eigen::Vector3d;
 using geometry::MultiPatch;
 using iga::Coupling;
 
-constexpr std::array<Coupling, 2> both = {Coupling::elimination, Coupling::lagrange};
-
 void add_planes(iga::ElasticityProblem& problem, const std::vector<std::string>& planes) {
   for (const std::string& plane : planes)
     problem.supports.push_back({plane, faces_of(problem.discretization.model, plane), iga::PlaneSupport{}});
@@ -99,7 +97,7 @@ iga::FieldValues at(const iga::ElasticitySolution& solution, const Vector3d& pla
 }
 
 TEST(ClosedForms, ThickCylinderOrders) {
-  for (const Coupling coupling : both)
+  for (const Coupling coupling : iga::all_couplings)
     for (const int degree : {1, 2, 3}) expect_orders(cylinder(), {degree, {8, 16, 32, 64}, coupling});
 }
 
@@ -158,7 +156,7 @@ TEST(ClosedForms, SphericalCavity) {
 
 // The sphere is of degree 4.
 TEST(FullClosedForms, SphericalCavityOrders) {
-  for (const Coupling coupling : both)
+  for (const Coupling coupling : iga::all_couplings)
     expect_orders(cavity(iga::isotropic(1000, 0.3)), {4, {5, 6, 7, 8}, coupling, true});
 }
 

@@ -23,7 +23,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double allowed = 1e-9;
+constexpr double allowed_change = 1e-9;
 
 // The patches in another order: patch i becomes the order[i]-th.
 geometry::PatchSet renumbered(const geometry::PatchSet& set, const std::vector<int>& order) {
@@ -123,7 +123,7 @@ void expect_same_energy(const std::string& name, const geometry::PatchSet& set, 
                  "the same part as it is",
                  as_it_is,
                  energy(change),
-                 allowed,
+                 allowed_change,
                  {}});
 }
 
@@ -179,7 +179,7 @@ void expect_study(const ModelCase& model, const std::string& what, const std::ve
   const SolvedStudy changed = solved(file, overrides);
   expect(Claim{fmt::format("{}, study {}: energy", model.name, what), "J", ReferenceKind::exact,
                "the same part as it is", factor * as_it_is.run.solution.results.internal_energy,
-               changed.run.solution.results.internal_energy, allowed, changed.named});
+               changed.run.solution.results.internal_energy, allowed_change, changed.named});
 }
 
 TEST(Invariance, Studies) {

@@ -77,7 +77,7 @@ KnownProblem eight_patches(int degree) {
 }
 
 // Small beside the wave: on larger sectors coarse meshes converge faster than they will in the end.
-KnownProblem cylinder() {
+KnownProblem manufactured_cylinder() {
   return manufactured("two rational patches of a cylinder",
                       geometry::connect(geometry::cylinder_model({.inner_radius = 1.5,
                                                                   .outer_radius = 2,
@@ -102,16 +102,14 @@ KnownProblem wedge() {
   return manufactured("a wedge with a collapsed face", geometry::connect(set), {"x_max", "bottom"});
 }
 
-constexpr std::array<Coupling, 2> both = {Coupling::elimination, Coupling::lagrange};
-
 // One patch has nothing to tie: multipliers must change nothing.
 TEST(Manufactured, OnePatch) {
-  for (const Coupling coupling : both)
+  for (const Coupling coupling : iga::all_couplings)
     for (const int degree : {1, 2, 3}) expect_orders(one_patch(degree), {degree, {4, 6, 8, 12}, coupling});
 }
 
 TEST(Manufactured, EightPatches) {
-  for (const Coupling coupling : both) {
+  for (const Coupling coupling : iga::all_couplings) {
     expect_orders(eight_patches(1), {1, {3, 4, 6, 8}, coupling});
     expect_orders(eight_patches(2), {2, {3, 4, 5, 6}, coupling});
   }
@@ -119,7 +117,7 @@ TEST(Manufactured, EightPatches) {
 
 // Multipliers tie the control points that fall together on the line.
 TEST(Manufactured, CollapsedFace) {
-  for (const Coupling coupling : both) {
+  for (const Coupling coupling : iga::all_couplings) {
     expect_orders(wedge(), {1, {6, 8, 12, 16}, coupling});
     expect_orders(wedge(), {2, {8, 10, 12, 16}, coupling});
     expect_orders(wedge(), {3, {4, 6, 8, 12}, coupling});
@@ -128,21 +126,21 @@ TEST(Manufactured, CollapsedFace) {
 
 // At p = 1 quadratic around, as the arcs are.
 TEST(Manufactured, RationalPatches) {
-  for (const Coupling coupling : both) {
-    expect_orders(cylinder(), {1, {6, 8, 12, 16}, coupling});
-    expect_orders(cylinder(), {2, {6, 8, 10, 12}, coupling});
+  for (const Coupling coupling : iga::all_couplings) {
+    expect_orders(manufactured_cylinder(), {1, {6, 8, 12, 16}, coupling});
+    expect_orders(manufactured_cylinder(), {2, {6, 8, 10, 12}, coupling});
   }
 }
 
 // Even degrees on an odd number of elements are a little worse than on the even numbers around it.
 TEST(FullManufactured, OnePatch) {
-  for (const Coupling coupling : both)
+  for (const Coupling coupling : iga::all_couplings)
     for (const int degree : {4, 5})
       expect_orders(one_patch(degree), {degree, {4, 6, 8, 10}, coupling, coupling == Coupling::lagrange});
 }
 
 TEST(FullManufactured, EightPatches) {
-  for (const Coupling coupling : both) {
+  for (const Coupling coupling : iga::all_couplings) {
     expect_orders(eight_patches(3), {3, {3, 4, 6, 8}, coupling, true});
     for (const int degree : {4, 5})
       expect_orders(eight_patches(degree), {degree, {4, 6, 8, 10}, coupling, true});
@@ -150,17 +148,17 @@ TEST(FullManufactured, EightPatches) {
 }
 
 TEST(FullManufactured, CollapsedFace) {
-  for (const Coupling coupling : both) {
+  for (const Coupling coupling : iga::all_couplings) {
     expect_orders(wedge(), {4, {6, 8, 10, 12}, coupling});
     expect_orders(wedge(), {5, {4, 6, 8, 10}, coupling});
   }
 }
 
 TEST(FullManufactured, RationalPatches) {
-  for (const Coupling coupling : both) {
-    expect_orders(cylinder(), {3, {4, 6, 8, 12}, coupling});
-    expect_orders(cylinder(), {4, {4, 6, 8, 10}, coupling});
-    expect_orders(cylinder(), {5, {5, 6, 8, 10}, coupling});
+  for (const Coupling coupling : iga::all_couplings) {
+    expect_orders(manufactured_cylinder(), {3, {4, 6, 8, 12}, coupling});
+    expect_orders(manufactured_cylinder(), {4, {4, 6, 8, 10}, coupling});
+    expect_orders(manufactured_cylinder(), {5, {5, 6, 8, 10}, coupling});
   }
 }
 

@@ -47,7 +47,7 @@ const std::vector<Way> ways_with_multipliers = {
 // Direct methods refine in extended precision. An iteration's error in energy is about what it was asked for,
 // and a coefficient's may be larger by the ratio of the two norms, which stays below 10 here. Minimal
 // residuals end where round-off stops them, at 1.5e-11 on the link.
-constexpr double same = 1e-10;
+constexpr double same_energy = 1e-10;
 
 void expect_same_answer(const std::string& of, const std::string& file, const Settings& settings) {
   const Settings all = joined(settings, {"solver.tolerance=1e-12"});
@@ -58,7 +58,7 @@ void expect_same_answer(const std::string& of, const std::string& file, const Se
     const SolvedStudy other = solved(file, joined(all, way.settings));
     const auto claim = [&](const std::string& what, const char* unit, double reference, double value) {
       expect(Claim{fmt::format("{}, {}, {}", what, of, way.name), unit, ReferenceKind::other_method,
-                   "cholmod, elimination", reference, value, same, other.named});
+                   "cholmod, elimination", reference, value, same_energy, other.named});
     };
     claim("energy", "J", cholmod.run.solution.results.internal_energy,
           other.run.solution.results.internal_energy);
@@ -120,7 +120,7 @@ void expect_steady_iterations(const std::string& over, const std::string& file,
 constexpr Usual of_the_box{7, 16};
 constexpr Usual of_the_link{11, 24};
 
-const std::string link = "examples/link/study.toml";
+const std::string link_study = "examples/link/study.toml";
 const std::string box = "verification/performance/box.toml";
 
 // From the first problem that has two levels; a multigrid of one level is a direct method.
@@ -136,7 +136,7 @@ TEST(Solvers, IterateSteadilyOverRefinements) {
   for (const int refine : {1, 2})
     points.push_back(
         {fmt::format("link, p = 3, refine = {}", refine), {fmt::format("discretization.refine={}", refine)}});
-  expect_steady_iterations("refinements of the link", link, points, of_the_link);
+  expect_steady_iterations("refinements of the link", link_study, points, of_the_link);
 }
 
 TEST(Solvers, IterateSteadilyOverDegrees) {
@@ -144,7 +144,7 @@ TEST(Solvers, IterateSteadilyOverDegrees) {
   for (const int degree : {3, 4, 5})
     points.push_back({fmt::format("link, p = {}, refine = 1", degree),
                       {fmt::format("discretization.degree={}", degree), "discretization.refine=1"}});
-  expect_steady_iterations("degrees", link, points, of_the_link);
+  expect_steady_iterations("degrees", link_study, points, of_the_link);
 }
 
 TEST(FullSolvers, IterateSteadilyOnLargerProblems) {
@@ -157,7 +157,7 @@ TEST(FullSolvers, IterateSteadilyOnLargerProblems) {
   for (const int degree : {2, 3, 4, 5})
     points.push_back({fmt::format("link, p = {}, refine = 2", degree),
                       {fmt::format("discretization.degree={}", degree), "discretization.refine=2"}});
-  expect_steady_iterations("degrees, refine = 2", link, points, of_the_link);
+  expect_steady_iterations("degrees, refine = 2", link_study, points, of_the_link);
 }
 
 TEST(Solvers, IterateSteadilyOverPatches) {
@@ -202,19 +202,19 @@ TEST(Solvers, RefuseWhatCannotBeSolved) {
                      "after 3 iterations", {link, {"solver.method='cg'", "solver.max_iterations=3"}});
   expect_study_error(
       "an iteration that would take longer, block Jacobi", ErrorCode::not_converged, "after 3 iterations",
-      {link, {"solver.method='cg'", "solver.preconditioner='block_jacobi'", "solver.max_iterations=3"}});
+      {link_study, {"solver.method='cg'", "solver.preconditioner='block_jacobi'", "solver.max_iterations=3"}});
   expect_study_error(
       "an iteration that would take longer, minres", ErrorCode::not_converged, "after 3 iterations",
-      {link, {"coupling.method='lagrange'", "solver.method='minres'", "solver.max_iterations=3"}});
+      {link_study, {"coupling.method='lagrange'", "solver.method='minres'", "solver.max_iterations=3"}});
   expect_study_error("a factor that does not fit", ErrorCode::out_of_memory, "memory",
-                     {link, {"solver.method='cholmod'", "solver.memory_limit=1000000"}});
+                     {link_study, {"solver.method='cholmod'", "solver.memory_limit=1000000"}});
   expect_study_error("cholmod with multipliers", ErrorCode::invalid_argument, "cholmod",
-                     {link, {"coupling.method='lagrange'", "solver.method='cholmod'"}});
+                     {link_study, {"coupling.method='lagrange'", "solver.method='cholmod'"}});
 }
 
 TEST(Solvers, RefuseSupportsThatContradict) {
   const app::BuiltProblem built =
-      app::build_problem(app::read_study(std::filesystem::path(ISOPATCH_SOURCE_DIR) / link));
+      app::build_problem(app::read_study(std::filesystem::path(ISOPATCH_SOURCE_DIR) / link_study));
   iga::ElasticityProblem problem = built.problem;
   problem.supports.push_back(problem.supports.front());
   problem.supports.back().name = "the same bore, moved";
@@ -243,7 +243,7 @@ TEST(Solvers, RefuseSingularSystems) {
 TEST(Solvers, RefuseATolerancePastRoundOff) {
   expect_study_error(
       "what doubles cannot reach, minres to 1e-14", ErrorCode::not_converged, "instead of 1.000e-14",
-      {link, {"coupling.method='lagrange'", "solver.method='minres'", "solver.tolerance=1e-14"}});
+      {link_study, {"coupling.method='lagrange'", "solver.method='minres'", "solver.tolerance=1e-14"}});
 }
 
 }  // namespace

@@ -15,15 +15,15 @@
 namespace isopatch::geometry {
 namespace {
 
-struct Side {
+struct EdgeOfFace {
   std::size_t face;
   bool forward;
 };
 
 // The faces at each edge, and how they walk it.
-std::vector<std::vector<Side>> sides_of_edges(const std::vector<TopoDS_Face>& faces) {
+std::vector<std::vector<EdgeOfFace>> sides_of_edges(const std::vector<TopoDS_Face>& faces) {
   TopTools_IndexedMapOfShape edges;
-  std::vector<std::vector<Side>> sides;
+  std::vector<std::vector<EdgeOfFace>> sides;
   for (std::size_t i = 0; i < faces.size(); ++i)
     for (TopExp_Explorer it(faces[i], TopAbs_EDGE); it.More(); it.Next()) {
       if (BRep_Tool::Degenerated(TopoDS::Edge(it.Current()))) continue;
