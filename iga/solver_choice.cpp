@@ -19,7 +19,7 @@ using solvers::Preconditioner;
 
 // Operations of the factorization, per unknown and in all, up to which it takes less time than iterations
 // with a multigrid or not much more; measured (solvers/README.md, "Factors or iterations").
-constexpr double most_flops_per_unknown = 2e6;
+constexpr double most_flops_per_unknown = 1e6;
 constexpr double few_flops = 2e10;
 // Iterations grow where a material hardly changes its volume: ten times as many at nu = 0.499.
 constexpr double more_if_incompressible = 10;
