@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/built_problem.hpp"
 #include "app/caught_region.hpp"
 #include "app/model_report.hpp"
 #include "app/study.hpp"
@@ -21,24 +22,6 @@ struct LoadedModel {
 /// @throws Error as the readers, `parameterize` and `connect` do, and invalid_argument for a generated
 /// model's dimensions and for attachments
 LoadedModel load_model(const ModelInput& input, const Progress& progress = {});
-
-/// A probe, found in the model.
-struct LocatedProbe {
-  std::string name;
-  int patch = 0;
-  geometry::Parameter<3> parameter;  ///< as isopatch numbers it
-};
-
-/// A study made ready to be solved.
-struct BuiltProblem {
-  iga::ElasticityProblem problem;
-  ModelReport report;
-  std::vector<CaughtRegion> supports;  ///< in the study's order
-  std::vector<CaughtRegion> loads;
-  std::vector<LocatedProbe> probes;
-  std::vector<Warning> warnings;
-  std::optional<segmentation::ParameterizationReport> parameterization = {};  ///< of a model made of solids
-};
 
 /// Builds the problem that a study describes. Nothing is assembled yet, and no file but the model's is
 /// touched.

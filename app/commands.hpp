@@ -7,10 +7,10 @@
 
 #include "app/compare_levels.hpp"
 #include "app/console.hpp"
+#include "app/exit_code.hpp"
 #include "app/load_input.hpp"
 #include "app/parameterized_model.hpp"
 #include "app/picture_options.hpp"
-#include "app/program.hpp"
 #include "solvers/processes.hpp"
 
 namespace isopatch::app {

@@ -7,6 +7,7 @@
 #include "app/comparison_plots.hpp"
 #include "app/comparison_report.hpp"
 #include "app/engineering_units.hpp"
+#include "app/provenance.hpp"
 #include "app/report_scene.hpp"
 #include "app/summary.hpp"
 #include "geometry/patch_connections.hpp"

@@ -6,6 +6,7 @@
 
 #include "app/engineering_units.hpp"
 #include "app/internal/json_values.hpp"
+#include "app/provenance.hpp"
 #include "app/summary.hpp"
 
 namespace isopatch::app {

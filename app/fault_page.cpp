@@ -8,6 +8,7 @@
 #include "app/engineering_units.hpp"
 #include "app/internal/json_values.hpp"
 #include "app/pages/page.hpp"
+#include "app/provenance.hpp"
 #include "app/solid_outlines.hpp"
 #include "app/summary.hpp"
 

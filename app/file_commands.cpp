@@ -4,6 +4,7 @@
 #include "app/describe_model.hpp"
 #include "app/describe_problem.hpp"
 #include "app/engineering_units.hpp"
+#include "app/exit_code.hpp"
 #include "app/internal/json_values.hpp"
 #include "app/loose_bodies.hpp"
 #include "app/output_directory.hpp"

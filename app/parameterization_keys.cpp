@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "app/study_keys.hpp"
+#include "segmentation/parameterization/assemble_complex.hpp"
 
 namespace isopatch::app {
 namespace {

@@ -10,7 +10,7 @@
 #include "app/internal/json_values.hpp"
 #include "app/model_report.hpp"
 #include "app/pages/page.hpp"
-#include "app/summary.hpp"
+#include "app/provenance.hpp"
 
 namespace isopatch::app {
 namespace {

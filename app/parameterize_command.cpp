@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "app/commands.hpp"
+#include "app/exit_code.hpp"
 #include "app/fault_page.hpp"
 #include "app/output_directory.hpp"
 #include "app/parameterization_scene.hpp"

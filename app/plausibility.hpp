@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "app/build_problem.hpp"
+#include "app/built_problem.hpp"
 #include "app/warning.hpp"
 #include "iga/solve_elasticity.hpp"
 

@@ -13,12 +13,15 @@
 #include <new>
 
 #include "app/commands.hpp"
+#include "app/exit_code.hpp"
+#include "app/provenance.hpp"
 #include "app/summary.hpp"
 #include "geometry/base/error.hpp"
 #include "geometry/base/nearest_name.hpp"
 #include "solvers/blas_core.hpp"
 #include "solvers/blas_threads.hpp"
 #include "solvers/cores.hpp"
+#include "solvers/launch.hpp"
 #include "solvers/process_failure.hpp"
 
 namespace isopatch::app {

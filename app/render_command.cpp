@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "app/commands.hpp"
+#include "app/exit_code.hpp"
 #include "app/part_picture.hpp"
 #include "app/pictures/draw.hpp"
 #include "app/solid_input.hpp"

@@ -5,6 +5,7 @@
 #include "app/internal/json_values.hpp"
 #include "app/parameterization_scene.hpp"
 #include "app/plots/residual_plot.hpp"
+#include "app/provenance.hpp"
 #include "app/report_scene.hpp"
 #include "app/summary.hpp"
 

@@ -3,7 +3,7 @@
 #include <chrono>
 
 #include "app/plausibility.hpp"
-#include "app/summary.hpp"
+#include "app/provenance.hpp"
 
 namespace isopatch::app {
 namespace {

@@ -18,7 +18,7 @@
 #include "iga/discretization.hpp"
 #include "iga/material.hpp"
 #include "iga/solve_elasticity.hpp"
-#include "solvers/solve.hpp"
+#include "solvers/solver_options.hpp"
 
 namespace isopatch::app {
 

@@ -8,6 +8,7 @@
 #include "app/compare_levels.hpp"
 #include "app/compare_page.hpp"
 #include "app/comparison_report.hpp"
+#include "app/exit_code.hpp"
 #include "app/fault_page.hpp"
 #include "app/output_directory.hpp"
 #include "app/study_keys.hpp"

@@ -2,6 +2,7 @@
 
 #include "app/keys.hpp"
 #include "app/study.hpp"
+#include "segmentation/parameterization/assemble_complex.hpp"
 
 namespace isopatch::app {
 

@@ -9,6 +9,7 @@
 #include "app/engineering_units.hpp"
 #include "app/internal/json_regions.hpp"
 #include "app/parameterization_scene.hpp"
+#include "app/provenance.hpp"
 #include "app/resolution_warning.hpp"
 #include "iga/material.hpp"
 
@@ -330,16 +331,6 @@ std::string summary_text(const Study& study, const StudyRun& run) {
                           ? ""
                           : fmt::format(" in {} processes", study.options.processes.count()));
   return text;
-}
-
-std::int64_t peak_memory_bytes() {
-  rusage usage = {};
-  ::getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::int64_t>(usage.ru_maxrss) * 1024;
-}
-
-std::string_view version() {
-  return ISOPATCH_VERSION;
 }
 
 }  // namespace isopatch::app

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/internal/json_values.hpp"
+#include "app/provenance.hpp"
 #include "app/summary.hpp"
 #include "app/verification_plots.hpp"
 

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include "app/commands.hpp"
+#include "app/exit_code.hpp"
 #include "app/output_directory.hpp"
 #include "app/verification_report.hpp"
 #include "solvers/stopwatch.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/multi_patch.hpp"
+#include "geometry/interface.hpp"
 
 namespace isopatch::geometry {
 

@@ -5,7 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/multi_patch.hpp"
+#include "geometry/base/tolerance.hpp"
+#include "geometry/interface.hpp"
 
 namespace isopatch::geometry {
 

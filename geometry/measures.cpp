@@ -118,12 +118,6 @@ Eigen::AlignedBox3d box(const NurbsVolume& volume) {
   return {volume.control_points().rowwise().minCoeff(), volume.control_points().rowwise().maxCoeff()};
 }
 
-Eigen::AlignedBox3d box(const MultiPatch& model) {
-  Eigen::AlignedBox3d result;
-  for (const NurbsVolume& patch : model.patches()) result.extend(box(patch));
-  return result;
-}
-
 // By Gauss's theorem: a third of the flux of the position, seen from the middle, through the six sides.
 double volume(const NurbsVolume& patch) {
   const Eigen::Vector3d middle = box(patch).center();

@@ -3,13 +3,12 @@
 #include <Eigen/Geometry>
 
 #include "geometry/base/progress.hpp"
-#include "geometry/multi_patch.hpp"
+#include "geometry/patch_face.hpp"
 
 namespace isopatch::geometry {
 
 /// Box of the control points, which contains the patch; model units.
 Eigen::AlignedBox3d box(const NurbsVolume& volume);
-Eigen::AlignedBox3d box(const MultiPatch& model);
 
 /// Volume by Gauss's theorem and Gauss quadrature on the six sides, exact for B-splines; model units^3.
 /// Rational patches get 2 p + 8 points per element and direction, which integrates quarter arcs of degree 2

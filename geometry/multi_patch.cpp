@@ -11,6 +11,7 @@
 #include "geometry/base/error.hpp"
 #include "geometry/conformity.hpp"
 #include "geometry/interface_search.hpp"
+#include "geometry/measures.hpp"
 #include "geometry/splines/refine.hpp"
 
 namespace isopatch::geometry {
@@ -82,18 +83,6 @@ double diagonal(const std::vector<NurbsVolume>& patches) {
 
 }  // namespace
 
-Parameter<2> FaceOrientation::operator()(const Parameter<2>& parameter) const {
-  Parameter<2> result = swapped ? Parameter<2>(parameter[1], parameter[0]) : parameter;
-  if (flip_first) result[0] = 1 - result[0];
-  if (flip_second) result[1] = 1 - result[1];
-  return result;
-}
-
-FaceOrientation inverse(const FaceOrientation& orientation) {
-  if (!orientation.swapped) return orientation;
-  return {true, orientation.flip_second, orientation.flip_first};
-}
-
 PatchFace MultiPatch::renamed(PatchFace face) const {
   if (was_reversed(face.patch) && direction(face.side) == 0) face.side = opposite(face.side);
   return face;
@@ -130,6 +119,12 @@ std::vector<std::vector<PatchId>> MultiPatch::bodies() const {
 std::string MultiPatch::patch_name(PatchId id) const {
   const auto i = static_cast<std::size_t>(id.value);
   return i < names_.size() ? names_[i] : "";
+}
+
+Eigen::AlignedBox3d box(const MultiPatch& model) {
+  Eigen::AlignedBox3d result;
+  for (const NurbsVolume& patch : model.patches()) result.extend(box(patch));
+  return result;
 }
 
 MultiPatch connect(PatchSet set, const Tolerance& tolerance) {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <string>
 #include <vector>
 
 #include "geometry/base/tolerance.hpp"
+#include "geometry/interface.hpp"
 #include "geometry/patch_face.hpp"
 #include "geometry/splines/nurbs.hpp"
 
@@ -13,29 +15,6 @@ namespace isopatch::geometry {
 struct Boundary {
   std::string name;
   std::vector<PatchFace> faces;
-};
-
-/// How the parameters (s, t) in [0, 1]^2 of one face lie on another: exchanged if `swapped`, then each turned
-/// around (s becomes 1 - s) if its flag is set. All eight orientations of a square.
-struct FaceOrientation {
-  bool swapped = false;
-  bool flip_first = false;   ///< turns the other face's first parameter around
-  bool flip_second = false;  ///< turns the other face's second parameter around
-
-  auto operator<=>(const FaceOrientation&) const = default;
-
-  /// Parameters on the other face, both faces scaled to [0, 1]^2.
-  Parameter<2> operator()(const Parameter<2>& parameter) const;
-};
-
-FaceOrientation inverse(const FaceOrientation& orientation);
-
-/// Two faces that are the same surface, with the same parameters up to `orientation`.
-struct Interface {
-  PatchFace first;
-  PatchFace second;
-  FaceOrientation orientation;  ///< from first to second
-  double gap = 0;               ///< largest distance found between the two, model units
 };
 
 /// Patches as a reader or a generator gives them, before anything is known about how they meet.
@@ -95,6 +74,9 @@ class MultiPatch {
   Tolerance tolerance_;
   double size_ = 0;
 };
+
+/// Of all control points.
+Eigen::AlignedBox3d box(const MultiPatch& model);
 
 /// Finds from the geometry alone how patches meet.
 ///

@@ -4,28 +4,10 @@
 #include <vector>
 
 #include "geometry/multi_patch.hpp"
+#include "iga/discretization_options.hpp"
 #include "iga/gauss_points.hpp"
 
 namespace isopatch::iga {
-
-/// How the solution space refines the geometry's.
-struct DiscretizationOptions {
-  /// Degree per direction, raised where the geometry's is lower and never lowered; 0 keeps the geometry's.
-  /// Raising keeps the continuity of the geometry at its knots. Range 0 .. 10.
-  std::array<int, 3> degree = {0, 0, 0};
-  /// Halvings of every element that the other options make. Range 0 .. 10.
-  int refine = 0;
-  /// Least number of elements per direction of each patch, before `refine`; 0: as many as the geometry has.
-  /// Range 0 .. 10000.
-  std::array<int, 3> elements_per_direction = {0, 0, 0};
-  /// Largest length of an element's edge before `refine`, model units; 0: no limit.
-  double max_size = 0;
-  /// Highest continuity C^k across knots inside a patch; -1: as smooth as degree and geometry allow. Range -1
-  /// .. 9.
-  int continuity = -1;
-};
-/// @throws Error invalid_argument naming field, value and range
-void validate(const DiscretizationOptions& options);
 
 /// The solution space: every patch of the model in a finer space (so the geometry stays exact), matching
 /// across all interfaces. Its basis functions, all patches one after the other, are the *nodes*.

@@ -3,8 +3,8 @@
 #include "geometry/base/progress.hpp"
 #include "iga/discretization.hpp"
 #include "iga/elastic_field.hpp"
+#include "iga/elasticity_results.hpp"
 #include "iga/patch_space.hpp"
-#include "iga/solve_elasticity.hpp"
 #include "solvers/processes.hpp"
 
 namespace isopatch::iga {

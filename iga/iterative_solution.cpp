@@ -3,6 +3,7 @@
 #include "iga/assembly.hpp"
 #include "iga/elasticity_multigrid.hpp"
 #include "iga/level_operator.hpp"
+#include "solvers/block_product.hpp"
 #include "solvers/operator_system.hpp"
 #include "solvers/stopwatch.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "iga/elasticity_results.hpp"
 #include "iga/patch_space.hpp"
-#include "iga/solve_elasticity.hpp"
 #include "iga/support_frames.hpp"
 #include "solvers/processes.hpp"
 

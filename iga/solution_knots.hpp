@@ -1,6 +1,7 @@
 #pragma once
 
-#include "iga/discretization.hpp"
+#include "geometry/multi_patch.hpp"
+#include "iga/discretization_options.hpp"
 #include "iga/matching_spaces.hpp"
 
 namespace isopatch::iga {

@@ -7,6 +7,7 @@
 
 #include "geometry/base/progress.hpp"
 #include "iga/elastic_field.hpp"
+#include "iga/elasticity_results.hpp"
 #include "iga/nodal_solution.hpp"
 #include "iga/problem.hpp"
 #include "iga/stress_points.hpp"
@@ -19,8 +20,8 @@ namespace isopatch::iga {
 struct ElasticityOptions {
   Coupling coupling = Coupling::elimination;
   solvers::SolverOptions solver = {};
-  /// Gauss points per element and direction in volumes; 0: degree + 1, and more where the map of a patch needs
-  /// them (`Discretization::gauss_points`). Range 0 .. 20.
+  /// Gauss points per element and direction in volumes; 0: degree + 1, and more where the map of a patch
+  /// needs them (`Discretization::gauss_points`). Range 0 .. 20.
   int quadrature_points = 0;
   /// Among which the elements are spread. All of them call `solve_elasticity` with the same problem and
   /// options and get the same solution.
@@ -38,40 +39,6 @@ struct ProblemSize {
       0;  ///< of these, the rows that remain: those in components that supports fix are dropped
   std::int64_t dofs = 0;  ///< unknowns of the chosen coupling before supports are fixed, multipliers included
   std::int64_t dofs_free = 0;  ///< the same after supports are fixed
-};
-
-/// What holds two coincident control points together: the force that the first exerts on the second is
-/// `force`.
-/// Without the components that supports fix; pairs with all components fixed have none.
-struct Multiplier {
-  int first_node = 0;
-  int second_node = 0;
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< N
-};
-
-struct Reaction {
-  std::string support;
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< on the part, N
-  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< about the origin, N m
-};
-
-struct ElasticityResults {
-  Extremum max_displacement;   ///< length of the displacement, m; on a grid of degree + 1 points per element
-                               ///< and direction, ends included
-  Extremum max_von_mises;      ///< Pa; of the Gauss points and of a grid on the faces of all patches
-  LeftOut left_out;            ///< points that `max_von_mises` does not look at
-  Extremum max_strain;         ///< Frobenius norm of the strain; at the Gauss points that are not left out
-  UnresolvedEnergy unresolved;
-  std::vector<std::string> idle_loads;  ///< surface loads that act where supports take them all
-  double internal_energy = 0;  ///< half the integral of stress : strain, J
-  double external_work = 0;    ///< half the work of loads and of reactions on prescribed displacements, J
-  std::vector<Reaction> reactions;                       ///< one per support
-  Eigen::Vector3d total_load = Eigen::Vector3d::Zero();  ///< N
-};
-
-struct PhaseTime {
-  std::string phase;
-  double seconds = 0;
 };
 
 struct ElasticitySolution {

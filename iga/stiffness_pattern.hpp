@@ -4,16 +4,10 @@
 #include <vector>
 
 #include "iga/patch_space.hpp"
+#include "iga/row_numbering.hpp"
 #include "solvers/block_matrix.hpp"
 
 namespace isopatch::iga {
-
-/// Which block row of a matrix belongs to each node; nodes may share a row.
-struct RowNumbering {
-  std::vector<int>
-      row_of_node;  ///< all patches one after the other; -1: none, only for nodes that no part carries
-  int rows = 0;
-};
 
 /// The blocks that the supports of basis functions make nonzero on the elements of `parts`, all values 0, and
 /// the diagonal blocks of all rows.

@@ -28,10 +28,6 @@ struct SymmetricBlockMatrix {
   std::int64_t bytes() const;
 };
 
-/// Product with a vector. (3 block rows)
-/// @cost  one pass over the stored blocks, so about half the memory traffic of a general format
-Eigen::VectorXd multiply(const SymmetricBlockMatrix& matrix, const Eigen::VectorXd& x);
-
 /// Mean of the absolute diagonal entries.
 double mean_diagonal(const SymmetricBlockMatrix& matrix);
 

@@ -64,4 +64,8 @@ Eigen::Matrix<Number, Eigen::Dynamic, 1> block_product(const SymmetricBlockMatri
   return y;
 }
 
+/// Product with a vector. (3 block rows)
+/// @cost  one pass over the stored blocks, so about half the memory traffic of a general format
+Eigen::VectorXd multiply(const SymmetricBlockMatrix& matrix, const Eigen::VectorXd& x);
+
 }  // namespace isopatch::solvers

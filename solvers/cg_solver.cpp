@@ -4,6 +4,7 @@
 
 #include "geometry/base/error.hpp"
 #include "solvers/block_jacobi.hpp"
+#include "solvers/block_product.hpp"
 #include "solvers/internal/krylov.hpp"
 #include "solvers/internal/petsc_session.hpp"
 #include "solvers/scaled_system.hpp"

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "geometry/base/progress.hpp"
 #include "solvers/linear_operator.hpp"
-#include "solvers/solve.hpp"
+#include "solvers/linear_system.hpp"
+#include "solvers/solve_report.hpp"
+#include "solvers/solver_options.hpp"
 
 namespace isopatch::solvers {
 

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "geometry/base/error.hpp"
+#include "solvers/block_product.hpp"
 #include "solvers/solve.hpp"
 
 namespace isopatch::solvers {

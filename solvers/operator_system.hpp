@@ -1,8 +1,11 @@
 #pragma once
 
+#include "geometry/base/progress.hpp"
 #include "solvers/linear_operator.hpp"
+#include "solvers/linear_system.hpp"
 #include "solvers/shared_rows.hpp"
-#include "solvers/solve.hpp"
+#include "solvers/solve_report.hpp"
+#include "solvers/solver_options.hpp"
 
 namespace isopatch::solvers {
 

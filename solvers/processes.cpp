@@ -9,6 +9,7 @@
 #include "geometry/base/error.hpp"
 #include "solvers/internal/launcher.hpp"
 #include "solvers/internal/mpi_session.hpp"
+#include "solvers/launch.hpp"
 
 namespace isopatch::solvers {
 namespace {
@@ -17,23 +18,6 @@ namespace {
 constexpr Eigen::Index chunk = std::numeric_limits<int>::max() / 2;
 
 }  // namespace
-
-Launch launch() {
-  struct Names {
-    const char* count;
-    const char* rank;
-  };
-  // In this order: mpiexec uses srun to start itself on other computers.
-  constexpr Names known[] = {{"OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_RANK"},
-                             {"PMI_SIZE", "PMI_RANK"},
-                             {"SLURM_STEP_NUM_TASKS", "SLURM_PROCID"}};
-  for (const Names& names : known) {
-    const char* const count = std::getenv(names.count);
-    const char* const rank = std::getenv(names.rank);
-    if (count && rank) return {std::max(1, std::atoi(count)), std::atoi(rank)};
-  }
-  return {};
-}
 
 Processes Processes::launched() {
   Processes result;

@@ -1,6 +1,9 @@
 #pragma once
 
-#include "solvers/solve.hpp"
+#include "geometry/base/progress.hpp"
+#include "solvers/linear_system.hpp"
+#include "solvers/solve_report.hpp"
+#include "solvers/solver_options.hpp"
 
 namespace isopatch::solvers {
 

@@ -5,6 +5,7 @@
 
 #include "app/program.hpp"
 #include "geometry/base/atomic_file.hpp"
+#include "solvers/launch.hpp"
 #include "solvers/processes.hpp"
 
 int main(int count, char** arguments) {

@@ -5,8 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/brep/brep.hpp"
+#include "geometry/brep/brep_parts.hpp"
+#include "geometry/brep/measure.hpp"
 #include "geometry/brep/tessellate.hpp"
+#include "geometry/splines/nurbs.hpp"
 
 namespace isopatch::geometry {
 

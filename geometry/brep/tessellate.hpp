@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "geometry/base/angle.hpp"
-#include "geometry/brep/brep.hpp"
 
 namespace isopatch::geometry {
 
@@ -32,9 +31,5 @@ struct Tessellation {
   std::vector<FaceTriangles> faces;
   std::vector<EdgePoints> edges;
 };
-
-/// A closed triangulation of the solid, face by face.
-/// @throws Error unsupported  a face that cannot be triangulated, naming it
-Tessellation tessellate(const Brep& brep, const TessellationOptions& options = {});
 
 }  // namespace isopatch::geometry

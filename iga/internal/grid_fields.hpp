@@ -3,7 +3,8 @@
 #include <array>
 #include <vector>
 
-#include "iga/part_samples.hpp"
+#include "iga/elastic_field.hpp"
+#include "iga/patch_samples.hpp"
 
 namespace isopatch::iga {
 

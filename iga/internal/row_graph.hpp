@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "iga/internal/direction_overlap.hpp"
-#include "iga/stiffness_pattern.hpp"
+#include "iga/patch_space.hpp"
+#include "iga/row_numbering.hpp"
 
 namespace isopatch::iga {
 

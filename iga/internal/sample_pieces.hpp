@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "geometry/multi_patch.hpp"
 #include "iga/internal/grid_fields.hpp"
 
 namespace isopatch::iga {

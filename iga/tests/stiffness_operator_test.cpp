@@ -1,4 +1,5 @@
 #include "iga/stiffness_operator.hpp"
+#include "solvers/block_product.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

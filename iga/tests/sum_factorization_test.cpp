@@ -9,6 +9,7 @@
 #include "iga/assembly.hpp"
 #include "iga/tests/plain_stiffness.hpp"
 #include "iga/tests/small_models.hpp"
+#include "solvers/block_product.hpp"
 
 namespace isopatch::iga {
 namespace {

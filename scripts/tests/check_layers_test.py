@@ -93,6 +93,11 @@ class CheckLayers(unittest.TestCase):
                       "iga/c.hpp": '#include "iga/a.hpp"\n'}, "iga/a.hpp:1",
                      "iga/a.hpp -> iga/b.hpp -> iga/c.hpp -> iga/a.hpp")
 
+    def test_rejects_a_circle_through_sources(self):
+        self.rejects({"iga/a.hpp": "", "iga/a.cpp": '#include "iga/a.hpp"\n#include "iga/b.hpp"\n', "iga/b.hpp": "",
+                      "iga/b.cpp": '#include "iga/a.hpp"\n'},
+                     "iga/a:1", "headers and their sources include each other in a circle: iga/a -> iga/b -> iga/a")
+
     def test_rejects_a_circle_of_folders(self):
         self.rejects({"iga/x/a.hpp": '#include "iga/y/a.hpp"\n', "iga/y/a.hpp": "", "iga/y/b.hpp":
                       '#include "iga/x/b.hpp"\n', "iga/x/b.hpp": ""}, "iga/x:1", "iga/x -> iga/y -> iga/x")

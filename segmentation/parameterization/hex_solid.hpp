@@ -9,16 +9,9 @@
 
 #include "geometry/splines/knot_vector.hpp"
 #include "segmentation/parameterization/cube.hpp"
+#include "segmentation/parameterization/domain_curve.hpp"
 
 namespace isopatch::segmentation {
-
-/// A curve in the domain of a face, over [0, 1].
-using DomainCurve = std::function<Eigen::Vector2d(double)>;
-/// The surface above a domain; model units.
-using DomainSurface = std::function<Eigen::Vector3d(const Eigen::Vector2d&)>;
-
-/// A curve in space, over [0, 1]; model units.
-using SpaceCurve = std::function<Eigen::Vector3d(double)>;
 
 /// An edge as the solid itself has it, apart from its curves in the faces' domains.
 struct SolidEdge {

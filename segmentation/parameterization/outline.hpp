@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "segmentation/parameterization/hex_solid.hpp"
+#include "segmentation/parameterization/domain_curve.hpp"
 
 namespace isopatch::segmentation {
 

@@ -12,6 +12,7 @@
 #include "geometry/brep/contradictions.hpp"
 #include "geometry/brep/read_brep.hpp"
 #include "geometry/brep/solid_error.hpp"
+#include "segmentation/parameterization/assemble_complex.hpp"
 #include "segmentation/parameterization/brep_solid.hpp"
 
 namespace isopatch::segmentation {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/brep/read_brep.hpp"
+#include "segmentation/parameterization/assemble_complex.hpp"
 #include "segmentation/parameterization/hex_complex.hpp"
 
 namespace isopatch::segmentation {

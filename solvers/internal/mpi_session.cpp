@@ -4,7 +4,7 @@
 
 #include "geometry/base/error.hpp"
 #include "solvers/internal/launcher.hpp"
-#include "solvers/processes.hpp"
+#include "solvers/launch.hpp"
 
 namespace isopatch::solvers {
 namespace {

@@ -1,4 +1,5 @@
 #include "solvers/block_matrix.hpp"
+#include "solvers/block_product.hpp"
 
 #include <gtest/gtest.h>
 #include <omp.h>

@@ -74,15 +74,8 @@ std::vector<double> orders(const Convergence& convergence);
 /// The order measured between two levels that is farthest from the expected one.
 double farthest_order(const Convergence& convergence);
 
-/// Records a claim and fails the running test if it does not hold. Refuses an `allowed` above 0.1: a value
-/// that may be anything up to a limit says so with `least`.
-void expect(const Claim& claim);
-
-/// Records an order of convergence and fails the running test if it does not hold. Needs four levels, and
-/// refuses errors below 1e-11, where round-off decides, and an `allowed` above 0.2.
-void expect(const Convergence& convergence);
-
-/// Records a figure; no test fails by it.
-void report(const Figure& figure);
+/// What keeps it from meaning anything, in words; empty if nothing does.
+std::string objection(const Claim& claim);
+std::string objection(const Convergence& convergence);
 
 }  // namespace isopatch::verification

@@ -11,6 +11,7 @@
 #include "geometry/models/cylinder.hpp"
 #include "iga/assembly.hpp"
 #include "iga/stiffness_operator.hpp"
+#include "solvers/block_product.hpp"
 
 namespace isopatch::verification {
 namespace {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "verification/claims/claim.hpp"
+#include "verification/claims/expect.hpp"
 #include "verification/suites/dense_systems.hpp"
 #include "verification/suites/model_cases.hpp"
 #include "verification/suites/solved_study.hpp"

@@ -8,7 +8,7 @@
 #include <Eigen/SparseQR>
 
 #include "geometry/measures.hpp"
-#include "verification/claims/claim.hpp"
+#include "verification/claims/expect.hpp"
 #include "verification/suites/dense_systems.hpp"
 #include "verification/suites/model_cases.hpp"
 #include "verification/suites/solved_study.hpp"

@@ -8,7 +8,7 @@
 
 #include "geometry/base/larger.hpp"
 #include "iga/loads.hpp"
-#include "verification/claims/claim.hpp"
+#include "verification/claims/expect.hpp"
 #include "verification/suites/linear_field.hpp"
 #include "verification/suites/model_cases.hpp"
 #include "verification/suites/node_forces.hpp"

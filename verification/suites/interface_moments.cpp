@@ -9,7 +9,7 @@
 #include "iga/interface_tractions.hpp"
 #include "iga/loads.hpp"
 #include "iga/support_frames.hpp"
-#include "verification/claims/claim.hpp"
+#include "verification/claims/expect.hpp"
 #include "verification/suites/linear_field.hpp"
 #include "verification/suites/model_cases.hpp"
 #include "verification/suites/node_forces.hpp"

@@ -7,7 +7,7 @@
 
 #include "geometry/base/error.hpp"
 #include "geometry/measures.hpp"
-#include "verification/claims/claim.hpp"
+#include "verification/claims/expect.hpp"
 #include "verification/tests/reference_data.hpp"
 
 namespace isopatch::verification {

@@ -10,7 +10,7 @@
 #include <random>
 
 #include "geometry/models/reorient.hpp"
-#include "verification/claims/claim.hpp"
+#include "verification/claims/expect.hpp"
 #include "verification/suites/dense_systems.hpp"
 #include "verification/suites/model_cases.hpp"
 #include "verification/suites/moved_patches.hpp"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "iga/solve_elasticity.hpp"
-#include "verification/claims/claim.hpp"
+#include "verification/claims/expect.hpp"
 #include "verification/suites/exact_solution.hpp"
 
 namespace isopatch::verification {

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "geometry/base/larger.hpp"
-#include "verification/claims/claim.hpp"
+#include "verification/claims/expect.hpp"
 #include "verification/suites/linear_field.hpp"
 #include "verification/suites/model_cases.hpp"
 #include "verification/suites/moved_patches.hpp"

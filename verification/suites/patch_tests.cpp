@@ -8,7 +8,7 @@
 
 #include "geometry/measures.hpp"
 #include "geometry/models/reorient.hpp"
-#include "verification/claims/claim.hpp"
+#include "verification/claims/expect.hpp"
 #include "verification/suites/linear_field.hpp"
 #include "verification/suites/model_cases.hpp"
 #include "verification/suites/solved_study.hpp"

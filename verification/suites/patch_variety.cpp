@@ -12,7 +12,7 @@
 #include "geometry/splines/refine.hpp"
 #include "iga/node_classes.hpp"
 #include "iga/solve_elasticity.hpp"
-#include "verification/claims/claim.hpp"
+#include "verification/claims/expect.hpp"
 #include "verification/suites/linear_field.hpp"
 #include "verification/suites/model_cases.hpp"
 

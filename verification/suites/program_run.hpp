@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "iga/elastic_field.hpp"
-#include "verification/claims/claim.hpp"
+#include "verification/claims/expect.hpp"
 
 namespace isopatch::verification {
 

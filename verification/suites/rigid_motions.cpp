@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "iga/internal_forces.hpp"
-#include "verification/claims/claim.hpp"
+#include "verification/claims/expect.hpp"
 #include "verification/suites/dense_systems.hpp"
 #include "verification/suites/linear_field.hpp"
 #include "verification/suites/model_cases.hpp"

@@ -12,9 +12,10 @@
 #include "geometry/models/cylinder.hpp"
 #include "geometry/models/twisted_beam.hpp"
 #include "iga/solve_elasticity.hpp"
+#include "segmentation/parameterization/assemble_complex.hpp"
 #include "segmentation/parameterization/parameterize.hpp"
 #include "segmentation/parameterization/read_blocks.hpp"
-#include "verification/claims/claim.hpp"
+#include "verification/claims/expect.hpp"
 #include "verification/suites/linear_field.hpp"
 
 namespace isopatch::verification {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/run_study.hpp"
-#include "verification/claims/claim.hpp"
+#include "verification/claims/expect.hpp"
 
 namespace isopatch::verification {
 

@@ -18,7 +18,7 @@
 #include "geometry/splines/transfer.hpp"
 #include "iga/discretization.hpp"
 #include "iga/element.hpp"
-#include "verification/claims/claim.hpp"
+#include "verification/claims/expect.hpp"
 #include "verification/suites/model_cases.hpp"
 
 namespace isopatch::verification {

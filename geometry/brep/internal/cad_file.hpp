@@ -6,7 +6,7 @@
 
 #include "geometry/base/progress.hpp"
 #include "geometry/brep/module.hpp"
-#include "geometry/brep/read_brep.hpp"
+#include "geometry/brep/read_brep_options.hpp"
 
 namespace isopatch::geometry {
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "geometry/brep/read_brep.hpp"
+#include "segmentation/parameterization/assemble_complex.hpp"
 #include "segmentation/parameterization/parameterize.hpp"
 #include "segmentation/parameterization/read_blocks.hpp"
 #include "segmentation/parameterization/tests/checks.hpp"

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "segmentation/parameterization/assemble_complex.hpp"
 #include "segmentation/parameterization/hex_complex.hpp"
 
 namespace isopatch::segmentation::test {

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "geometry/brep/read_brep.hpp"
+#include "segmentation/parameterization/assemble_complex.hpp"
 #include "segmentation/parameterization/brep_solid.hpp"
 #include "segmentation/parameterization/parameterize.hpp"
 #include "segmentation/parameterization/read_blocks.hpp"

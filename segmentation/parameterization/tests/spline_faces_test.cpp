@@ -5,6 +5,7 @@
 #include "geometry/base/error.hpp"
 #include "geometry/brep/write_brep.hpp"
 #include "geometry/measures.hpp"
+#include "segmentation/parameterization/assemble_complex.hpp"
 #include "segmentation/parameterization/brep_solid.hpp"
 #include "segmentation/parameterization/parameterize.hpp"
 #include "segmentation/parameterization/read_blocks.hpp"

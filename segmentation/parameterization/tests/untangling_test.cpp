@@ -5,6 +5,7 @@
 #include <ctime>
 #include <random>
 
+#include "segmentation/parameterization/assemble_complex.hpp"
 #include "segmentation/parameterization/improve_blocks.hpp"
 #include "segmentation/parameterization/parameterize.hpp"
 #include "segmentation/parameterization/shape_energy.hpp"

@@ -1,4 +1,5 @@
 #include "solvers/shared_rows.hpp"
+#include "solvers/launch.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "verification/claims/claim.hpp"
+#include "verification/claims/expect.hpp"
 
 #include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,8 @@
+#include "solvers/solver_options.hpp"
+
 #include <fmt/format.h>
 
 #include "geometry/base/error.hpp"
-#include "solvers/solve.hpp"
 
 namespace isopatch::solvers {
 
