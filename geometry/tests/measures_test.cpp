@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 
+#include "geometry/multi_patch.hpp"
 #include "geometry/quadrature.hpp"
 #include "geometry/splines/refine.hpp"
 #include "geometry/tests/test_patches.hpp"

@@ -9,6 +9,7 @@
 #include "geometry/models/cylinder.hpp"
 #include "iga/face_stresses.hpp"
 #include "iga/internal_forces.hpp"
+#include "iga/solve_elasticity.hpp"
 #include "iga/tests/small_models.hpp"
 
 namespace isopatch::iga {
