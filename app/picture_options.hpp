@@ -12,17 +12,17 @@ namespace isopatch::app {
 
 /// The options of `isopatch render` in words, as they are typed. Empty: the default for the input.
 struct PictureWords {
-  std::string field;                   ///< --field: von_mises, displacement, patch, jacobian, conditions, none
-  std::string component;               ///< --component: x, y or z of the displacement
-  std::string range;                   ///< --range "0,300 MPa"
-  double percentile = 99.9;            ///< --percentile: of the surface's area that the range holds
-  std::string deformation = "auto";    ///< --deformation: auto or a factor
-  std::string view = "iso";            ///< --view: a name or X,Y,Z toward the eye
-  std::string up;                      ///< --up: x, y, z or X,Y,Z
-  double zoom = 1;                     ///< --zoom
-  std::string size = "1600x1200";      ///< --size, pixels
-  std::string edges = "patches";       ///< --edges: patches, elements, none
-  std::string clip;                    ///< --clip "x=20 mm"
+  std::string field;                 ///< --field: von_mises, displacement, patch, jacobian, conditions, none
+  std::string component;             ///< --component: x, y or z of the displacement
+  std::string range;                 ///< --range "0,300 MPa"
+  double percentile = 99.9;          ///< --percentile: of the surface's area that the range holds
+  std::string deformation = "auto";  ///< --deformation: auto or a factor
+  std::string view = "iso";          ///< --view: a name or X,Y,Z toward the eye
+  std::string up;                    ///< --up: x, y, z or X,Y,Z
+  double zoom = 1;                   ///< --zoom
+  std::string size = "1600x1200";    ///< --size, pixels
+  std::string edges = "patches";     ///< --edges: patches, elements, none
+  std::string clip;                  ///< --clip "x=20 mm"
   std::optional<std::string> caption;  ///< --caption; "" for none
   bool transparent = false;
   bool no_bar = false;

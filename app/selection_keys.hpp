@@ -30,7 +30,8 @@ Key<S> where_key() {
 template <class S>
 Key<S> patches_key(std::string meaning) {
   return custom_key<S>(
-             "patches", "\"all\", integer, name of a body, or array of these and ranges \"0-8\"", std::move(meaning),
+             "patches", "\"all\", integer, name of a body, or array of these and ranges \"0-8\"",
+             std::move(meaning),
              [](S& target, const ConfigValue& value) { target.patches = read_patch_selection(value); })
       .with_default("\"all\"");
 }

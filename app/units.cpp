@@ -85,7 +85,8 @@ std::optional<UnitScale> find_unit(std::string_view symbol) {
     if (!symbol.starts_with(prefix.symbol)) continue;
     const std::string_view rest = symbol.substr(prefix.symbol.size());
     for (const Unit& unit : units)
-      if (unit.takes_prefix && unit.symbol == rest) return UnitScale{prefix.factor * unit.factor, unit.dimension};
+      if (unit.takes_prefix && unit.symbol == rest)
+        return UnitScale{prefix.factor * unit.factor, unit.dimension};
   }
   return std::nullopt;
 }

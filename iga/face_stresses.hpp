@@ -14,7 +14,8 @@ struct FaceStresses {
   LeftOut left_out;        ///< points where the map is folded or collapsed
 };
 
-/// On a grid of 2 degree + 1 points per element and direction, ends included, of all six faces of the patches.
+/// On a grid of 2 degree + 1 points per element and direction, ends included, of all six faces of the
+/// patches.
 /// @param parts  whose elements are looked at
 /// @throws Error singular_system  a stress that is no finite number
 /// @cost  O(degree^4) per element at a face

@@ -9,7 +9,7 @@ namespace isopatch::iga {
 /// energy, and so of displacements under loads.
 struct UnresolvedEnergy {
   std::array<double, 3> along = {0, 0, 0};  ///< of what needs the full degree along each direction, J
-  double volumetric = 0;  ///< of mean stresses, J: most of it where nearly incompressible
+  double volumetric = 0;                    ///< of mean stresses, J: most of it where nearly incompressible
 
   double total() const { return along[0] + along[1] + along[2]; }
   UnresolvedEnergy& operator+=(const UnresolvedEnergy& other) {

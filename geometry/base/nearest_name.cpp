@@ -5,7 +5,8 @@
 namespace isopatch {
 namespace {
 
-// Fewest insertions, deletions, substitutions and swaps of neighbours that turn a into b (optimal string alignment).
+// Fewest insertions, deletions, substitutions and swaps of neighbours that turn a into b (optimal string
+// alignment).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::vector<std::size_t>> cost(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) {

@@ -23,7 +23,7 @@ class HighestModes {
   /// @param buffer    storage that is used again
   /// @cost  18 points per direction operations a point
   UnresolvedEnergy energies(const PointStresses& stresses, const Eigen::VectorXd& measures,
-                        const Material& material, PointStresses& buffer) const;
+                            const Material& material, PointStresses& buffer) const;
 
  private:
   GaussPoints points_;

@@ -63,7 +63,8 @@ std::string advice_on_cutting(geometry::SurfaceKind kind) {
 void refuse_seam(const Brep& brep, FaceId id, const std::string& solid) {
   for (const auto& loop : brep.face(id).loops)
     for (const geometry::EdgeUse& use : loop) {
-      if (std::find(loop.begin(), loop.end(), geometry::EdgeUse{use.edge, !use.reversed}) == loop.end()) continue;
+      if (std::find(loop.begin(), loop.end(), geometry::EdgeUse{use.edge, !use.reversed}) == loop.end())
+        continue;
       const BrepEdge& seam = brep.edge(use.edge);
       throw geometry::SolidError(
           ErrorCode::unsupported,

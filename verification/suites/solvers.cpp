@@ -202,7 +202,8 @@ TEST(Solvers, RefuseWhatCannotBeSolved) {
                      "after 3 iterations", {link, {"solver.method='cg'", "solver.max_iterations=3"}});
   expect_study_error(
       "an iteration that would take longer, block Jacobi", ErrorCode::not_converged, "after 3 iterations",
-      {link_study, {"solver.method='cg'", "solver.preconditioner='block_jacobi'", "solver.max_iterations=3"}});
+      {link_study,
+       {"solver.method='cg'", "solver.preconditioner='block_jacobi'", "solver.max_iterations=3"}});
   expect_study_error(
       "an iteration that would take longer, minres", ErrorCode::not_converged, "after 3 iterations",
       {link_study, {"coupling.method='lagrange'", "solver.method='minres'", "solver.max_iterations=3"}});

@@ -8,9 +8,9 @@ namespace {
 const std::vector<std::string> keys = {"degree", "refine", "elements_per_direction", "continuity", "id"};
 
 TEST(NearestName, FindsTyposOfEveryKind) {
-  EXPECT_EQ(nearest_name("degre", keys), "degree");    // a letter left out
-  EXPECT_EQ(nearest_name("deegree", keys), "degree");  // one too many
-  EXPECT_EQ(nearest_name("defree", keys), "degree");   // another one
+  EXPECT_EQ(nearest_name("degre", keys), "degree");           // a letter left out
+  EXPECT_EQ(nearest_name("deegree", keys), "degree");         // one too many
+  EXPECT_EQ(nearest_name("defree", keys), "degree");          // another one
   EXPECT_EQ(nearest_name("laod", {"load", "lame"}), "load");  // two exchanged
   EXPECT_EQ(nearest_name("elements_per_dirction", keys), "elements_per_direction");
   EXPECT_EQ(nearest_name("continuity", keys), "continuity");

@@ -163,7 +163,8 @@ TEST(GismoSolid, IsToldFromVolumePatches) {
 
 TEST(GismoSolid, BreachesNameTheLine) {
   const auto refusal = [](const std::string& from, const std::string& to) {
-    return error_of([&] { read_gismo_solids(replaced(file(trimmed(7) + solid_element), from, to), "s.xml"); });
+    return error_of(
+        [&] { read_gismo_solids(replaced(file(trimmed(7) + solid_element), from, to), "s.xml"); });
   };
   EXPECT_THAT(refusal("3 0 1 3 7", "3 0 1 9 7"),
               AllOf(HasSubstr("s.xml:"), HasSubstr("a corner of face 1 is '9'")));

@@ -2,8 +2,8 @@
 
 #include <Eigen/Core>
 #include <Geom2d_Curve.hxx>
-#include <Geom_Curve.hxx>
 #include <GeomAdaptor_Surface.hxx>
+#include <Geom_Curve.hxx>
 #include <TopoDS_Face.hxx>
 #include <vector>
 
@@ -13,8 +13,8 @@ namespace isopatch::geometry {
 struct ContourCurve {
   Handle(Geom2d_Curve) curve;
   double first = 0, last = 0;
-  /// The edge in space where the file has it, by the same parameter: what the curve in the domain follows only
-  /// approximately on curved surfaces.
+  /// The edge in space where the file has it, by the same parameter: what the curve in the domain follows
+  /// only approximately on curved surfaces.
   Handle(Geom_Curve) edge = {};
 };
 
