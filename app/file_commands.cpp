@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/commands.hpp"
 #include "app/describe_model.hpp"
 #include "app/describe_problem.hpp"
@@ -76,6 +78,10 @@ ExitCode solid_info(const InfoCommand& command, const Console& console) {
   if (!command.json)
     console.out << fmt::format("{}: {} {}, unit of length: {}\n", command.input.path.string(), solids.size(),
                                solids.size() == 1 ? "body" : "bodies", loaded.unit);
+  const bool some_may_be_left =
+      command.input.reading.allow_partial && std::any_of(solids.begin(), solids.end(), [](const auto& solid) {
+        return solid.report.boundary.bounds_a_solid();
+      });
   ExitCode code = ExitCode::ok;
   for (std::size_t i = 0; i < solids.size(); ++i) {
     const SolidReport& solid = solids[i];
@@ -83,8 +89,14 @@ ExitCode solid_info(const InfoCommand& command, const Console& console) {
     if (!command.json)
       console.out << (solids.size() > 1 ? "\n" : "") << body << ": " << solid_text(solid, command.all);
     if (solid.report.stage != geometry::BrepStage::repair) continue;
-    console.fail(fmt::format("{}: {}{}", command.input.path.string(), solids.size() > 1 ? body + ": " : "",
-                             solid.report.findings.front()));
+    const std::string problem =
+        fmt::format("{}: {}{}", command.input.path.string(), solids.size() > 1 ? body + ": " : "",
+                    solid.report.findings.front());
+    if (some_may_be_left && !solid.report.boundary.bounds_a_solid()) {
+      console.warn(problem + "; other commands leave it out");
+      continue;
+    }
+    console.fail(problem);
     code = ExitCode::wrong_input;
   }
   for (const std::string& missing : loaded.missing) {

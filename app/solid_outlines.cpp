@@ -5,7 +5,7 @@
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/error.hpp"
 #include "geometry/brep/require_solid.hpp"
-#include "geometry/brep/tessellate.hpp"
+#include "geometry/brep/tessellation.hpp"
 #include "geometry/io/read_gismo_solid.hpp"
 #include "geometry/io/read_off.hpp"
 

@@ -13,7 +13,7 @@
 #include "app/plots/graph_drawing.hpp"
 #include "geometry/base/error.hpp"
 #include "geometry/brep/planar_drawing.hpp"
-#include "geometry/brep/tessellate.hpp"
+#include "geometry/brep/tessellation.hpp"
 
 namespace isopatch::app {
 namespace {

@@ -43,6 +43,8 @@ constexpr std::array units = {
     Unit{"bar", 1e5L, dim::pressure, false},
     Unit{"in", 0.0254L, dim::length, false},
     Unit{"ft", 0.3048L, dim::length, false},
+    Unit{"inch", 0.0254L, dim::length, false},  // as `info` calls them
+    Unit{"foot", 0.3048L, dim::length, false},
     Unit{"lb", pound, dim::mass, false},
     Unit{"lbf", pound_force, dim::force, false},
     Unit{"psi", psi, dim::pressure, false},

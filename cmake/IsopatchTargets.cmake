@@ -17,15 +17,15 @@ target_compile_definitions(isopatch_settings INTERFACE EIGEN_DONT_PARALLELIZE)
 set_target_properties(isopatch_settings PROPERTIES EXPORT_NAME settings)
 # GCC 12 reports its own AVX-512 intrinsics as uninitialized and its own string concatenation as overlapping
 # (bug 105651), so those warnings stay off.
-set(ISOPATCH_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wno-uninitialized
-  -Wno-maybe-uninitialized -Wno-restrict)
+set(ISOPATCH_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wno-maybe-uninitialized -Wno-restrict)
 
 # Several sources are compiled as one: each reads the same large headers, which takes most of the time. So names in
-# unnamed namespaces must differ within a folder. Two warnings make no sense then.
+# unnamed namespaces must differ within a folder. Some warnings make no sense then, and
+# those about AVX-512 are more.
 function(isopatch_compile_together target)
   if(ISOPATCH_UNITY)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
-    target_compile_options(${target} PRIVATE -Wno-shadow -Wno-subobject-linkage)
+    target_compile_options(${target} PRIVATE -Wno-shadow -Wno-subobject-linkage -Wno-uninitialized)
   endif()
 endfunction()
 

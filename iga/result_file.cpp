@@ -37,14 +37,15 @@ class Packed {
   std::vector<double> numbers_;
 };
 
-/// Takes numbers off one after the other.
+/// Takes numbers off one after the other. What is wrong with them is an invalid_argument, to which
+/// `read_result` adds the file.
 class Unpacked {
  public:
   Unpacked(Eigen::MatrixXd values, std::string path) : values_(std::move(values)), path_(std::move(path)) {}
 
   void require(Eigen::Index count) const {
     if (count > values_.cols() - taken_)
-      throw Error(ErrorCode::bad_format,
+      throw Error(ErrorCode::invalid_argument,
                   fmt::format("{} ends early: {} columns are too few", path_, values_.cols()));
   }
   Eigen::MatrixXd take(Eigen::Index count) {
@@ -54,8 +55,8 @@ class Unpacked {
   }
   void require_end() const {
     if (taken_ != values_.cols())
-      throw Error(ErrorCode::bad_format, fmt::format("{} has {} columns, of which {} belong to patches",
-                                                     path_, values_.cols(), taken_));
+      throw Error(ErrorCode::invalid_argument, fmt::format("{} has {} columns, of which {} belong to patches",
+                                                           path_, values_.cols(), taken_));
   }
 
  private:
@@ -98,7 +99,7 @@ void read_materials(const Hdf5Reader& file, std::vector<Material>& of_patches) {
   const auto most = numbers.empty() ? -1 : *std::max_element(numbers.begin(), numbers.end());
   if (most >= static_cast<std::int64_t>(numbers.size()) ||
       std::any_of(numbers.begin(), numbers.end(), [](std::int64_t number) { return number < 0; }))
-    throw Error(ErrorCode::bad_format, "/patches/material has numbers that no material has");
+    throw Error(ErrorCode::invalid_argument, "/patches/material has numbers that no material has");
   for (std::int64_t m = 0; m <= most; ++m) {
     const std::string group = material_group(static_cast<std::size_t>(m));
     materials.push_back({file.number(group + "/lambda"), file.number(group + "/mu"),
@@ -162,8 +163,8 @@ void read_patches(const Hdf5Reader& file, std::size_t count, ElasticField& field
   for (const Unpacked* each : {&all_knots, &weights, &points, &displacement}) each->require_end();
   read_materials(file, field.materials);
   if (field.materials.size() != count)
-    throw Error(ErrorCode::bad_format, fmt::format("/patches/material has {} numbers for {} patches",
-                                                   field.materials.size(), count));
+    throw Error(ErrorCode::invalid_argument, fmt::format("/patches/material has {} numbers for {} patches",
+                                                         field.materials.size(), count));
 }
 
 }  // namespace

@@ -206,6 +206,20 @@ TEST_F(SeveralSolids, AreDrawnTogetherOrOneByOne) {
   EXPECT_THAT(err_, HasSubstr("holds 2 solids, counted from 0"));
 }
 
+TEST_F(SeveralSolids, ThatAreNotWholeAreAWarningWhereThatIsAllowed) {
+  std::string text = read_file(step("two"));
+  const std::size_t surface = text.find("),#", text.rfind("ADVANCED_FACE")) + 3;
+  text.replace(surface, text.find(',', surface) - surface, "99999");
+  write_file(step("two"), text);
+  EXPECT_EQ(run({"info", step("two")}), 2);
+  EXPECT_THAT(err_, HasSubstr("error"));
+  EXPECT_EQ(run({"info", step("two"), "--allow-partial"}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("ready for repair"));
+  EXPECT_THAT(err_,
+              testing::AllOf(HasSubstr("warning"), HasSubstr("the boundary is open"),
+                             HasSubstr("other commands leave it out"), testing::Not(HasSubstr("error"))));
+}
+
 TEST_F(SeveralSolids, AGraphIsDrawnOfTheOneThatIsChosen) {
   const std::string graph = (folder_ / "two.svg").string();
   EXPECT_EQ(run({"render", step("two"), "-o", graph}), 2);

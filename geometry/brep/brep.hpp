@@ -11,7 +11,7 @@
 #include "geometry/brep/brep_parts.hpp"
 #include "geometry/brep/edge_use.hpp"
 #include "geometry/brep/measure.hpp"
-#include "geometry/brep/tessellate.hpp"
+#include "geometry/brep/tessellation.hpp"
 #include "geometry/splines/nurbs.hpp"
 
 namespace isopatch::geometry {

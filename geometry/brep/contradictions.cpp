@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "geometry/brep/require_solid.hpp"
-#include "geometry/brep/tessellate.hpp"
+#include "geometry/brep/tessellation.hpp"
 
 namespace isopatch::geometry {
 namespace {

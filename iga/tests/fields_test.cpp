@@ -104,6 +104,39 @@ TEST(ResultFile, ComesBackAsItWas) {
   }
 }
 
+TEST(ResultFile, NumbersThatDoNotFitThePatchesAreNamedWithTheFile) {
+  const ElasticitySolution& solution = elbow_solution();
+  const auto connections = geometry::connections_of(pulled_elbow().discretization.model);
+  const auto path = std::filesystem::temp_directory_path() / "isopatch_unfit_result_test.h5";
+  const auto message_of = [&](const auto& change) {
+    StoredResult result{solution.field, {}, connections, "", "{}"};
+    change(result.field);
+    write_file(path, to_hdf5(result));
+    try {
+      read_result(path);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::bad_format);
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  const auto names_file_and = [&](const std::string& what) {
+    return ::testing::AllOf(::testing::HasSubstr(path.string()), ::testing::HasSubstr(what));
+  };
+  const auto cut = [](Eigen::Matrix3Xd& values, Eigen::Index by) {
+    values.conservativeResize(3, values.cols() + by);
+  };
+  EXPECT_THAT(message_of([&](ElasticField& field) { cut(field.displacement.back(), -1); }),
+              names_file_and("/patches/displacement ends early"));
+  EXPECT_THAT(message_of([&](ElasticField& field) { cut(field.displacement.back(), 1); }),
+              names_file_and("/patches/displacement has"));
+  EXPECT_THAT(message_of([&](ElasticField& field) { field.materials.pop_back(); }),
+              names_file_and("/patches/material has"));
+  EXPECT_THAT(message_of([&](ElasticField& field) { field.patches.pop_back(); }),
+              names_file_and("/patches/degrees"));
+  std::filesystem::remove(path);
+}
+
 // Whatever a changed bit does to a file of results: an error, or the same results.
 TEST(ResultFile, NoChangedBitGivesOtherResults) {
   const ElasticitySolution& solution = elbow_solution();

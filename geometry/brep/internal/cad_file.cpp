@@ -12,6 +12,7 @@
 #include "geometry/brep/internal/sentences.hpp"
 #include "geometry/brep/internal/step_text.hpp"
 #include "geometry/brep/part21.hpp"
+#include "geometry/brep/placeholder_name.hpp"
 #include "geometry/brep/step_products.hpp"
 #include "geometry/brep/step_units.hpp"
 
@@ -40,7 +41,7 @@ class StepWords {
     if (instance == nullptr) return remark.text;
     const std::string product = utf8_name(products_.product_of(instance->id));
     return fmt::format("{}{}: {}", file_.place(*instance),
-                       product.empty() ? "" : fmt::format(" of '{}'", product), remark.text);
+                       is_placeholder_name(product) ? "" : fmt::format(" of '{}'", product), remark.text);
   }
   std::vector<std::string> sentences(const std::vector<EntityRemark>& remarks) const {
     std::vector<std::string> result;

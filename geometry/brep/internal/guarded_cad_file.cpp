@@ -14,7 +14,7 @@
 #include "geometry/brep/internal/cad_file.hpp"
 #include "geometry/brep/internal/installed_part.hpp"
 #include "geometry/brep/solid_error.hpp"
-#include "geometry/brep/tessellate.hpp"
+#include "geometry/brep/tessellation.hpp"
 
 // Parent and child speak in one line of JSON, behind which the bodies follow as bytes.
 namespace isopatch::geometry {

@@ -32,6 +32,7 @@
 #include "geometry/brep/opencascade/internal/face_sides.hpp"
 #include "geometry/brep/opencascade/internal/scaled_shape.hpp"
 #include "geometry/brep/opencascade/internal/transfer_remarks.hpp"
+#include "geometry/brep/placeholder_name.hpp"
 
 namespace isopatch::geometry {
 namespace {
@@ -68,23 +69,13 @@ std::string utf8(const TCollection_ExtendedString& text) {
   return result;
 }
 
-// What programs write where they have no name to give: OpenCASCADE itself, FreeCAD and gmsh through it,
-// Rhino, CATIA and others.
-bool says_nothing(const std::string& name) {
-  for (const char* word :
-       {"", "NONE", "''", "Face", "SOLID", "SHELL", "COMPOUND", "COMPSOLID", "Rhino Product", "(Unsaved)",
-        "the product name", "Unnamed", "Open CASCADE Shape Model"})
-    if (name == word) return true;
-  return name.rfind("Open CASCADE STEP translator", 0) == 0;
-}
-
 std::string name_at(const TDF_Label& label) {
   Handle(TDataStd_Name) attribute;
   if (label.IsNull() || !label.FindAttribute(TDataStd_Name::GetID(), attribute)) return "";
   std::string name = utf8(attribute->Get());
   name.erase(name.find_last_not_of(" \t\r\n") + 1);
   name.erase(0, name.find_first_not_of(" \t\r\n"));
-  return says_nothing(name) ? "" : name;
+  return is_placeholder_name(name) ? "" : name;
 }
 
 std::optional<Colour> colour_at(const TDF_Label& label) {

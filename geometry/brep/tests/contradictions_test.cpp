@@ -9,6 +9,7 @@
 #include "geometry/brep/check_brep.hpp"
 #include "geometry/brep/make_brep.hpp"
 #include "geometry/brep/read_brep.hpp"
+#include "geometry/brep/tests/altered_kernel.hpp"
 #include "geometry/brep/tests/data_file.hpp"
 #include "geometry/brep/tests/sample_solids.hpp"
 #include "geometry/brep/tests/step_text.hpp"
@@ -57,6 +58,50 @@ TEST(Contradictions, TheErrorMarksTheFaceAndItsEdge) {
     EXPECT_EQ(error.fault().edges.size(), 1u);
     EXPECT_EQ(error.fault().points.size(), 1u);
   }
+}
+
+TEST(Contradictions, AVolumeThatTrianglesRefuteIsOne) {
+  const auto contradictions_of = [](double factor, const Eigen::Vector3d& moved) {
+    return check(test::altered(make_brep(test::block(1, 2, 3)),
+                               [&](test::Altered& altered) {
+                                 altered.volume_factor = factor;
+                                 altered.triangles_moved_by = moved;
+                               }))
+        .contradictions;
+  };
+  EXPECT_TRUE(contradictions_of(1, {0, 0, 0}).empty());
+  EXPECT_TRUE(contradictions_of(1.001, {0, 0, 0}).empty());  // triangles explain as much
+  const auto found = contradictions_of(1.1, {0, 0, 0});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_THAT(found[0].text,
+              HasSubstr("the volume is 6.6 m^3 by quadrature over the faces and 6 m^3 by triangles"));
+  // Triangles that lie far off their own face say nothing about it.
+  EXPECT_TRUE(contradictions_of(1, {0.5, 0.5, 0.5}).empty());
+}
+
+TEST(Contradictions, LoopsThatAreOpenOrEncloseNothingAreNamed) {
+  const Brep block = make_brep(test::block(1, 2, 3));
+  const auto texts = [&](const auto& change) {
+    std::vector<std::string> result;
+    for (const Contradiction& found : check(test::altered(block, change)).contradictions)
+      result.push_back(found.text);
+    return result;
+  };
+  EXPECT_THAT(texts([](test::Altered& altered) { altered.tables.faces[2].loops[0].pop_back(); }),
+              testing::Contains(HasSubstr("a loop of face 2 is open: edge")));
+  EXPECT_THAT(texts([](test::Altered& altered) {
+                const EdgeUse there = altered.tables.faces[2].loops[0][0];
+                const EdgeUse back = altered.tables.faces[2].loops[0][1];
+                BrepEdge& edge = altered.tables.edges[static_cast<std::size_t>(back.edge.value)];
+                const BrepEdge& first = altered.tables.edges[static_cast<std::size_t>(there.edge.value)];
+                edge.start = there.reversed == back.reversed ? first.end : first.start;
+                edge.end = there.reversed == back.reversed ? first.start : first.end;
+                altered.tables.faces[2].loops[0] = {there, back};
+              }),
+              testing::Contains(HasSubstr("a loop of face 2 encloses nothing: it is the straight edges")));
+  EXPECT_THAT(texts([](test::Altered& altered) { altered.tables.vertices.col(3).x() += 0.5; }),
+              testing::Contains(testing::AllOf(HasSubstr("vertex 3"), HasSubstr("lies 0.5 m"),
+                                               HasSubstr("off the end of edge"))));
 }
 
 TEST(Contradictions, TheToleranceIsAnOption) {

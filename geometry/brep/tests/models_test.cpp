@@ -8,7 +8,7 @@
 
 #include "geometry/brep/check_brep.hpp"
 #include "geometry/brep/read_brep.hpp"
-#include "geometry/brep/tessellate.hpp"
+#include "geometry/brep/tessellation.hpp"
 #include "geometry/brep/tests/data_file.hpp"
 #include "geometry/brep/write_brep.hpp"
 
