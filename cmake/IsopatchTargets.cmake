@@ -29,11 +29,15 @@ function(isopatch_compile_together target)
   endif()
 endfunction()
 
-# isopatch_library(NAME [PUBLIC targets...] [PRIVATE targets...]): target isopatch_NAME, alias
-# isopatch::NAME.
+# isopatch_library(NAME [ROOMS folders...] [PUBLIC targets...] [PRIVATE targets...]): target isopatch_NAME, alias
+# isopatch::NAME. ROOMS are subfolders that belong to it.
 function(isopatch_library name)
-  cmake_parse_arguments(arg "" "" "PUBLIC;PRIVATE" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/internal/*.cpp")
+  cmake_parse_arguments(arg "" "" "ROOMS;PUBLIC;PRIVATE" ${ARGN})
+  set(patterns)
+  foreach(folder . ${arg_ROOMS})
+    list(APPEND patterns "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/internal/*.cpp")
+  endforeach()
+  file(GLOB sources CONFIGURE_DEPENDS ${patterns})
   add_library(isopatch_${name} STATIC ${sources})
   add_library(isopatch::${name} ALIAS isopatch_${name})
   set_target_properties(isopatch_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)

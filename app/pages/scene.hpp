@@ -8,7 +8,7 @@
 
 #include "app/pages/display_unit.hpp"
 #include "geometry/multi_patch.hpp"
-#include "iga/part_samples.hpp"
+#include "iga/output/part_samples.hpp"
 
 namespace isopatch::app {
 

@@ -6,7 +6,7 @@
 
 #include "app/pictures/surface.hpp"
 #include "geometry/multi_patch.hpp"
-#include "iga/part_samples.hpp"
+#include "iga/output/part_samples.hpp"
 
 namespace isopatch::app {
 

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "app/program.hpp"
+#include "app/commands/program.hpp"
 #include "geometry/base/atomic_file.hpp"
 #include "solvers/launch.hpp"
 #include "solvers/processes.hpp"

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <cstring>
 
-#include "app/compare_levels.hpp"
-#include "app/comparison_plots.hpp"
-#include "app/comparison_report.hpp"
+#include "app/reports/comparison_plots.hpp"
+#include "app/reports/comparison_report.hpp"
+#include "app/run/compare_levels.hpp"
 #include "app/tests/program_fixture.hpp"
 #include "solvers/memory.hpp"
 

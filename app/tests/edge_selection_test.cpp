@@ -1,9 +1,9 @@
-#include "app/edge_selection.hpp"
+#include "app/problem/edge_selection.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/build_problem.hpp"
+#include "app/problem/build_problem.hpp"
 #include "geometry/models/box.hpp"
 #include "geometry/models/cylinder.hpp"
 

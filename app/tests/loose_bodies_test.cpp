@@ -1,4 +1,4 @@
-#include "app/loose_bodies.hpp"
+#include "app/problem/loose_bodies.hpp"
 
 #include <gmock/gmock.h>
 

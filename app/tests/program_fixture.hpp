@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/program.hpp"
+#include "app/commands/program.hpp"
 #include "geometry/base/atomic_file.hpp"
 
 namespace isopatch::app {

@@ -1,4 +1,4 @@
-#include "app/selection.hpp"
+#include "app/problem/selection.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

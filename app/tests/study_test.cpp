@@ -1,4 +1,4 @@
-#include "app/study.hpp"
+#include "app/study/study.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "app/build_problem.hpp"
-#include "app/study_keys.hpp"
+#include "app/problem/build_problem.hpp"
+#include "app/study/study_keys.hpp"
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/measures.hpp"
 

@@ -89,7 +89,7 @@ TEST_F(Verify, KeepsWhatWasNotRunApart) {
 TEST_F(Verify, DrawsOrdersOfOneMeasureTogether) {
   std::string claims;
   for (int p = 1; p <= 10; ++p)
-    for (const std::string& measure : {"displacement", "energy"})
+    for (const std::string& measure : {std::string("displacement"), std::string("energy")})
       claims += (claims.empty() ? "" : ",") +
                 (R"({"suite": "Manufactured", "test": "Box", "what": "order of )" + measure + ", p = " +
                  std::to_string(p) + R"(, multipliers", "reference": 2.0, "value": 2, "verdict": "holds",

@@ -1,4 +1,4 @@
-#include "iga/assembly.hpp"
+#include "iga/assembly/assembly.hpp"
 
 #include <gtest/gtest.h>
 #include <omp.h>

@@ -10,7 +10,7 @@
 #include "geometry/models/reorient.hpp"
 #include "geometry/models/sphere.hpp"
 #include "geometry/splines/refine.hpp"
-#include "iga/supported_system.hpp"
+#include "iga/coupling/supported_system.hpp"
 #include "iga/tests/small_models.hpp"
 
 namespace isopatch::iga {
@@ -134,7 +134,9 @@ TEST(SupportFrames, KeepOneDirectionWhereTwoObliquePlanesMeet) {
     ++counts[frame.free];
     EXPECT_LT((frame.axes.transpose() * frame.axes - Eigen::Matrix3d::Identity()).norm(), 1e-14);
     EXPECT_NEAR((frame.axes.leftCols(frame.free).transpose() * frame.prescribed).norm(), 0, 1e-18);
-    if (frame.free == 2 && frame.support[2] == 1) EXPECT_LT((frame.prescribed - 1e-3 * normal).norm(), 1e-15);
+    if (frame.free == 2 && frame.support[2] == 1) {
+      EXPECT_LT((frame.prescribed - 1e-3 * normal).norm(), 1e-15);
+    }
   }
   // One patch of 2 x 3 x 2 points: 2 of the 12 are in no plane, 4 on one side plane above, 2 at the bottom
   // only.

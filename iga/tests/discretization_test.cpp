@@ -1,4 +1,4 @@
-#include "iga/discretization.hpp"
+#include "iga/spaces/discretization.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "iga/distribution.hpp"
+#include "iga/distribution/distribution.hpp"
 
 #include <gtest/gtest.h>
 
-#include "iga/node_classes.hpp"
+#include "iga/coupling/node_classes.hpp"
 #include "iga/tests/small_models.hpp"
 
 namespace isopatch::iga {

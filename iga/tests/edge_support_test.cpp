@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/base/error.hpp"
-#include "iga/solve_elasticity.hpp"
+#include "iga/solution/solve_elasticity.hpp"
 #include "iga/tests/small_models.hpp"
 
 namespace isopatch::iga {

@@ -7,10 +7,10 @@
 #include "geometry/base/larger.hpp"
 #include "geometry/models/elbow.hpp"
 #include "geometry/splines/grid.hpp"
-#include "iga/element.hpp"
-#include "iga/internal_forces.hpp"
-#include "iga/loads.hpp"
-#include "iga/results.hpp"
+#include "iga/post/internal_forces.hpp"
+#include "iga/post/results.hpp"
+#include "iga/problem/loads.hpp"
+#include "iga/spaces/element.hpp"
 #include "iga/tests/small_models.hpp"
 
 namespace isopatch::iga {

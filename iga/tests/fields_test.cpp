@@ -8,8 +8,8 @@
 #include "geometry/base/error.hpp"
 #include "geometry/measures.hpp"
 #include "geometry/models/elbow.hpp"
-#include "iga/loads.hpp"
-#include "iga/result_file.hpp"
+#include "iga/output/result_file.hpp"
+#include "iga/problem/loads.hpp"
 #include "iga/tests/small_models.hpp"
 
 namespace isopatch::iga {

@@ -1,4 +1,4 @@
-#include "iga/gauss_points.hpp"
+#include "iga/spaces/gauss_points.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "geometry/base/larger.hpp"
 #include "geometry/models/cylinder.hpp"
 #include "geometry/splines/refine.hpp"
-#include "iga/solve_elasticity.hpp"
+#include "iga/solution/solve_elasticity.hpp"
 #include "iga/tests/small_models.hpp"
 
 namespace isopatch::iga {

@@ -1,4 +1,4 @@
-#include "iga/interface_tractions.hpp"
+#include "iga/output/interface_tractions.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "iga/matching_spaces.hpp"
+#include "iga/spaces/matching_spaces.hpp"
 
 #include <gtest/gtest.h>
 

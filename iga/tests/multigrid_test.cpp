@@ -9,11 +9,11 @@
 #include "geometry/models/cylinder.hpp"
 #include "geometry/models/link.hpp"
 #include "geometry/models/sphere.hpp"
-#include "iga/fast_diagonalization.hpp"
-#include "iga/level_operator.hpp"
-#include "iga/level_transfer.hpp"
-#include "iga/separable_coefficients.hpp"
-#include "iga/solve_elasticity.hpp"
+#include "iga/multigrid/fast_diagonalization.hpp"
+#include "iga/multigrid/level_operator.hpp"
+#include "iga/multigrid/level_transfer.hpp"
+#include "iga/multigrid/separable_coefficients.hpp"
+#include "iga/solution/solve_elasticity.hpp"
 #include "iga/tests/small_models.hpp"
 
 namespace isopatch::iga {

@@ -11,7 +11,7 @@
 #include "geometry/models/cylinder.hpp"
 #include "geometry/models/elbow.hpp"
 #include "geometry/splines/refine.hpp"
-#include "iga/hexahedra_output.hpp"
+#include "iga/output/hexahedra_output.hpp"
 #include "iga/tests/small_models.hpp"
 
 namespace isopatch::iga {

@@ -1,4 +1,4 @@
-#include "iga/part_samples.hpp"
+#include "iga/output/part_samples.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

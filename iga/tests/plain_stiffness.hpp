@@ -6,9 +6,9 @@
 
 #include "geometry/quadrature.hpp"
 #include "geometry/splines/basis.hpp"
-#include "iga/material.hpp"
-#include "iga/patch_space.hpp"
-#include "iga/stiffness_pattern.hpp"
+#include "iga/assembly/stiffness_pattern.hpp"
+#include "iga/material/material.hpp"
+#include "iga/spaces/patch_space.hpp"
 #include "solvers/block_matrix.hpp"
 
 namespace isopatch::iga {

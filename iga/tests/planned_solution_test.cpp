@@ -1,4 +1,4 @@
-#include "iga/planned_solution.hpp"
+#include "iga/solution/planned_solution.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "geometry/base/error.hpp"
-#include "iga/likely_cause.hpp"
-#include "iga/solve_elasticity.hpp"
+#include "iga/solution/likely_cause.hpp"
+#include "iga/solution/solve_elasticity.hpp"
 #include "iga/tests/small_models.hpp"
 
 namespace isopatch::iga {

@@ -4,7 +4,7 @@
 
 #include "geometry/models/box.hpp"
 #include "geometry/multi_patch.hpp"
-#include "iga/problem.hpp"
+#include "iga/problem/problem.hpp"
 
 namespace isopatch::iga::testing {
 

@@ -1,4 +1,4 @@
-#include "iga/solve_elasticity.hpp"
+#include "iga/solution/solve_elasticity.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "iga/solver_choice.hpp"
+#include "iga/solution/solver_choice.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -11,10 +11,10 @@
 #include "geometry/base/error.hpp"
 #include "geometry/models/cylinder.hpp"
 #include "geometry/models/link.hpp"
-#include "iga/pattern_forecast.hpp"
-#include "iga/solution_knots.hpp"
-#include "iga/solve_elasticity.hpp"
-#include "iga/stiffness_pattern.hpp"
+#include "iga/assembly/pattern_forecast.hpp"
+#include "iga/assembly/stiffness_pattern.hpp"
+#include "iga/solution/solve_elasticity.hpp"
+#include "iga/spaces/solution_knots.hpp"
 #include "iga/tests/small_models.hpp"
 #include "solvers/memory.hpp"
 

@@ -1,4 +1,4 @@
-#include "iga/stiffness_operator.hpp"
+#include "iga/operator/stiffness_operator.hpp"
 #include "solvers/block_product.hpp"
 
 #include <gmock/gmock.h>
@@ -14,8 +14,8 @@
 #include "geometry/models/cylinder.hpp"
 #include "geometry/models/sphere.hpp"
 #include "geometry/quadrature.hpp"
-#include "iga/assembly.hpp"
-#include "iga/internal/patch_operator.hpp"
+#include "iga/assembly/assembly.hpp"
+#include "iga/operator/internal/patch_operator.hpp"
 #include "iga/tests/small_models.hpp"
 
 namespace isopatch::iga {

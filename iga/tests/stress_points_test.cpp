@@ -1,4 +1,4 @@
-#include "iga/stress_points.hpp"
+#include "iga/post/stress_points.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,9 +7,9 @@
 
 #include "geometry/base/error.hpp"
 #include "geometry/models/cylinder.hpp"
-#include "iga/face_stresses.hpp"
-#include "iga/internal_forces.hpp"
-#include "iga/solve_elasticity.hpp"
+#include "iga/post/face_stresses.hpp"
+#include "iga/post/internal_forces.hpp"
+#include "iga/solution/solve_elasticity.hpp"
 #include "iga/tests/small_models.hpp"
 
 namespace isopatch::iga {

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "geometry/base/error.hpp"
-#include "iga/assembly.hpp"
+#include "iga/assembly/assembly.hpp"
 #include "iga/tests/plain_stiffness.hpp"
 #include "iga/tests/small_models.hpp"
 #include "solvers/block_product.hpp"

@@ -1,9 +1,9 @@
-#include "iga/unresolved_energy.hpp"
+#include "iga/problem/unresolved_energy.hpp"
 
 #include <gtest/gtest.h>
 
 #include "geometry/models/cylinder.hpp"
-#include "iga/solve_elasticity.hpp"
+#include "iga/solution/solve_elasticity.hpp"
 #include "iga/tests/small_models.hpp"
 
 namespace isopatch::iga {

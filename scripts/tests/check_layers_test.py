@@ -75,6 +75,27 @@ class CheckLayers(unittest.TestCase):
         self.rejects({"solvers/internal/a.hpp": "", "iga/b.cpp": '#include "solvers/internal/a.hpp"\n'},
                      "iga/b.cpp:1", "is internal to solvers")
 
+    def test_accepts_the_rooms_of_a_library_in_order(self):
+        self.accepts({
+            "iga/internal/loop.hpp": "#include <omp.h>\n",
+            "iga/spaces/a.hpp": "",
+            "iga/spaces/internal/table.hpp": "",
+            "iga/solution/b.hpp": '#include "iga/spaces/a.hpp"\n',
+            "iga/solution/b.cpp": '#include "iga/internal/loop.hpp"\n#include "iga/solution/b.hpp"\n'
+                                  '#include "iga/spaces/internal/table.hpp"\n',
+            "iga/tests/b_test.cpp": '#include "iga/solution/b.hpp"\n',
+            "app/pages/c.hpp": '#include "iga/solution/b.hpp"\n',
+        })
+
+    def test_rejects_a_room_above_in_the_same_library(self):
+        self.rejects({"iga/solution/a.hpp": "", "iga/spaces/b.hpp": '#include "iga/solution/a.hpp"\n'},
+                     "iga/spaces/b.hpp:2", "iga/spaces may not include iga/solution")
+
+    def test_rejects_an_internal_header_of_another_library(self):
+        self.rejects({"iga/spaces/internal/a.hpp": "",
+                      "app/run/b.hpp": "", "app/run/b.cpp": '#include "iga/spaces/internal/a.hpp"\n'},
+                     "app/run/b.cpp:1", "is internal to iga")
+
     def test_rejects_a_library_of_another_room(self):
         self.rejects({"iga/a.cpp": "#include <vtkPoints.h>\n"}, "iga/a.cpp:1", "iga may not include VTK")
 

@@ -9,8 +9,8 @@
 
 #include "geometry/models/box.hpp"
 #include "geometry/models/cylinder.hpp"
-#include "iga/assembly.hpp"
-#include "iga/stiffness_operator.hpp"
+#include "iga/assembly/assembly.hpp"
+#include "iga/operator/stiffness_operator.hpp"
 #include "solvers/block_product.hpp"
 
 namespace isopatch::verification {

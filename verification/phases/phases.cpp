@@ -13,15 +13,15 @@
 #include <fstream>
 #include <map>
 
-#include "app/run_study.hpp"
-#include "app/write_fields.hpp"
+#include "app/results/write_fields.hpp"
+#include "app/run/run_study.hpp"
 #include "geometry/base/atomic_writer.hpp"
-#include "iga/internal_forces.hpp"
-#include "iga/loads.hpp"
-#include "iga/result_file.hpp"
-#include "iga/results.hpp"
-#include "iga/rigid_motions.hpp"
-#include "iga/supported_system.hpp"
+#include "iga/coupling/rigid_motions.hpp"
+#include "iga/coupling/supported_system.hpp"
+#include "iga/output/result_file.hpp"
+#include "iga/post/internal_forces.hpp"
+#include "iga/post/results.hpp"
+#include "iga/problem/loads.hpp"
 
 namespace isopatch {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "iga/material.hpp"
+#include "iga/material/material.hpp"
 #include "verification/suites/exact_solution.hpp"
 
 namespace isopatch::verification {

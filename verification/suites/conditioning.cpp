@@ -1,7 +1,7 @@
 // Condition numbers of the two systems: isopatch's estimate from its own products and solutions, against all
 // eigenvalues of the dense matrix.
 
-#include "iga/condition.hpp"
+#include "iga/solution/condition.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

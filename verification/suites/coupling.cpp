@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "geometry/base/larger.hpp"
-#include "iga/loads.hpp"
+#include "iga/problem/loads.hpp"
 #include "verification/claims/expect.hpp"
 #include "verification/suites/linear_field.hpp"
 #include "verification/suites/model_cases.hpp"

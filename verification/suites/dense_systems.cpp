@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "iga/assembled_system.hpp"
+#include "iga/solution/assembled_system.hpp"
 
 namespace isopatch::verification {
 

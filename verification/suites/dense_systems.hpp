@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "iga/solve_elasticity.hpp"
+#include "iga/solution/solve_elasticity.hpp"
 #include "solvers/linear_system.hpp"
 
 namespace isopatch::verification {

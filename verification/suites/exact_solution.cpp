@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "iga/element.hpp"
+#include "iga/spaces/element.hpp"
 
 namespace isopatch::verification {
 namespace {

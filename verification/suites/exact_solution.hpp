@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 
-#include "iga/elastic_field.hpp"
+#include "iga/spaces/elastic_field.hpp"
 
 namespace isopatch::verification {
 

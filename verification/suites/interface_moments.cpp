@@ -6,9 +6,9 @@
 
 #include "geometry/base/larger.hpp"
 #include "geometry/models/reorient.hpp"
-#include "iga/interface_tractions.hpp"
-#include "iga/loads.hpp"
-#include "iga/support_frames.hpp"
+#include "iga/coupling/support_frames.hpp"
+#include "iga/output/interface_tractions.hpp"
+#include "iga/problem/loads.hpp"
 #include "verification/claims/expect.hpp"
 #include "verification/suites/linear_field.hpp"
 #include "verification/suites/model_cases.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "iga/solve_elasticity.hpp"
+#include "iga/solution/solve_elasticity.hpp"
 #include "verification/claims/expect.hpp"
 #include "verification/suites/exact_solution.hpp"
 

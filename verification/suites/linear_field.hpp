@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "geometry/base/larger.hpp"
-#include "iga/elastic_field.hpp"
-#include "iga/problem.hpp"
+#include "iga/problem/problem.hpp"
+#include "iga/spaces/elastic_field.hpp"
 
 namespace isopatch::verification {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/multi_patch.hpp"
-#include "iga/problem.hpp"
+#include "iga/problem/problem.hpp"
 
 namespace isopatch::verification {
 

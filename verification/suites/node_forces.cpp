@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "geometry/base/larger.hpp"
-#include "iga/node_classes.hpp"
-#include "iga/support_frames.hpp"
+#include "iga/coupling/node_classes.hpp"
+#include "iga/coupling/support_frames.hpp"
 
 namespace isopatch::verification {
 namespace {

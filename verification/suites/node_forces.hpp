@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "iga/solve_elasticity.hpp"
+#include "iga/solution/solve_elasticity.hpp"
 
 namespace isopatch::verification {
 

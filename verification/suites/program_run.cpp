@@ -13,7 +13,7 @@
 
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/larger.hpp"
-#include "iga/result_file.hpp"
+#include "iga/output/result_file.hpp"
 
 namespace isopatch::verification {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "iga/elastic_field.hpp"
+#include "iga/spaces/elastic_field.hpp"
 #include "verification/claims/expect.hpp"
 
 namespace isopatch::verification {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "iga/internal_forces.hpp"
+#include "iga/post/internal_forces.hpp"
 #include "verification/claims/expect.hpp"
 #include "verification/suites/dense_systems.hpp"
 #include "verification/suites/linear_field.hpp"

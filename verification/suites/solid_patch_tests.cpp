@@ -11,7 +11,7 @@
 #include "geometry/models/box.hpp"
 #include "geometry/models/cylinder.hpp"
 #include "geometry/models/twisted_beam.hpp"
-#include "iga/solve_elasticity.hpp"
+#include "iga/solution/solve_elasticity.hpp"
 #include "segmentation/parameterization/assemble_complex.hpp"
 #include "segmentation/parameterization/parameterize.hpp"
 #include "segmentation/parameterization/read_blocks.hpp"

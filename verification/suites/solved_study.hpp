@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/run_study.hpp"
+#include "app/run/run_study.hpp"
 #include "verification/claims/expect.hpp"
 
 namespace isopatch::verification {

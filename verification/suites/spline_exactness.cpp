@@ -16,8 +16,8 @@
 #include "geometry/splines/refine.hpp"
 #include "geometry/splines/tests/random_nurbs.hpp"
 #include "geometry/splines/transfer.hpp"
-#include "iga/discretization.hpp"
-#include "iga/element.hpp"
+#include "iga/spaces/discretization.hpp"
+#include "iga/spaces/element.hpp"
 #include "verification/claims/expect.hpp"
 #include "verification/suites/model_cases.hpp"
 

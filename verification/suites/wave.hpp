@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "iga/material.hpp"
+#include "iga/material/material.hpp"
 #include "verification/suites/exact_solution.hpp"
 
 namespace isopatch::verification {

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "app/program.hpp"
+#include "app/commands/program.hpp"
 #include "geometry/base/atomic_file.hpp"
 #include "verification/tests/reference_data.hpp"
 

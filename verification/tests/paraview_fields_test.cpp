@@ -34,8 +34,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/program.hpp"
-#include "app/stored_results.hpp"
+#include "app/commands/program.hpp"
+#include "app/results/stored_results.hpp"
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/error.hpp"
 

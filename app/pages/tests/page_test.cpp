@@ -8,7 +8,7 @@
 
 #include "app/pages/internal/base64.hpp"
 #include "geometry/models/box.hpp"
-#include "iga/discretization.hpp"
+#include "iga/spaces/discretization.hpp"
 
 namespace isopatch::app {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "geometry/base/error.hpp"
 #include "geometry/models/box.hpp"
-#include "iga/solve_elasticity.hpp"
+#include "iga/solution/solve_elasticity.hpp"
 
 using namespace isopatch;
 

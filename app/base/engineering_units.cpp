@@ -1,0 +1,116 @@
+#include "app/base/engineering_units.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace isopatch::app {
+namespace {
+
+struct Prefix {
+  double factor;
+  const char* symbol;
+};
+constexpr std::array<Prefix, 7> prefixes = {
+    {{1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "u"}, {1e-9, "n"}}};
+/// Of m, for areas and volumes, with the centimetres that people use there.
+constexpr std::array<Prefix, 4> length_prefixes = {{{1, ""}, {1e-2, "c"}, {1e-3, "m"}, {1e-6, "u"}}};
+
+Prefix suitable_power(double magnitude, int power) {
+  for (const Prefix& prefix : length_prefixes)
+    if (magnitude >= std::pow(prefix.factor, power)) return {std::pow(prefix.factor, power), prefix.symbol};
+  return {std::pow(length_prefixes.back().factor, power), length_prefixes.back().symbol};
+}
+
+/// The largest prefix that leaves at least 1 before the decimal point; lengths stop at m.
+Prefix suitable(double value, std::string_view unit) {
+  const double magnitude = std::abs(value);
+  if (!(magnitude > 0) || !std::isfinite(magnitude)) return {1, ""};
+  if (unit == "m^2") return suitable_power(magnitude, 2);
+  if (unit == "m^3") return suitable_power(magnitude, 3);
+  for (const Prefix& prefix : prefixes) {
+    const bool length = unit == "m";
+    if (length && prefix.factor > 1) continue;
+    // 0.1 m reads better as 100 mm; machine parts come in millimetres.
+    const double least = length && prefix.factor == 1 ? 10 : 1;
+    if (magnitude >= least * prefix.factor) return prefix;
+  }
+  return prefixes.back();
+}
+
+}  // namespace
+
+DisplayUnit display_unit(double largest, std::string_view unit) {
+  const Prefix prefix = suitable(largest, unit);
+  return {fmt::format("{}{}", prefix.symbol, unit), 1 / prefix.factor};
+}
+
+DisplayUnit model_length_unit(double model_size) {
+  return model_size >= 10 ? DisplayUnit{"m", 1} : DisplayUnit{"mm", 1e3};
+}
+
+std::string with_unit(double value, std::string_view unit) {
+  if (value == 0) return fmt::format("0 {}", unit);
+  const Prefix prefix = suitable(value, unit);
+  return fmt::format("{:.4g} {}{}", value / prefix.factor, prefix.symbol, unit);
+}
+
+UnitPrefix unit_for(double value, std::string_view unit) {
+  if (unit.empty()) return {};
+  const Prefix prefix = suitable(value, unit);
+  return {prefix.factor, fmt::format("{}{}", prefix.symbol, unit)};
+}
+
+std::string place_with_unit(const Eigen::Vector3d& place, double model_size) {
+  const DisplayUnit unit = model_length_unit(model_size);
+  // Digits to a hundred thousandth of the model's size; adding 0 turns -0 into 0.
+  const double step = std::pow(10, std::floor(std::log10(std::max(model_size, 1e-12))) - 4);
+  const auto digits = [&](double x) {
+    return fmt::format("{:.6g}", std::round(x / step) * step * unit.factor + 0.0);
+  };
+  return fmt::format("({}, {}, {}) {}", digits(place[0]), digits(place[1]), digits(place[2]), unit.unit);
+}
+
+std::string vector_with_unit(const Eigen::Vector3d& vector, std::string_view unit) {
+  const double largest = vector.cwiseAbs().maxCoeff();
+  const Prefix prefix = suitable(largest, unit);
+  const auto digits = [&](double x) {
+    return fmt::format("{:.4g}", std::abs(x) < 1e-7 * largest ? 0.0 : x / prefix.factor);
+  };
+  return fmt::format("({}, {}, {}) {}{}", digits(vector[0]), digits(vector[1]), digits(vector[2]),
+                     prefix.symbol, unit);
+}
+
+double without_round_off(double value, double scale) {
+  return std::abs(value) < 1e-10 * scale ? 0.0 : value;
+}
+
+Eigen::Vector3d without_round_off(const Eigen::Vector3d& vector, double scale) {
+  return vector.unaryExpr([&](double x) { return without_round_off(x, scale); });
+}
+
+std::string with_separators(std::int64_t count) {
+  const std::string digits = fmt::format("{}", count);
+  std::string result;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    const bool after_digit = i > 0 && digits[i - 1] != '-';
+    if (after_digit && (digits.size() - i) % 3 == 0) result += ',';
+    result += digits[i];
+  }
+  return result;
+}
+
+std::string bytes_text(std::int64_t bytes) {
+  const auto value = static_cast<double>(bytes);
+  if (value >= 1e9) return fmt::format("{:.3g} GB", value / 1e9);
+  if (value >= 1e6) return fmt::format("{:.3g} MB", value / 1e6);
+  return fmt::format("{:.3g} kB", value / 1e3);
+}
+
+std::string seconds_text(double seconds) {
+  if (seconds < 100) return fmt::format("{:.2f} s", seconds);
+  return fmt::format("{} min {} s", static_cast<int>(seconds) / 60, static_cast<int>(seconds) % 60);
+}
+
+}  // namespace isopatch::app

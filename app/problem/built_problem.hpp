@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/problem/caught_region.hpp"
+#include "app/problem/model_report.hpp"
+#include "app/study/study.hpp"
+#include "iga/problem/problem.hpp"
+
+namespace isopatch::app {
+
+/// A probe, found in the model.
+struct LocatedProbe {
+  std::string name;
+  int patch = 0;
+  geometry::Parameter<3> parameter;  ///< as isopatch numbers it
+};
+
+/// A study made ready to be solved.
+struct BuiltProblem {
+  iga::ElasticityProblem problem;
+  ModelReport report;
+  std::vector<CaughtRegion> supports;  ///< in the study's order
+  std::vector<CaughtRegion> loads;
+  std::vector<LocatedProbe> probes;
+  std::vector<Warning> warnings;
+  std::optional<segmentation::ParameterizationReport> parameterization = {};  ///< of a model made of solids
+};
+
+}  // namespace isopatch::app

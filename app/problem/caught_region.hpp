@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/problem/model_report.hpp"
+#include "app/study/study.hpp"
+
+namespace isopatch::app {
+
+/// Where a support or a load acts, so that its author can see what was caught: faces, or edges for supports
+/// that hold these, or patches for the loads that act in them.
+struct CaughtRegion {
+  std::string name;                ///< for messages: "support 1 (left bore)"
+  std::string kind;                ///< as the study's key says: "displacement", "pressure", "gravity", ...
+  std::vector<std::string> faces;  ///< "0:back", in the input's naming
+  double area = 0;                 ///< of these faces together, m^2
+  std::vector<int> patches;
+  double volume = 0;                                ///< of these patches together, m^3
+  Eigen::Vector3d total = Eigen::Vector3d::Zero();  ///< force of a load, N
+  std::vector<std::string> edges = {};              ///< "0:east+back", in the input's naming
+  std::string key = {};                             ///< what results call it: "left bore", or "support 1"
+};
+
+std::string_view name(SupportKind kind);
+std::string_view name(LoadKind kind);
+
+CaughtRegion region_of(const std::string& name, std::string_view kind,
+                       const std::vector<geometry::PatchFace>& faces, const ModelReport& report);
+CaughtRegion region_of(const std::string& name, std::string_view kind, const std::vector<PatchId>& patches,
+                       const ModelReport& report);
+
+CaughtRegion region_of(const std::string& name, std::string_view kind,
+                       const std::vector<iga::SupportedEdge>& edges, const geometry::MultiPatch& model);
+
+/// "support 1 (left bore): displacement on 4 faces, 7.54 cm^2".
+std::string region_text(const CaughtRegion& region);
+
+}  // namespace isopatch::app

@@ -1,0 +1,105 @@
+#include "app/problem/model_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/base/engineering_units.hpp"
+#include "geometry/part_box.hpp"
+
+namespace isopatch::app {
+namespace {
+
+using geometry::JacobianSign;
+using geometry::MultiPatch;
+
+PatchReport report_patch(const MultiPatch& model, int index, const Progress& progress) {
+  const PatchId id(index);
+  const auto& patch = model.patch(id);
+  PatchReport result;
+  for (int d = 0; d < 3; ++d) {
+    const auto i = static_cast<std::size_t>(d);
+    result.degree[i] = patch.degree(d);
+    result.control_points[i] = patch.size(d);
+    result.elements[i] = patch.knots(d).element_count();
+  }
+  result.rational = patch.is_rational();
+  result.was_left_handed = model.was_reversed(id);
+  result.volume = geometry::volume(patch);
+  // Two parts of about equal length.
+  const auto half = [&](double begin) {
+    return Progress{[&, begin](std::string_view, double share) {
+      progress("checking the patches", (index + begin + share / 2) / model.patch_count());
+    }};
+  };
+  result.quality = geometry::quality(patch, 0, half(0));
+  result.certificate = geometry::certify_jacobian(patch, {}, half(0.5));
+  return result;
+}
+
+BoundaryFaceReport report_face(const MultiPatch& model, const geometry::PatchFace& face) {
+  const auto& patch = model.patch(face.patch);
+  const auto surface = geometry::face_surface(patch, face.side);
+  const geometry::Parameter<2> middle = 0.5 * (surface.low() + surface.high());
+  return {face, model.label(face), geometry::area(surface), surface.point(middle),
+          geometry::outward_normal(patch, face.side, middle)};
+}
+
+}  // namespace
+
+bool ModelReport::certified() const {
+  return std::all_of(patches.begin(), patches.end(),
+                     [](const PatchReport& patch) { return patch.certificate.accepted(); });
+}
+
+ModelReport report(const MultiPatch& model, const Progress& progress) {
+  ModelReport result;
+  for (int i = 0; i < model.patch_count(); ++i) {
+    progress("checking the patches", static_cast<double>(i) / model.patch_count());
+    result.patches.push_back(report_patch(model, i, progress));
+    const PatchReport& patch = result.patches.back();
+    result.volume += patch.volume;
+    result.control_points += model.patch(PatchId(i)).size();
+    result.elements += static_cast<std::int64_t>(patch.elements[0]) * patch.elements[1] * patch.elements[2];
+  }
+  for (const auto& face : model.boundary_faces()) {
+    result.boundary_faces.push_back(report_face(model, face));
+    result.boundary_area += result.boundary_faces.back().area;
+  }
+  for (const auto& interface : model.interfaces())
+    result.largest_gap = std::max(result.largest_gap, interface.gap);
+  result.bodies = model.bodies();
+  result.box = geometry::part_box(model);
+  progress("checking the patches", 1);
+  return result;
+}
+
+std::vector<Warning> certificate_warnings(const MultiPatch& model, const ModelReport& report) {
+  std::vector<Warning> warnings;
+  for (std::size_t i = 0; i < report.patches.size(); ++i) {
+    const auto& certificate = report.patches[i].certificate;
+    if (certificate.accepted()) continue;
+    const PatchId id(static_cast<int>(i));
+    const auto parameter = model.renamed(id, certificate.parameter);
+    const std::string place =
+        fmt::format("at parameter ({:.4g}, {:.4g}, {:.4g}), {}", parameter[0], parameter[1], parameter[2],
+                    place_with_unit(certificate.place, model.size()));
+    std::string text =
+        certificate.sign == JacobianSign::negative
+            ? fmt::format(
+                  "patch {} is folded {}: its Jacobian determinant is {:.3g} m^3 there. {}", i, place,
+                  certificate.smallest,
+                  report.patches[i].quality.min_jacobian > 0
+                      ? "All Gauss points are positive, so the study runs; do not trust stresses near "
+                        "that place"
+                      : "Gauss points are negative too, so no study can run; repair the patch: move its "
+                        "inner control points, or split it")
+            : fmt::format(
+                  "patch {} could not be certified: its Jacobian determinant comes down to {:.3g} m^3 {}", i,
+                  certificate.smallest, place);
+    warnings.push_back({std::move(text), id.value, certificate.place});
+  }
+  return warnings;
+}
+
+}  // namespace isopatch::app

@@ -1,0 +1,22 @@
+#include "app/problem/read_model_file.hpp"
+
+#include <fmt/format.h>
+
+#include "geometry/base/error.hpp"
+#include "geometry/io/read_patches.hpp"
+
+namespace isopatch::app {
+
+geometry::PatchSet read_model_file(const std::filesystem::path& path, bool solids_too) {
+  try {
+    return geometry::read_patches(path);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::unsupported || !solids_too) throw;
+    throw Error(error.code(),
+                fmt::format("{}. Formats of solids: STEP (.step, .stp), IGES (.iges, .igs), OpenCASCADE "
+                            "(.brep), G+Smo XML with Solid elements (.xml), polyhedra (.off)",
+                            error.what()));
+  }
+}
+
+}  // namespace isopatch::app

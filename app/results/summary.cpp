@@ -1,0 +1,336 @@
+#include "app/results/summary.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+#include <sys/resource.h>
+
+#include <numeric>
+
+#include "app/base/engineering_units.hpp"
+#include "app/base/provenance.hpp"
+#include "app/problem/resolution_warning.hpp"
+#include "app/results/internal/json_regions.hpp"
+#include "app/results/internal/parameterization_json.hpp"
+#include "iga/material/material.hpp"
+
+#ifndef ISOPATCH_VERSION
+#error "the build defines ISOPATCH_VERSION"
+#endif
+
+namespace isopatch::app {
+namespace {
+
+Json model_json(const StudyRun& run) {
+  const auto& model = run.built.problem.discretization.model;
+  const ModelReport& report = run.built.report;
+  double worst = 1;
+  for (const PatchReport& patch : report.patches) worst = std::min(worst, patch.quality.min_scaled_jacobian);
+  Json reversed = Json::array();
+  Json refused = Json::array();
+  for (std::size_t i = 0; i < report.patches.size(); ++i) {
+    if (report.patches[i].was_left_handed) reversed.push_back(i);
+    if (!report.patches[i].certificate.accepted()) refused.push_back(i);
+  }
+  return {{"patches", model.patch_count()},
+          {"interfaces", model.interfaces().size()},
+          {"boundary_faces", model.boundary_faces().size()},
+          {"bodies", report.bodies.size()},
+          {"control_points", report.control_points},
+          {"elements", report.elements},
+          {"volume", report.volume},
+          {"boundary_area", report.boundary_area},
+          {"box",
+           {{"min", to_json(Eigen::Vector3d(report.box.min()))},
+            {"max", to_json(Eigen::Vector3d(report.box.max()))}}},
+          {"largest_gap", report.largest_gap},
+          {"min_scaled_jacobian", worst},
+          {"left_handed_patches", reversed},
+          {"patches_not_certified", refused}};
+}
+
+Json discretization_json(const StudyRun& run, int asked_points) {
+  const iga::ProblemSize& size = run.solution.size;
+  std::array<int, 3> degree{};
+  for (const auto& patch : run.built.problem.discretization.patches)
+    for (int d = 0; d < 3; ++d) {
+      auto& highest = degree[static_cast<std::size_t>(d)];
+      highest = std::max(highest, patch.degree(d));
+    }
+  std::array<int, 3> points{};
+  for (int p = 0; p < run.built.problem.discretization.patch_count(); ++p) {
+    const iga::GaussPoints of_patch = run.built.problem.discretization.points_of(p, asked_points);
+    for (std::size_t d = 0; d < 3; ++d) points[d] = std::max(points[d], of_patch[d]);
+  }
+  return {{"degree", degree},
+          {"gauss_points", points},
+          {"elements", size.elements},
+          {"control_points", size.control_points},
+          {"dofs_uncoupled", size.dofs_uncoupled},
+          {"dofs_eliminated", size.dofs_eliminated},
+          {"multipliers", size.multipliers},
+          {"multipliers_free", size.multipliers_free},
+          {"dofs", size.dofs},
+          {"dofs_free", size.dofs_free}};
+}
+
+Json materials_json(const Study& study, const StudyRun& run) {
+  Json result = Json::array();
+  for (const MaterialInput& input : study.materials) {
+    Json patches = Json::array();
+    for (const PatchId id : select_patches(run.built.problem.discretization.model, input.patches))
+      patches.push_back(id.value);
+    result.push_back({{"name", input.material.name},
+                      {"patches", patches},
+                      {"lambda", input.material.lambda},
+                      {"mu", input.material.mu},
+                      {"young", iga::young(input.material)},
+                      {"poisson", iga::poisson(input.material)},
+                      {"density", input.material.density}});
+  }
+  return result;
+}
+
+Json regions_json(const std::vector<CaughtRegion>& regions) {
+  Json result = Json::array();
+  for (const CaughtRegion& region : regions)
+    result.push_back(
+        {{"name", region.key}, {"kind", region.kind}, {"faces", region.faces}, {"area", region.area}});
+  return result;
+}
+
+}  // namespace
+
+Json supports_json(const std::vector<CaughtRegion>& supports) {
+  Json result = regions_json(supports);
+  for (std::size_t i = 0; i < supports.size(); ++i) result[i]["edges"] = supports[i].edges;
+  return result;
+}
+
+Json loads_json(const std::vector<CaughtRegion>& loads) {
+  Json result = regions_json(loads);
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    result[i]["patches"] = loads[i].patches;
+    result[i]["volume"] = loads[i].volume;
+    result[i]["total"] = to_json(loads[i].total);
+  }
+  return result;
+}
+
+namespace {
+
+Json solver_json(const solvers::SolveReport& report, double tolerance, std::int64_t predicted_bytes) {
+  return {{"method", solvers::name(report.method)},
+          {"reason", report.reason},
+          {"iterations", report.iterations},
+          {"tolerance", tolerance},
+          {"relative_residual", report.relative_residual},
+          {"energy_error", report.energy_error},
+          {"residual_history", report.residual_history},
+          {"operator", solvers::name(report.form)},
+          {"levels", report.levels},
+          {"matrix_nonzeros", report.matrix_nonzeros},
+          {"factor_nonzeros", report.factor_nonzeros},
+          {"factor_flops", report.factor_flops},
+          {"memory_bytes", report.memory_bytes},
+          {"predicted_bytes", predicted_bytes},
+          {"analysis_seconds", report.analysis_seconds},
+          {"factorization_seconds", report.factorization_seconds},
+          {"solve_seconds", report.solve_seconds}};
+}
+
+Json reactions_json(const StudyRun& run) {
+  Json reactions = Json::array();
+  for (std::size_t i = 0; i < run.built.supports.size(); ++i) {
+    const iga::Reaction& reaction = run.solution.results.reactions[i];
+    reactions.push_back({{"support", run.built.supports[i].key},
+                         {"force", to_json(reaction.force)},
+                         {"moment", to_json(reaction.moment)}});
+  }
+  return reactions;
+}
+
+Json results_json(const StudyRun& run) {
+  const iga::ElasticityResults& results = run.solution.results;
+  const auto& model = run.built.problem.discretization.model;
+  const auto at = [&](const iga::Extremum& e) {
+    if (e.patch < 0) return Json(nullptr);
+    return Json{{"patch", e.patch},
+                {"parameter", to_json(Eigen::Vector3d(model.renamed(PatchId(e.patch), e.parameter)))}};
+  };
+  return {{"max_displacement", results.max_displacement.value},
+          {"max_displacement_point", to_json(results.max_displacement.place)},
+          {"max_displacement_at", at(results.max_displacement)},
+          {"internal_energy", results.internal_energy},
+          {"external_work", results.external_work},
+          {"max_von_mises", results.max_von_mises.value},
+          {"max_von_mises_point", to_json(results.max_von_mises.place)},
+          {"max_von_mises_at", at(results.max_von_mises)},
+          {"max_von_mises_sampled", "at Gauss points and on faces"},
+          {"points_left_out",
+           {{"folded", results.left_out.folded},
+            {"collapsed", results.left_out.collapsed},
+            {"worst_at", at(results.left_out.worst)}}},
+          {"max_strain", results.max_strain.value},
+          {"max_strain_at", at(results.max_strain)},
+          {"unresolved_energy_share", unresolved_share(results)},
+          {"total_load", to_json(results.total_load)},
+          {"reactions", reactions_json(run)}};
+}
+
+Json probes_json(const StudyRun& run) {
+  Json result = Json::array();
+  for (const ProbeValues& probe : run.probes)
+    result.push_back({{"name", probe.name},
+                      {"patch", probe.patch},
+                      {"parameter", to_json(Eigen::Vector3d(probe.parameter))},
+                      {"point", to_json(probe.values.place)},
+                      {"displacement", to_json(probe.values.displacement)},
+                      {"stress", symmetric_to_json(probe.values.stress)},
+                      {"von_mises", probe.values.von_mises}});
+  return result;
+}
+
+Json timings_json(const StudyRun& run) {
+  Json result = Json::object();
+  double total = 0;
+  for (const iga::PhaseTime& time : run.timings) {
+    result[time.phase] = time.seconds;
+    total += time.seconds;
+  }
+  result["total"] = total;
+  return result;
+}
+
+std::string regions_text(const StudyRun& run) {
+  std::string text;
+  for (const CaughtRegion& region : run.built.supports)
+    text += fmt::format("  support           {}\n", region_text(region));
+  for (const CaughtRegion& region : run.built.loads)
+    text += fmt::format("  load              {}\n", region_text(region));
+  return text;
+}
+
+std::string reactions_text(const StudyRun& run) {
+  const iga::ElasticityResults& results = run.solution.results;
+  // Reactions that balance inside one support vanish beside the stresses on the surface.
+  double scale =
+      std::max(results.total_load.norm(), results.max_von_mises.value * run.built.report.boundary_area);
+  for (const iga::Reaction& reaction : results.reactions) scale = std::max(scale, reaction.force.norm());
+  std::string text;
+  for (const iga::Reaction& reaction : results.reactions)
+    text += fmt::format("  reaction          {} at {}\n",
+                        vector_with_unit(without_round_off(reaction.force, scale), "N"), reaction.support);
+  return text;
+}
+
+std::string probes_text(const StudyRun& run) {
+  const iga::ElasticityResults& results = run.solution.results;
+  std::string text;
+  for (const ProbeValues& probe : run.probes)
+    text += fmt::format(
+        "  {:<17} displacement {}, von Mises {}\n", probe.name,
+        vector_with_unit(without_round_off(probe.values.displacement, results.max_displacement.value), "m"),
+        with_unit(without_round_off(probe.values.von_mises, results.max_von_mises.value), "Pa"));
+  return text;
+}
+
+std::string von_mises_text(const iga::ElasticityResults& results, double size) {
+  std::string text = fmt::format("  max von Mises     {} at {} (of Gauss points and faces)\n",
+                                 with_unit(results.max_von_mises.value, "Pa"),
+                                 place_with_unit(results.max_von_mises.place, size));
+  const iga::LeftOut& left_out = results.left_out;
+  if (left_out.folded > 0)
+    text += fmt::format(
+        "    without         {} points where patches are folded, the worst at {} in patch {}\n",
+        with_separators(left_out.folded), place_with_unit(left_out.worst.place, size), left_out.worst.patch);
+  if (left_out.collapsed > 0)
+    text += fmt::format("    without         {} points on collapsed edges and faces\n",
+                        with_separators(left_out.collapsed));
+  return text;
+}
+
+std::string solver_text(const solvers::SolveReport& report) {
+  // What was asked for by name and did as it was told needs no explanation.
+  const std::string why =
+      report.reason == "asked for by name" ? "" : fmt::format("  chosen            {}\n", report.reason);
+  if (report.levels == 0)
+    return fmt::format("  solver            {}, relative residual {:.2g}\n", solvers::name(report.method),
+                       report.relative_residual) +
+           why;
+  return fmt::format(
+             "  solver            {} with {} multigrid levels, {}: {} iterations to {:.2g} in energy\n",
+             solvers::name(report.method), report.levels,
+             report.form == solvers::Operator::assembled ? "matrix stored" : "matrix-free", report.iterations,
+             report.energy_error) +
+         why;
+}
+
+}  // namespace
+
+std::string summary_json(const Study& study, const StudyRun& run) {
+  Json json = {
+      {"schema_version", 1},
+      {"program", {{"name", "isopatch"}, {"version", version()}}},
+      {"title", study.title},
+      {"study", study.source},
+      {"model", model_json(run)},
+      {"materials", materials_json(study, run)},
+      {"supports", supports_json(run.built.supports)},
+      {"loads", loads_json(run.built.loads)},
+      {"discretization", discretization_json(run, study.options.quadrature_points)},
+      {"coupling", iga::name(study.options.coupling)},
+      {"solver",
+       solver_json(run.solution.solver, study.options.solver.tolerance, run.solution.predicted_bytes)},
+      {"results", results_json(run)},
+      {"probes", probes_json(run)},
+      {"warnings", texts_json(run.built.warnings)},
+      {"warning_places", places_json(run.built.warnings)},
+      {"timings", timings_json(run)},
+      {"parallel", {{"processes", study.options.processes.count()}, {"threads", omp_get_max_threads()}}},
+      {"memory", {{"peak_bytes", peak_memory_bytes() + run.bytes_elsewhere}}}};
+  if (run.built.parameterization)
+    json["parameterization"] = parameterization_json(*run.built.parameterization);
+  return file_text(json);
+}
+
+std::string with_phase(const std::string& summary, const iga::PhaseTime& time) {
+  Json json = Json::parse(summary);
+  Json& timings = json["timings"];
+  const double total = timings["total"].get<double>() + time.seconds;
+  timings.erase("total");
+  timings[time.phase] = time.seconds;
+  timings["total"] = total;
+  return file_text(json);
+}
+
+std::string summary_text(const Study& study, const StudyRun& run) {
+  const auto& model = run.built.problem.discretization.model;
+  const iga::ProblemSize& size = run.solution.size;
+  const iga::ElasticityResults& results = run.solution.results;
+  double total = 0;
+  for (const iga::PhaseTime& time : run.timings) total += time.seconds;
+  std::string text = study.title.empty() ? "" : study.title + "\n";
+  const std::size_t bodies = run.built.report.bodies.size();
+  text += fmt::format("  model             {} patches, {} interfaces, {} boundary faces, {}, volume {}\n",
+                      model.patch_count(), model.interfaces().size(), model.boundary_faces().size(),
+                      bodies == 1 ? "one body" : fmt::format("{} bodies", bodies),
+                      with_unit(run.built.report.volume, "m^3"));
+  text += regions_text(run);
+  text += fmt::format("  unknowns          {} ({} free), {} elements, coupled by {}\n",
+                      with_separators(size.dofs), with_separators(size.dofs_free),
+                      with_separators(size.elements), iga::name(study.options.coupling));
+  text += solver_text(run.solution.solver);
+  text += fmt::format("  max displacement  {} at {}\n", with_unit(results.max_displacement.value, "m"),
+                      place_with_unit(results.max_displacement.place, model.size()));
+  text += von_mises_text(results, model.size());
+  text += fmt::format("  internal energy   {}\n", with_unit(results.internal_energy, "J"));
+  text += reactions_text(run) + probes_text(run);
+  text += fmt::format("  time, memory      {}, {}{}\n", seconds_text(total),
+                      bytes_text(peak_memory_bytes() + run.bytes_elsewhere),
+                      study.options.processes.count() == 1
+                          ? ""
+                          : fmt::format(" in {} processes", study.options.processes.count()));
+  return text;
+}
+
+}  // namespace isopatch::app

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/base/warning.hpp"
+#include "app/problem/caught_region.hpp"
+#include "app/study/study.hpp"
+#include "geometry/base/progress.hpp"
+#include "iga/output/plane_fields.hpp"
+
+namespace isopatch::app {
+
+/// Faces of a model under the names of a study's supports and loads, or those of the model's own boundaries.
+struct FaceGroup {
+  std::string name;  ///< "supports", "loads" or "boundaries"
+  std::vector<geometry::Boundary> members;
+};
+
+/// Of a study that was solved.
+std::vector<FaceGroup> face_groups(const std::vector<CaughtRegion>& supports,
+                                   const std::vector<CaughtRegion>& loads, const geometry::MultiPatch& model);
+/// Of stored results, whose summary tells the faces of supports and loads.
+std::vector<FaceGroup> face_groups(const geometry::MultiPatch& model, const std::string& summary);
+
+/// What was written of the fields.
+struct WrittenFields {
+  std::vector<std::string> collections;  ///< results.vtm and others beside it, the one to open first
+  int files = 0;                         ///< with these
+  iga::BorrowedStress borrowed;          ///< points whose stress means nothing
+};
+
+/// Writes the fields for ParaView, each file as it is computed, into fields/, and collections of them:
+/// results.vtm (straight hexahedra), results_boundaries.vtm (quadrilaterals of `groups`) and
+/// results_exact.vtm (Bezier cells, if asked for). Those of an earlier run are removed before.
+///
+/// Blocks are patches, in groups by material; of more than 100 patches the materials, because a file for each
+/// of many small patches takes longer than its content, and ParaView is slow with many blocks.
+/// @throws Error io
+WrittenFields write_fields(const iga::ElasticField& field, const geometry::MultiPatch& model,
+                           const std::vector<FaceGroup>& groups, const FieldOptions& options,
+                           const std::filesystem::path& directory, const Progress& progress = {});
+
+/// Says how many points have no stress of their own, and where the worst is; nothing if there are none.
+std::optional<Warning> borrowed_warning(const iga::BorrowedStress& borrowed, double model_size);
+
+}  // namespace isopatch::app

@@ -1,0 +1,40 @@
+#include "app/run/run_study.hpp"
+
+#include <chrono>
+
+#include "app/base/provenance.hpp"
+#include "app/problem/plausibility.hpp"
+
+namespace isopatch::app {
+namespace {
+
+class Watch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+StudyRun run_study(const Study& study, const Progress& progress) {
+  const Watch building;
+  StudyRun run{build_problem(study, progress), {}, {}, {}, 0};
+  run.timings.push_back({"model", building.seconds()});
+  run.solution = iga::solve_elasticity(run.built.problem, study.options, progress);
+  for (const iga::PhaseTime& time : run.solution.timings) run.timings.push_back(time);
+  const auto& model = run.built.problem.discretization.model;
+  for (const LocatedProbe& probe : run.built.probes)
+    run.probes.push_back({probe.name, probe.patch, model.renamed(PatchId(probe.patch), probe.parameter),
+                          iga::evaluate(run.solution.field, probe.patch, probe.parameter)});
+  for (Warning& warning : result_warnings(run.built, run.solution))
+    run.built.warnings.push_back(std::move(warning));
+  const std::int64_t own = peak_memory_bytes();
+  run.bytes_elsewhere = study.options.processes.sum(own) - own;
+  return run;
+}
+
+}  // namespace isopatch::app

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/problem/build_problem.hpp"
+#include "geometry/base/progress.hpp"
+#include "iga/solution/solve_elasticity.hpp"
+
+namespace isopatch::app {
+
+/// Values at a probe.
+struct ProbeValues {
+  std::string name;
+  int patch = 0;
+  geometry::Parameter<3> parameter;  ///< in the input's naming
+  iga::FieldValues values;
+};
+
+/// A study's solution with all that was known on the way.
+struct StudyRun {
+  BuiltProblem built;
+  iga::ElasticitySolution solution;
+  std::vector<ProbeValues> probes;
+  std::vector<iga::PhaseTime> timings;  ///< of all phases so far, s
+  std::int64_t bytes_elsewhere =
+      0;  ///< most memory that the other processes held until the end of these phases
+};
+
+/// Builds and solves a study. Nothing is written.
+/// @throws Error as build_problem and solve_elasticity do
+StudyRun run_study(const Study& study, const Progress& progress = {});
+
+}  // namespace isopatch::app

@@ -1,0 +1,38 @@
+#include "app/study/attachment_keys.hpp"
+
+#include <variant>
+
+#include "app/study/selection_keys.hpp"
+
+namespace isopatch::app {
+namespace {
+
+Eigen::Vector3d read_scale(const ConfigValue& value) {
+  if (std::holds_alternative<std::vector<ConfigValue>>(value.value))
+    return read_vector(value, "scale", dimensions::none);
+  return Eigen::Vector3d::Constant(read_quantity(value, "scale", dimensions::none));
+}
+
+}  // namespace
+
+Keys<AttachmentKeys> attachment_keys(ModelUnits units) {
+  using A = AttachmentKeys;
+  return {
+      custom_key<A>("faces", "array of strings",
+                    "One patch is added to each: \"patch:side\" or names of boundaries, also of patches "
+                    "attached before.",
+                    [](A& target, const ConfigValue& value) { target.faces = read_face_names(value); })
+          .required(),
+      custom_key<A>(
+          "scale", "number, or 3 numbers",
+          "The far end of each new patch is its face scaled about `about` by this factor, or by one "
+          "along each axis, ...",
+          [](A& target, const ConfigValue& value) { target.scale = read_scale(value); })
+          .with_default("1"),
+      point_key<A>(units, "about", &A::about, "The point that scaling leaves where it is."),
+      point_key<A>(units, "move", &A::move, "... and moved by this."),
+      text_key<A>("name", &A::name, "Of a boundary that gets the far ends."),
+  };
+}
+
+}  // namespace isopatch::app

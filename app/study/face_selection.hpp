@@ -1,0 +1,57 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/study/config_value.hpp"
+
+namespace isopatch::app {
+
+/// Geometric conditions on faces; lengths in m, directions of length 1.
+struct PlaneCondition {
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
+};
+struct CylinderCondition {
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< on the axis
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
+  double radius = 0;
+};
+struct SphereCondition {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  double radius = 0;
+};
+struct BoxCondition {
+  Eigen::Vector3d min = Eigen::Vector3d::Zero();
+  Eigen::Vector3d max = Eigen::Vector3d::Zero();
+};
+
+/// All conditions given must hold at all sample points of a face.
+struct FaceConditions {
+  std::optional<PlaneCondition> plane = {};
+  std::optional<CylinderCondition> cylinder = {};
+  std::optional<SphereCondition> sphere = {};
+  std::optional<BoxCondition> box = {};
+  std::optional<Eigen::Vector3d> normal = {};  ///< the outward normal, within `angle`
+  double angle = 0.08726646259971647;          ///< rad; 5 degrees
+  std::optional<double> tolerance = {};        ///< m; none: 1e-4 of the model's size
+};
+
+/// Boundary faces by names, by geometry, or by both (the faces named that also fulfil the conditions).
+struct FaceSelection {
+  std::vector<std::string> faces = {};  ///< "0:back" in the input's naming, or the name of a boundary
+  std::optional<FaceConditions> where = {};
+  Place place = {};  ///< in the study file
+};
+
+/// Patches by index or name; neither means all.
+struct PatchSelection {
+  std::vector<std::pair<int, int>> ranges = {};  ///< first and last, both included
+  std::vector<std::string> names = {};           ///< of bodies that became patches
+  Place place = {};
+};
+
+}  // namespace isopatch::app

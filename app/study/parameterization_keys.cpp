@@ -1,0 +1,76 @@
+#include <fmt/format.h>
+
+#include "app/study/study_keys.hpp"
+#include "segmentation/parameterization/assemble_complex.hpp"
+
+namespace isopatch::app {
+namespace {
+
+using P = ParameterizationKeys;
+
+Key<P> fit_integer_key(const std::string& name, int segmentation::FitOptions::*member, int least, int most,
+                       std::string meaning) {
+  Key<P> key = custom_key<P>(name, "integer", std::move(meaning), [=](P& target, const ConfigValue& value) {
+    target.options.fit.*member = read_integer(value, name, least, most);
+  });
+  key.text.range = fmt::format("from {} to {}", least, most);
+  key.text.fallback = fmt::format("{}", segmentation::FitOptions{}.*member);
+  return key;
+}
+
+template <class Read>
+Key<P> number_key(const std::string& name, const Range& range, double fallback, Read member,
+                  std::string meaning) {
+  Key<P> key = custom_key<P>(name, "number", std::move(meaning), [=](P& target, const ConfigValue& value) {
+    member(target) = read_quantity(value, name, dimensions::none, range);
+  });
+  key.text.range = range.text();
+  key.text.fallback = format_default(fallback);
+  return key;
+}
+
+}  // namespace
+
+const Keys<ParameterizationKeys>& parameterization_keys() {
+  static const std::vector<std::string> methods = {"shared", "paper"};
+  static const Keys<P> keys = {
+      custom_key<P>(
+          "method", "\"shared\" or \"paper\"",
+          "shared fits edges and faces once, to the tolerance, so that neighbours have common control "
+          "points; "
+          "paper follows the five steps of the segmentation pipeline's paper, for comparison: 10 samples an "
+          "edge, 343 control points a patch, averages at interfaces.",
+          [](P& target, const ConfigValue& value) {
+            target.options.method =
+                segmentation::ParameterizationMethod(read_choice(value, "method", methods));
+          })
+          .with_default("\"shared\""),
+      number_key(
+          "tolerance", {1e-8, 0.1}, segmentation::FitOptions{}.tolerance,
+          [](P& target) -> double& { return target.options.fit.tolerance; },
+          "Largest deviation of the boundary, as a share of the model's size: knots are inserted until it is "
+          "reached."),
+      fit_integer_key("degree", &segmentation::FitOptions::degree, 2, 8, "Degree of the patches."),
+      fit_integer_key("start_spans", &segmentation::FitOptions::start_spans, 1, 64,
+                      "Knot spans along every direction before any is halved."),
+      fit_integer_key("max_spans", &segmentation::FitOptions::max_spans, 1, 1024,
+                      "Most knot spans along any direction; eight times as many as the solid's own splines "
+                      "or turns ask for, if that is more."),
+      number_key(
+          "wanted_quality", {0, 1, true, false}, segmentation::ParameterizationOptions{}.wanted_quality,
+          [](P& target) -> double& { return target.options.wanted_quality; },
+          "Patches whose smallest scaled Jacobian is below it are optimized."),
+      custom_key<P>(
+          "optimize", "true or false",
+          "Whether control points are moved where a patch is folded or poor; false only reports it.",
+          [](P& target, const ConfigValue& value) { target.options.optimize = read_flag(value, "optimize"); })
+          .with_default("true"),
+      number_key(
+          "same_point", {0, 0.05, false, false}, segmentation::ComplexOptions{}.same_point,
+          [](P& target) -> double& { return target.same_point; },
+          "Points of two blocks closer than this share of the size are one point."),
+  };
+  return keys;
+}
+
+}  // namespace isopatch::app

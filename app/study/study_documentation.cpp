@@ -1,0 +1,131 @@
+#include <fmt/format.h>
+
+#include "app/study/attachment_keys.hpp"
+#include "app/study/study_keys.hpp"
+#include "geometry/base/nearest_name.hpp"
+
+namespace isopatch::app {
+namespace {
+
+constexpr const char* introduction = R"(# The study file
+
+A study is a TOML file. Every key is listed here with its unit, its range and its default. This text is printed by
+`isopatch keys`, from the same table that the parser reads by; `isopatch keys NAME` prints one section.
+
+**Quantities.** A number is in SI units: m, kg, s, N, Pa, J, kg/m^3, m/s^2, rad. A string carries its unit:
+"20 MPa", "225 mm", "7850 kg/m^3", "9.81 m/s^2", "1 kN", "36 deg", "30 ksi", "2 GB". Known are m g s N Pa J W (with the
+prefixes n u m c d k M G), t, bar, in, ft, lb, lbf, psi, ksi, Msi, rad, deg and %; a space, * or / joins them, ^ raises them.
+Memory is in B, kB, MB, GB, TB (powers of 1000) or KiB, MiB, GiB, TiB (of 1024).
+The unit is checked for its dimension.
+
+**Numbering.** Patches count from 0, in the order of the file. Sides and parameters are those of the file, also where
+isopatch turned a left-handed patch around.
+
+**From the command line.** `--set discretization.refine=2` replaces one value; elements of arrays count from 0:
+`--set load.0.pressure='2 MPa'`.
+
+)";
+
+std::string row(const KeyText& key) {
+  std::string type = key.type;
+  if (!key.range.empty()) type += ", " + key.range;
+  const std::string fallback = key.required ? "required" : key.fallback.empty() ? "-" : key.fallback;
+  return fmt::format("| `{}` | {} | {} | {} |\n", key.name, type, fallback, key.meaning);
+}
+
+std::string markdown(const SectionText& section) {
+  std::string result =
+      fmt::format("## {}\n\n{}\n\n| key | type and range | default | meaning |\n|---|---|---|---|\n",
+                  section.heading, section.meaning);
+  for (const KeyText& key : section.keys) result += row(key);
+  return result + "\n";
+}
+
+bool concerns(const SectionText& section, const std::string& topic) {
+  if (section.name.find(topic) != std::string::npos) return true;
+  for (const KeyText& key : section.keys)
+    if (key.name == topic) return true;
+  return false;
+}
+
+}  // namespace
+
+std::vector<SectionText> study_sections() {
+  std::vector<SectionText> sections = {
+      {"study", "The file", "Keys and tables at the top.", texts(study_keys())},
+      {"model", "[model]", "Where the patches come from: a file, or a generated model with its dimensions.",
+       texts(model_keys())},
+      {"parameterization", "[parameterization]",
+       "How topological hexahedra become patches, if [model] has `blocks` or a `file` of solids.",
+       texts(parameterization_keys())}};
+  for (const GeneratedModel& model : generated_models())
+    sections.push_back({"model." + model.name, fmt::format("[model] with generate = \"{}\"", model.name),
+                        model.meaning + " Plain numbers are model units, see `length_unit`.", model.keys});
+  sections.push_back(
+      {"model.attach", "[[model.attach]]",
+       "Adds a patch to each of some faces of the model, straight from the face to its image: a ring in a "
+       "bore, a pad, a longer pipe. They are numbered behind the others, in the order of the faces; "
+       "their front is the face, their back the image, their first two directions are those of the face, "
+       "increasing. Plain numbers are model units, see `length_unit`.",
+       texts(attachment_keys({}))});
+  const std::vector<SectionText> others = {
+      {"discretization", "[discretization]",
+       "The solution space: it refines the geometry's, so the geometry stays exact.",
+       texts(discretization_keys())},
+      {"material", "[[material]]",
+       "Isotropic and linear elastic: by `lame`, by `young` and `poisson`, or by `name` alone. Every patch "
+       "needs exactly one.",
+       texts(material_keys())},
+      {"material.lame", "[[material]] lame = { ... }", "Lame parameters.", texts(lame_keys())},
+      {"support", "[[support]]",
+       "One of `displacement` (and or `displacement_gradient`), `symmetry`, `roller`. Where supports meet, "
+       "all of them apply.",
+       texts(support_keys())},
+      {"load", "[[load]]",
+       "One of `traction`, `pressure`, `force` on faces, or one of `body_force`, `gravity` in patches.",
+       texts(load_keys())},
+      {"where", "where = { ... } of supports and loads",
+       "Faces chosen by geometry, because patch numbers mean little where a program made the patches. All "
+       "conditions given "
+       "must hold at every point of a face; only boundary faces are looked at.",
+       texts(where_keys())},
+      {"edges", "edges = { ... } of supports",
+       "Edges of the patches that have the support's faces, chosen by geometry. All conditions given must "
+       "hold "
+       "at every point of an edge.",
+       texts(edges_keys())},
+      {"where.plane", "where or edges = { plane = { ... } }", "A plane.", texts(plane_keys())},
+      {"where.cylinder", "where or edges = { cylinder = { ... } }", "An infinite cylinder.",
+       texts(cylinder_keys())},
+      {"where.sphere", "where or edges = { sphere = { ... } }", "A sphere.", texts(sphere_keys())},
+      {"where.box", "where or edges = { box = { ... } }", "A box.", texts(box_keys())},
+      {"coupling", "[coupling]", "How the patches are held together.", texts(coupling_keys())},
+      {"solver", "[solver]", "How the equations are solved.", texts(solver_keys())},
+      {"probe", "[[probe]]",
+       "Values at a place: displacement, stress and von Mises stress appear in summary.json.",
+       texts(probe_keys())},
+      {"output", "[output]", "What is written, and where. Files appear whole or not at all.",
+       texts(output_keys())}};
+  sections.insert(sections.end(), others.begin(), others.end());
+  return sections;
+}
+
+std::string study_documentation(const std::string& topic) {
+  std::string result = topic.empty() ? introduction : "";
+  std::vector<std::string> names;
+  bool found = false;
+  for (const SectionText& section : study_sections()) {
+    names.push_back(section.name);
+    for (const KeyText& key : section.keys) names.push_back(key.name);
+    if (!topic.empty() && !concerns(section, topic)) continue;
+    found = true;
+    result += markdown(section);
+  }
+  if (!found)
+    throw Error(ErrorCode::invalid_argument, fmt::format("the study file has no section or key '{}'{}", topic,
+                                                         did_you_mean(topic, names)));
+  result.pop_back();
+  return result;
+}
+
+}  // namespace isopatch::app

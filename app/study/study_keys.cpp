@@ -1,0 +1,306 @@
+#include "app/study/study_keys.hpp"
+
+#include <fmt/format.h>
+
+namespace isopatch::app {
+namespace {
+
+namespace dim = dimensions;
+
+template <class S>
+Key<S> value_key(const std::string& name, const std::string& type, std::optional<ConfigValue> S::*member,
+                 std::string meaning) {
+  return custom_key<S>(name, type, std::move(meaning),
+                       [=](S& target, const ConfigValue& value) { target.*member = value; });
+}
+
+/// An integer for all directions, or three.
+std::array<int, 3> read_per_direction(const ConfigValue& value, const std::string& what, int least,
+                                      int most) {
+  if (!std::holds_alternative<std::vector<ConfigValue>>(value.value)) {
+    const int all = read_integer(value, what, least, most);
+    return {all, all, all};
+  }
+  const auto& items = read_array(value, what);
+  if (items.size() != 3)
+    throw error_at(value.place, fmt::format("{}: expected one number or 3, got {}", what, items.size()));
+  std::array<int, 3> result{};
+  for (std::size_t i = 0; i < 3; ++i) result[i] = read_integer(items[i], what, least, most);
+  return result;
+}
+
+Key<DiscretizationKeys> per_direction_key(const std::string& name,
+                                          std::array<int, 3> iga::DiscretizationOptions::*member, int least,
+                                          int most, const std::string& fallback, std::string meaning) {
+  Key<DiscretizationKeys> key =
+      custom_key<DiscretizationKeys>(name, "integer, or array of 3", std::move(meaning),
+                                     [=](DiscretizationKeys& target, const ConfigValue& value) {
+                                       target.options.*member = read_per_direction(value, name, least, most);
+                                     });
+  key.text.range = fmt::format("from {} to {}", least, most);
+  key.text.fallback = fallback;
+  return key;
+}
+
+Key<DiscretizationKeys> option_key(const std::string& name, int iga::DiscretizationOptions::*member,
+                                   int least, int most, const std::string& fallback, std::string meaning) {
+  Key<DiscretizationKeys> key = custom_key<DiscretizationKeys>(
+      name, "integer", std::move(meaning), [=](DiscretizationKeys& target, const ConfigValue& value) {
+        target.options.*member = read_integer(value, name, least, most);
+      });
+  key.text.range = fmt::format("from {} to {}", least, most);
+  key.text.fallback = fallback;
+  return key;
+}
+
+}  // namespace
+
+const Keys<StudyKeys>& study_keys() {
+  static const Keys<StudyKeys> keys = {
+      text_key<StudyKeys>("title", &StudyKeys::title, "Name of the study, for reports."),
+      value_key<StudyKeys>("model", "table", &StudyKeys::model, "Where the patches come from.").required(),
+      value_key<StudyKeys>("parameterization", "table", &StudyKeys::parameterization,
+                           "How solids become patches, where the model is made of solids."),
+      value_key<StudyKeys>("discretization", "table", &StudyKeys::discretization, "The solution space."),
+      value_key<StudyKeys>("material", "array of tables", &StudyKeys::material,
+                           "Materials; every patch needs exactly one.")
+          .required(),
+      value_key<StudyKeys>("support", "array of tables", &StudyKeys::support, "What holds the part.")
+          .required(),
+      value_key<StudyKeys>("load", "array of tables", &StudyKeys::load, "What acts on the part."),
+      value_key<StudyKeys>("coupling", "table", &StudyKeys::coupling, "How the patches are held together."),
+      value_key<StudyKeys>("solver", "table", &StudyKeys::solver, "How the equations are solved."),
+      value_key<StudyKeys>("probe", "array of tables", &StudyKeys::probe, "Places whose values are wanted."),
+      value_key<StudyKeys>("output", "table", &StudyKeys::output, "What is written, and where."),
+  };
+  return keys;
+}
+
+const Keys<ModelKeys>& model_keys() {
+  static const Keys<ModelKeys> keys = {
+      optional_text_key<ModelKeys>(
+          "file", &ModelKeys::file,
+          "A file of patches: G+Smo XML (.xml), GoTools (.g2) or MFEM NURBS mesh (.mesh). Relative "
+          "paths count from the study's folder; ${NAME} and ${NAME:-default} are environment "
+          "variables. Or a file of topological hexahedra, as in `blocks`. Either this, `blocks` or "
+          "`generate`."),
+      custom_key<ModelKeys>(
+          "blocks", "array of strings",
+          "Files of solids that are topological hexahedra: STEP (.step, .stp, .p21), IGES "
+          "(.iges, .igs), OpenCASCADE "
+          "(.brep, .brp), G+Smo solids (.xml), polyhedra (.off). [parameterization] says how "
+          "each becomes a patch; their "
+          "outer faces are boundaries called \"block:face\"; all of one colour in STEP files are "
+          "the boundary \"#rrggbb\".",
+          [](ModelKeys& target, const ConfigValue& value) {
+            for (const ConfigValue& item : read_array(value, "blocks"))
+              target.blocks.push_back(read_text(item, "blocks"));
+          }),
+      optional_text_key<ModelKeys>("pairs", &ModelKeys::pairs,
+                                   "With blocks, a file that says how they meet, a line each: block, number "
+                                   "of its face, block, number of its "
+                                   "face. Without it the pairs are found from the geometry."),
+      optional_text_key<ModelKeys>(
+          "generate", &ModelKeys::generate,
+          "Name of a generated model, whose dimensions are further keys of [model]; see below."),
+      value_key<ModelKeys>("attach", "array of tables", &ModelKeys::attach,
+                           "Patches to be added to faces of the model."),
+      custom_key<ModelKeys>(
+          "length_unit", "length (m), with or without a number",
+          "What one unit of the file's (or the generated model's) coordinates measures: \"mm\", "
+          "\"225 mm\", 0.0254. All other lengths of the study are in m or have a unit.",
+          [](ModelKeys& target, const ConfigValue& value) {
+            target.length_unit = read_length_unit(value);
+            target.gives_length_unit = true;
+          })
+          .with_default("\"m\"; STEP and IGES files say it themselves"),
+      custom_key<ModelKeys>("allow_partial", "true or false",
+                            "Whether bodies and faces of CAD files that cannot be read, and bodies that are "
+                            "not closed, are left out with "
+                            "a warning. Otherwise they are an error.",
+                            [](ModelKeys& target, const ConfigValue& value) {
+                              target.allow_partial = read_flag(value, "allow_partial");
+                            })
+          .with_default("false"),
+      quantity_key<ModelKeys>(
+          "cad_time_limit", &ModelKeys::cad_time_limit, dim::none, {0, 1e7},
+          "Seconds of computing that a STEP, IGES or .brep file may take to be read; 0 means 60 "
+          "seconds and 10 for each megabyte."),
+      quantity_key<ModelKeys>(
+          "cad_memory_limit", &ModelKeys::cad_memory_limit, dim::none, {0, 1e15},
+          "Bytes of memory that a STEP, IGES or .brep file may take to be read; 0 means three "
+          "quarters of the machine's."),
+      quantity_key<ModelKeys>(
+          "same_point", &ModelKeys::same_point, dim::none, {0, 1e-2, false, false},
+          "Points closer than this share of the model's size are one point: faces that agree so well "
+          "are interfaces."),
+      quantity_key<ModelKeys>(
+          "near_miss", &ModelKeys::near_miss, dim::none, {0, 0.1, false, false},
+          "Faces that agree only to this share of the model's size are refused as a gap."),
+      quantity_key<ModelKeys>(
+          "same_knot", &ModelKeys::same_knot, dim::none, {0, 1e-3, false, false},
+          "Knots of two neighbours closer than this share of the knot range are one knot."),
+  };
+  return keys;
+}
+
+const Keys<DiscretizationKeys>& discretization_keys() {
+  using Options = iga::DiscretizationOptions;
+  static const Keys<DiscretizationKeys> keys = {
+      per_direction_key(
+          "degree", &Options::degree, 1, 10, "2",
+          "Degree of the splines, raised where the geometry's is lower and never lowered; the continuity "
+          "of the geometry stays. 1 keeps the geometry's everywhere; elements of degree 1 hardly bend."),
+      option_key("refine", &Options::refine, 0, 10, "0",
+                 "How often every element is halved, after all that the other keys ask for."),
+      per_direction_key(
+          "elements_per_direction", &Options::elements_per_direction, 1, 10000, "as the geometry has",
+          "Least number of elements along each direction of each patch, before refine halves them."),
+      custom_key<DiscretizationKeys>(
+          "max_size", type_name(dim::length), "Largest length of an element's edge, before refine halves it.",
+          [](DiscretizationKeys& target, const ConfigValue& value) {
+            target.options.max_size = read_quantity(value, "max_size", dim::length, positive);
+          })
+          .with_default("no limit"),
+      option_key("continuity", &Options::continuity, 0, 9, "as smooth as degree and geometry allow",
+                 "Highest continuity C^k across the knots inside a patch."),
+      integer_key<DiscretizationKeys>(
+          "points", &DiscretizationKeys::points, 0, 20,
+          "Gauss points per element and direction; 0 means degree + 1, and more in "
+          "directions in which the map of a patch is so curved that it needs them."),
+  };
+  return keys;
+}
+
+const Keys<iga::ElasticityOptions>& coupling_keys() {
+  static const std::vector<std::string> names = {"elimination", "lagrange"};
+  static const Keys<iga::ElasticityOptions> keys = {
+      custom_key<iga::ElasticityOptions>("method", "\"elimination\" or \"lagrange\"",
+                                         "Coincident control points share their unknowns, or multipliers tie "
+                                         "them. `isopatch compare` runs both.",
+                                         [](iga::ElasticityOptions& target, const ConfigValue& value) {
+                                           target.coupling = read_choice(value, "method", names) == 0
+                                                                 ? iga::Coupling::elimination
+                                                                 : iga::Coupling::lagrange;
+                                         })
+          .with_default("\"elimination\""),
+  };
+  return keys;
+}
+
+const Keys<solvers::SolverOptions>& solver_keys() {
+  using O = solvers::SolverOptions;
+  using M = solvers::Method;
+  static const std::vector<std::pair<std::string, M>> methods = {
+      {"auto", M::automatic}, {"direct", M::automatic}, {"cholmod", M::cholmod},
+      {"mumps", M::mumps},    {"umfpack", M::umfpack},  {"cg", M::cg},
+      {"minres", M::minres}};
+  static const std::vector<std::string> preconditioners = {"multigrid", "block_jacobi"};
+  static const std::vector<std::string> operators = {"auto", "assembled", "matrix_free"};
+  static const Keys<O> keys = {
+      custom_key<O>(
+          "method", "\"auto\", \"direct\", \"cholmod\", \"mumps\", \"umfpack\", \"cg\" or \"minres\"",
+          "auto factorizes where that costs little (CHOLMOD for elimination, MUMPS for lagrange or several "
+          "processes) and iterates where factors would cost more or not fit (cg for elimination, minres for "
+          "lagrange); if the one fails it tries the other; the summary says why. direct is another word for "
+          "auto.",
+          [](O& target, const ConfigValue& value) {
+            std::vector<std::string> names;
+            for (const auto& method : methods) names.push_back(method.first);
+            target.method = methods[read_choice(value, "method", names)].second;
+          })
+          .with_default("\"auto\""),
+      quantity_key<O>(
+          "tolerance", &O::tolerance, dim::none, {1e-14, 1e-2},
+          "Relative residual to reach; with a multigrid the relative error in its norm, about that in "
+          "energy."),
+      integer_key<O>("max_iterations", &O::max_iterations, 1, 10000000,
+                     "Most iterations of an iterative method."),
+      custom_key<O>("preconditioner", "\"multigrid\" or \"block_jacobi\"",
+                    "Of cg and minres. A multigrid needs some ten iterations more or less whatever the size "
+                    "and the degree; "
+                    "block_jacobi, for cg on one process, needs many more and is there for comparison.",
+                    [](O& target, const ConfigValue& value) {
+                      target.preconditioner =
+                          solvers::Preconditioner(read_choice(value, "preconditioner", preconditioners));
+                    })
+          .with_default("\"multigrid\""),
+      custom_key<O>(
+          "operator", "\"auto\", \"assembled\" or \"matrix_free\"",
+          "Whether cg with a multigrid stores the matrix or computes its product anew each time. auto "
+          "stores it where it fits and multiplies faster, which it does for degree 1 alone.",
+          [](O& target, const ConfigValue& value) {
+            target.form = solvers::Operator(read_choice(value, "operator", operators));
+          })
+          .with_default("\"auto\""),
+      custom_key<O>("smoothing_degree", "integer", "Degree of the multigrid's Chebyshev smoother, 1 .. 20.",
+                    [](O& target, const ConfigValue& value) {
+                      target.multigrid.smoothing_degree =
+                          static_cast<int>(read_integer(value, "smoothing_degree", 1, 20));
+                    })
+          .with_default("4"),
+      quantity_key<O>("memory_limit", &O::memory_limit, dim::data, {0, 1e15},
+                      "What the run may take, of each process; 0 means what the machine, a control group or "
+                      "a batch job has to "
+                      "spare. Runs that are expected to take more are refused before the model is refined."),
+  };
+  return keys;
+}
+
+const Keys<ProbeKeys>& probe_keys() {
+  using P = ProbeKeys;
+  static const Keys<P> keys = {
+      text_key<P>("name", &P::name, "For summary.json.").with_default("\"probe 1\", ..."),
+      vector_key<P>("point", &P::point, dim::length, "A place; either this or patch and parameter."),
+      custom_key<P>("patch", "integer", "The patch, from 0.",
+                    [](P& target, const ConfigValue& value) {
+                      target.patch = read_integer(value, "patch", 0, 1000000);
+                    }),
+      vector_key<P>("parameter", &P::parameter, dim::none,
+                    "Parameter in the patch's knot ranges, as the file gives them."),
+  };
+  return keys;
+}
+
+const Keys<OutputKeys>& output_keys() {
+  using O = OutputKeys;
+  static const std::vector<std::string> precisions = {"auto", "full", "single"};
+  static const Keys<O> keys = {
+      text_key<O>("directory", &O::directory,
+                  "Folder of the results, made where absent; relative paths count from the study's folder. "
+                  "The option "
+                  "--output DIR replaces it."),
+      flag_key<O>(
+          "fields", &O::fields,
+          "Whether fields are written for ParaView: results.vtm (straight hexahedra, for all filters), "
+          "results_boundaries.vtm and results_exact.vtm, with their parts in fields/."),
+      custom_key<O>(
+          "pieces", "integer, from 1 to 32",
+          "Straight hexahedra of results.vtm per element and direction, at least; more where a line "
+          "would turn by more than 9 degrees in one.",
+          [](O& target, const ConfigValue& value) {
+            target.field_options.pieces = static_cast<int>(read_integer(value, "pieces", 1, 32));
+          })
+          .with_default("4; 2 above 100,000 elements, 1 above 1,000,000"),
+      custom_key<O>(
+          "exact", "true or false",
+          "Whether results_exact.vtm is written: the smooth surface, as rational Bezier cells.",
+          [](O& target, const ConfigValue& value) { target.field_options.exact = read_flag(value, "exact"); })
+          .with_default("true"),
+      custom_key<O>(
+          "precision", "\"auto\", \"full\" or \"single\"",
+          "Of the numbers of results_exact.vtm: 8 bytes each, or 4 with a relative error of 6e-8. auto takes "
+          "single where full would need more than 1 GB. results.h5 always has all digits.",
+          [](O& target, const ConfigValue& value) {
+            target.field_options.precision = FieldPrecision(read_choice(value, "precision", precisions));
+          })
+          .with_default("\"auto\""),
+      flag_key<O>("hdf5", &O::hdf5,
+                  "Whether results.h5 is written, for `isopatch report`, `probe`, `fields` and `info`."),
+      flag_key<O>("report", &O::report,
+                  "Whether report.html is written: pictures and figures on one page for any browser."),
+  };
+  return keys;
+}
+
+}  // namespace isopatch::app

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "iga/coupling/node_classes.hpp"
+#include "iga/problem/problem.hpp"
+
+namespace isopatch::iga {
+
+/// The displacements that supports leave to a class of nodes: u = prescribed + sum over k < free of q_k
+/// axes.col(k).
+struct Frame {
+  Eigen::Matrix3d axes =
+      Eigen::Matrix3d::Identity();  ///< orthonormal columns: the free directions, then the fixed ones
+  int free = 3;                     ///< number of free directions
+  Eigen::Vector3d prescribed = Eigen::Vector3d::Zero();  ///< m, without component along the free directions
+  /// Per fixed column: the unit direction along which its support acts; the columns are these, orthogonalized
+  /// from the last one down.
+  std::array<Eigen::Vector3d, 3> direction = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
+                                              Eigen::Vector3d::Zero()};
+  double uncertainty = 0;                     ///< of the directions, rad
+  std::array<int, 3> support = {-1, -1, -1};  ///< per column: the support that fixes it, or -1
+};
+
+/// One frame per class of nodes.
+/// @throws Error invalid_argument  a plane support on a face that is not plane or on an edge, a face that is
+/// not on the boundary, an edge of a patch that does not exist
+/// @throws Error conflict          supports that prescribe different displacements for one point, naming both
+std::vector<Frame> support_frames(const ElasticityProblem& problem, const NodeClasses& classes);
+
+}  // namespace isopatch::iga

@@ -1,0 +1,130 @@
+#include "iga/coupling/supported_system.hpp"
+
+#include "geometry/base/error.hpp"
+#include "iga/internal/union_find.hpp"
+
+namespace isopatch::iga {
+namespace {
+
+using Block = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
+bool is_identity(const Frame& frame) {
+  return frame.free == 3;
+}
+
+// Part of a block that survives: rows and columns of fixed components are 0.
+Block turned(const Block& block, const Frame& row, const Frame& column) {
+  Block result = row.axes.transpose() * block * column.axes;
+  for (int k = row.free; k < 3; ++k) result.row(k).setZero();
+  for (int k = column.free; k < 3; ++k) result.col(k).setZero();
+  return result;
+}
+
+}  // namespace
+
+void apply_supports(solvers::LinearSystem& system, const std::vector<const Frame*>& frame_of_row) {
+  solvers::SymmetricBlockMatrix& k = system.stiffness;
+  Eigen::VectorXd& load = system.load;
+  const double diagonal = solvers::mean_diagonal(k, system.rows);
+  // Entries of the processes are summed, so only a row's owner has what must be there once.
+  std::vector<bool> is_owned(static_cast<std::size_t>(k.block_rows()), !system.rows.is_distributed());
+  if (system.rows.is_distributed())
+    for (const int row : system.rows.owned()) is_owned[static_cast<std::size_t>(row)] = true;
+  Eigen::VectorXd moved = Eigen::VectorXd::Zero(load.size());
+  for (int row = 0; row < k.block_rows(); ++row) {
+    const Frame& of_row = *frame_of_row[static_cast<std::size_t>(row)];
+    for (std::int64_t position = k.row_start[static_cast<std::size_t>(row)];
+         position < k.row_start[static_cast<std::size_t>(row) + 1]; ++position) {
+      const int column = k.columns[static_cast<std::size_t>(position)];
+      const Frame& of_column = *frame_of_row[static_cast<std::size_t>(column)];
+      if (is_identity(of_row) && is_identity(of_column)) continue;
+      Eigen::Map<Block> block(&k.values[static_cast<std::size_t>(9 * position)]);
+      moved.segment<3>(3 * row) += block * of_column.prescribed;
+      if (column != row) moved.segment<3>(3 * column) += block.transpose() * of_row.prescribed;
+      block = turned(block, of_row, of_column);
+      if (column == row && is_owned[static_cast<std::size_t>(row)])
+        for (int i = of_row.free; i < 3; ++i) block(i, i) = diagonal;
+    }
+  }
+  system.rows.sum(moved);
+  load -= moved;
+  for (int row = 0; row < k.block_rows(); ++row) {
+    const Frame& frame = *frame_of_row[static_cast<std::size_t>(row)];
+    if (is_identity(frame)) continue;
+    Eigen::Vector3d in_axes = frame.axes.transpose() * load.segment<3>(3 * row);
+    in_axes.tail(3 - frame.free).setZero();
+    load.segment<3>(3 * row) = in_axes;
+  }
+}
+
+void apply_supports(solvers::SymmetricBlockMatrix& stiffness, const FreeDirections& free,
+                    const solvers::SharedRows& rows) {
+  const std::vector<Frame> frames = free.frames(stiffness.block_rows());
+  std::vector<const Frame*> of_rows;
+  for (const Frame& frame : frames) of_rows.push_back(&frame);
+  solvers::LinearSystem system;
+  system.rows = rows;
+  system.load = Eigen::VectorXd::Zero(stiffness.rows());
+  system.stiffness = std::move(stiffness);
+  apply_supports(system, of_rows);
+  stiffness = std::move(system.stiffness);
+}
+
+Eigen::Matrix3Xd displacement_of_rows(const Eigen::VectorXd& x,
+                                      const std::vector<const Frame*>& frame_of_row) {
+  Eigen::Matrix3Xd u(3, x.size() / 3);
+  for (Eigen::Index row = 0; row < u.cols(); ++row) {
+    const Frame& frame = *frame_of_row[static_cast<std::size_t>(row)];
+    u.col(row) = frame.prescribed + frame.axes.leftCols(frame.free) * x.segment(3 * row, frame.free);
+  }
+  return u;
+}
+
+std::vector<MultiplierRow> multiplier_rows(const NodeClasses& classes, const std::vector<Frame>& frames) {
+  std::vector<MultiplierRow> rows;
+  for (int c = 0; c < classes.count(); ++c) {
+    const auto members = classes.of(c);
+    for (std::size_t i = 1; i < members.size(); ++i)
+      for (int axis = 0; axis < frames[static_cast<std::size_t>(c)].free; ++axis)
+        rows.push_back({c, members[0], members[i], axis});
+  }
+  return rows;
+}
+
+solvers::ConstraintMatrix multiplier_matrix(const std::vector<MultiplierRow>& rows, int nodes) {
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(2 * rows.size());
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    entries.emplace_back(static_cast<int>(r), 3 * rows[r].first + rows[r].axis, 1.0);
+    entries.emplace_back(static_cast<int>(r), 3 * rows[r].second + rows[r].axis, -1.0);
+  }
+  solvers::ConstraintMatrix b(static_cast<Eigen::Index>(rows.size()), 3 * nodes);
+  b.setFromTriplets(entries.begin(), entries.end());
+  // Rows are edges of a graph on the components of the nodes; they are independent exactly if it has no
+  // circle.
+  UnionFind components(3 * nodes);
+  for (const MultiplierRow& row : rows)
+    if (!components.unite(3 * row.first + row.axis, 3 * row.second + row.axis))
+      throw Error(ErrorCode::internal, "the multiplier rows are linearly dependent");
+  return b;
+}
+
+Eigen::VectorXd recovered_multipliers(const std::vector<MultiplierRow>& rows, const NodeClasses& classes,
+                                      const std::vector<Frame>& frames, const Eigen::Matrix3Xd& residual) {
+  const auto component = [&](const MultiplierRow& row, int node) {
+    return frames[static_cast<std::size_t>(row.node_class)].axes.col(row.axis).dot(residual.col(node));
+  };
+  Eigen::VectorXd result(static_cast<Eigen::Index>(rows.size()));
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    // (I + 1 1^T)^-1 = I - 1 1^T / m applied to the rows r_first - r_second leaves the class's mean less
+    // r_second.
+    const auto members = classes.of(rows[r].node_class);
+    double sum = 0;
+    for (const int node : members) sum += component(rows[r], node);
+    result[static_cast<Eigen::Index>(r)] =
+        sum / static_cast<double>(members.size()) - component(rows[r], rows[r].second);
+  }
+  return result;
+}
+
+}  // namespace isopatch::iga

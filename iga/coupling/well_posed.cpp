@@ -1,0 +1,33 @@
+#include "iga/coupling/well_posed.hpp"
+
+#include "iga/coupling/node_classes.hpp"
+#include "iga/coupling/rigid_motions.hpp"
+#include "iga/coupling/support_frames.hpp"
+#include "iga/problem/loads.hpp"
+#include "iga/spaces/quadrature_geometry.hpp"
+
+namespace isopatch::iga {
+
+void require_unfolded(const Discretization& discretization, int points) {
+  const std::vector<PatchSpace> spaces = isoparametric_spaces(discretization);
+  std::vector<double> plane;
+  for (std::size_t p = 0; p < spaces.size(); ++p) {
+    const QuadratureGeometry geometry(spaces[p], points);
+    const int layers = geometry.points(2);
+    plane.resize(static_cast<std::size_t>(geometry.blocks()) * static_cast<std::size_t>(layers) *
+                 static_cast<std::size_t>(geometry.components() * QuadratureGeometry::block_size));
+    for (int second = 0; second < geometry.points(1); ++second)
+      geometry.evaluate(second, 0, layers, plane.data(), layers, static_cast<int>(p));
+  }
+}
+
+void require_well_posed(const ElasticityProblem& problem, int points) {
+  const Discretization& discretization = problem.discretization;
+  for (const Material& material : problem.materials) validate(material);
+  const NodeClasses classes = node_classes(discretization);
+  require_supported(discretization, classes, support_frames(problem, classes));
+  load_vector(problem, points);
+  require_unfolded(discretization, points);
+}
+
+}  // namespace isopatch::iga

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+#include "iga/internal/tensor_contraction.hpp"
+#include "iga/material/material.hpp"
+
+namespace isopatch::iga {
+
+/// Value and first derivatives of a rational map, from the homogeneous ones.
+struct RationalPoint {
+  Eigen::Vector3d value;
+  Eigen::Matrix3d derivatives;  ///< one column per direction
+};
+
+/// @param first  0: of the components 0 .. 2, the geometry; 4: of 4 .. 6, the displacement; component 3 is
+/// the weight
+template <int C>
+RationalPoint rational_point(const TensorBuffers<C>& buffers, std::size_t point, int first = 0) {
+  const auto& [value, du, dv, dw] = buffers.at;
+  const double inverse = 1 / value[point][3];
+  RationalPoint result;
+  result.value = inverse * value[point].template segment<3>(first).matrix();
+  int column = 0;
+  for (const auto* d : {&du, &dv, &dw})
+    result.derivatives.col(column++) =
+        inverse * ((*d)[point].template segment<3>(first).matrix() - (*d)[point][3] * result.value);
+  return result;
+}
+
+/// Stress (Pa) of a displacement gradient.
+inline Eigen::Matrix3d stress_of_gradient(const Eigen::Matrix3d& gradient, const Material& material) {
+  Eigen::Matrix3d result = material.mu * (gradient + gradient.transpose());
+  result.diagonal().array() += material.lambda * gradient.trace();
+  return result;
+}
+
+}  // namespace isopatch::iga

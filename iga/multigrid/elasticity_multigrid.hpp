@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+
+#include "geometry/base/progress.hpp"
+#include "iga/multigrid/level.hpp"
+#include "iga/problem/problem.hpp"
+#include "solvers/multigrid.hpp"
+
+namespace isopatch::iga {
+
+struct ElasticityMultigridOptions {
+  solvers::MultigridOptions smoothing = {};
+  int points = 0;                   ///< Gauss points per element and direction; 0: degree + 1
+  int coarsest_dofs = 2000;         ///< coarsen until there are no more than these, if that can be
+  int coarsest_curved_dofs = 5000;  ///< the same for one element of degree 2 a patch
+};
+
+/// The multigrid preconditioner of an elasticity problem coupled by elimination.
+///
+/// Levels: half the elements per direction each time, then degree 2 and 1, down to a matrix that is
+/// factorized; all products but that one without a matrix. The smoother is a Chebyshev polynomial in
+/// FastDiagonalization.
+class ElasticityMultigrid {
+ public:
+  /// @param finest   the solution space; must outlive the multigrid, as must `problem`
+  /// @param frames   of the finest level's classes
+  /// @param product  of the finest level, assembled or not
+  /// @throws Error singular_system  if a level is not positive definite
+  ElasticityMultigrid(const ElasticityProblem& problem, const Level& finest, const std::vector<Frame>& frames,
+                      const Distribution& distribution, const solvers::Processes& processes,
+                      solvers::LinearOperator product, const ElasticityMultigridOptions& options,
+                      const Progress& progress);
+  ~ElasticityMultigrid();
+  ElasticityMultigrid(ElasticityMultigrid&&) noexcept;
+
+  /// One V-cycle on consistent local vectors of unknowns. (3 rows)
+  Eigen::VectorXd apply(const Eigen::VectorXd& residual) const;
+
+  int levels() const;
+  std::int64_t bytes() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace isopatch::iga

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "iga/coupling/free_directions.hpp"
+#include "iga/coupling/node_classes.hpp"
+#include "iga/distribution/distribution.hpp"
+#include "iga/spaces/patch_space.hpp"
+#include "solvers/shared_rows.hpp"
+
+namespace isopatch::iga {
+
+/// One space of displacements on all patches, coupled by elimination: a level of a multigrid, the finest one
+/// being the solution space. A process has the rows of all patches that it integrates in part.
+struct Level {
+  std::vector<PatchSpace> spaces;  ///< of all patches
+  std::vector<int> first_node;     ///< of each patch, and the number of nodes at the end
+  std::vector<int> row_of_node;    ///< local block row of every node, -1 where another process has it
+  std::vector<int> class_of;       ///< of every node, in the whole system
+  solvers::SharedRows rows;
+  std::vector<PatchPart> parts;  ///< what this process integrates
+  std::vector<bool> is_primary;  ///< per patch: whether this is the process that acts for it
+  FreeDirections free;           ///< of the local rows
+};
+
+/// The solution space. `discretization` must outlive the level.
+/// @param process  number of this one
+Level finest_level(const Discretization& discretization, const NodeClasses& classes,
+                   const std::vector<Frame>& frames, const Distribution& distribution,
+                   const solvers::Processes& processes);
+
+/// Half the elements of `level` per direction; where only one is left, degree 2 and then 1. Empty if nothing
+/// is left to coarsen.
+///
+/// Nested in `level`: rational functions keep their denominators, so rigid motions stay free of energy, as
+/// long as the coarser functions of every patch can make them; below that all are polynomial.
+///
+/// @param finest   from which the supports are taken
+/// @param frames   of the finest level's classes
+/// @cost  O(nodes of the finest level) at most
+std::optional<Level> coarser_level(const geometry::MultiPatch& model, const Level& level, const Level& finest,
+                                   const std::vector<Frame>& frames, const Distribution& distribution,
+                                   const solvers::Processes& processes);
+
+/// Every second break of a knot vector is dropped, from both ends alike, so that the two sides of an
+/// interface stay matched however they are oriented. Kept breaks keep their multiplicity.
+geometry::KnotVector coarser_knots(const geometry::KnotVector& knots);
+
+}  // namespace isopatch::iga

@@ -1,0 +1,59 @@
+#include "iga/multigrid/level_operator.hpp"
+
+namespace isopatch::iga {
+
+Eigen::VectorXd sum_of_nodes(const Level& level, const Eigen::Matrix3Xd& of_nodes) {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(level.rows.local_rows()));
+  for (Eigen::Index node = 0; node < of_nodes.cols(); ++node) {
+    const int row = level.row_of_node[static_cast<std::size_t>(node)];
+    if (row >= 0) sum.segment<3>(3 * static_cast<Eigen::Index>(row)) += of_nodes.col(node);
+  }
+  return sum;
+}
+
+Eigen::Matrix3Xd at_nodes(const Level& level, const Eigen::VectorXd& of_rows) {
+  Eigen::Matrix3Xd result(3, static_cast<Eigen::Index>(level.row_of_node.size()));
+#pragma omp parallel for schedule(static) if (result.cols() > 10000)
+  for (Eigen::Index node = 0; node < result.cols(); ++node) {
+    const int row = level.row_of_node[static_cast<std::size_t>(node)];
+    if (row >= 0)
+      result.col(node) = of_rows.segment<3>(3 * static_cast<Eigen::Index>(row));
+    else
+      result.col(node).setZero();
+  }
+  return result;
+}
+
+LevelOperator::LevelOperator(const Level& level, const std::vector<Material>& materials, int points)
+    : level_(&level), stiffness_(level.spaces, level.parts, materials, points) {}
+
+Eigen::VectorXd LevelOperator::forces(const Eigen::VectorXd& displacement) const {
+  return sum_of_nodes(*level_, stiffness_.apply(at_nodes(*level_, displacement)));
+}
+
+Eigen::VectorXd LevelOperator::apply(const Eigen::VectorXd& x) const {
+  Eigen::VectorXd result = forces(level_->free.to_space(x));
+  level_->rows.sum(result);
+  return level_->free.to_free(std::move(result));
+}
+
+std::vector<Eigen::Matrix3d> LevelOperator::diagonal() const {
+  const std::vector<Eigen::Matrix3d> of_nodes = stiffness_.diagonal_blocks();
+  const auto rows = static_cast<std::size_t>(level_->rows.local_rows());
+  std::vector<Eigen::Matrix3d> result(rows, Eigen::Matrix3d::Zero());
+  for (std::size_t node = 0; node < of_nodes.size(); ++node)
+    if (level_->row_of_node[node] >= 0)
+      result[static_cast<std::size_t>(level_->row_of_node[node])] += of_nodes[node];
+  if (!level_->rows.is_distributed()) return result;
+  for (int column = 0; column < 3; ++column) {
+    Eigen::VectorXd values(3 * static_cast<Eigen::Index>(rows));
+    for (std::size_t row = 0; row < rows; ++row)
+      values.segment<3>(3 * static_cast<Eigen::Index>(row)) = result[row].col(column);
+    level_->rows.sum(values);
+    for (std::size_t row = 0; row < rows; ++row)
+      result[row].col(column) = values.segment<3>(3 * static_cast<Eigen::Index>(row));
+  }
+  return result;
+}
+
+}  // namespace isopatch::iga

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "iga/multigrid/level.hpp"
+#include "iga/operator/stiffness_operator.hpp"
+
+namespace isopatch::iga {
+
+/// Sums over the nodes of every local row: 3 x nodes -> local rows, additive over processes.
+Eigen::VectorXd sum_of_nodes(const Level& level, const Eigen::Matrix3Xd& of_nodes);
+/// Each node's row: consistent local rows -> 3 x nodes, 0 where the row belongs to other processes only.
+Eigen::Matrix3Xd at_nodes(const Level& level, const Eigen::VectorXd& of_rows);
+
+/// The stiffness of one level between unknowns, without a matrix.
+class LevelOperator {
+ public:
+  /// `level` must outlive it.
+  LevelOperator(const Level& level, const std::vector<Material>& materials, int points);
+
+  /// K x for consistent local vectors; the fixed components of the result are 0. (3 rows)
+  Eigen::VectorXd apply(const Eigen::VectorXd& x) const;
+  /// Forces of a displacement in coordinate axes, without regard to supports: additive. (3 rows)
+  Eigen::VectorXd forces(const Eigen::VectorXd& displacement) const;
+  /// The diagonal blocks of the local rows in coordinate axes, summed over processes.
+  std::vector<Eigen::Matrix3d> diagonal() const;
+
+ private:
+  const Level* level_;
+  StiffnessOperator stiffness_;
+};
+
+}  // namespace isopatch::iga

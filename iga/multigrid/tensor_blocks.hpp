@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "iga/multigrid/level.hpp"
+
+namespace isopatch::iga {
+
+/// A box of nodes low .. high - 1 of one patch.
+struct TensorBlock {
+  int patch = 0;
+  std::array<int, 3> low = {0, 0, 0};
+  std::array<int, 3> high = {0, 0, 0};
+
+  std::array<int, 3> sizes() const { return {high[0] - low[0], high[1] - low[1], high[2] - low[2]}; }
+  int size() const { return (high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2]); }
+};
+
+/// The nodes of one block, first direction fastest.
+std::vector<int> nodes_of(const Level& level, const TensorBlock& block);
+
+/// Parts the points of the body into tensor-product blocks without overlap: the inside of every patch
+/// together with its outer faces, the inside of every interface, and of every edge where interfaces meet.
+///
+/// Points that fit into no such block (corners, collapsed edges, edges that faces see differently) are left
+/// out.
+std::vector<TensorBlock> tensor_blocks(const geometry::MultiPatch& model, const Level& level);
+
+}  // namespace isopatch::iga

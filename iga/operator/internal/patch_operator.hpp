@@ -1,0 +1,91 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "iga/material/material.hpp"
+#include "iga/operator/internal/line_table.hpp"
+#include "iga/operator/internal/point_forms.hpp"
+#include "iga/operator/internal/sweep.hpp"
+#include "iga/spaces/patch_space.hpp"
+
+namespace isopatch::iga {
+
+/// Storage of one thread, used again from box to box.
+struct PatchOperatorScratch {
+  Sweep functions, geometry, results;
+};
+
+/// The functions of a patch that live in a box, a grid of their own, direction 1 fastest.
+struct BoxFunctions {
+  std::array<int, 3> first;
+  std::array<int, 3> sizes;
+  std::ptrdiff_t count() const { return static_cast<std::ptrdiff_t>(sizes[0]) * sizes[1] * sizes[2]; }
+};
+
+/// The stiffness of one patch as an operator, in boxes of elements.
+class PatchOperator {
+ public:
+  /// @param points  Gauss points per element of the functions and direction; 0: degree + 1
+  PatchOperator(int patch, const PatchSpace& space, const Material& material, int points);
+
+  /// Cuts the elements of a range of layers into boxes whose buffers fit a second-level cache, and enough of
+  /// them for many threads. The cut depends on nothing but the patch and the range.
+  std::vector<SweepBox> boxes(int first_layer, int last_layer) const;
+  BoxFunctions functions_of(const SweepBox& box) const;
+
+  /// Adds K u of a box.
+  /// @param displacement  three numbers per function of the patch
+  /// @param forces        three numbers per function of the box
+  /// @throws Error fold_over
+  void add_forces(const SweepBox& box, const double* displacement, double* forces,
+                  PatchOperatorScratch& scratch) const;
+  /// Adds the integrals of grad N grad N^T over a box, six numbers per function of the box: entries 00, 11,
+  /// 22, 01, 02, 12.
+  /// @throws Error fold_over
+  void add_squares(const SweepBox& box, double* squares, PatchOperatorScratch& scratch) const;
+
+  std::int64_t bytes() const;
+
+ private:
+  // The functions or the geometry: tables in three directions, the first one in bands.
+  struct Group {
+    std::array<LineTable, 3> tables;
+    std::vector<LaneBand> bands;
+    std::array<int, 2> sizes = {0, 0};  // functions of directions 1 and 2
+  };
+  // What is expanded with the functions of a group.
+  struct Fields {
+    const double* displacement = nullptr;
+    const geometry::NurbsVolume* places = nullptr;
+    const Eigen::VectorXd* weights = nullptr;  // to multiply the others, and a field themselves
+    int count() const { return (displacement ? 3 : 0) + (places ? 3 : 0) + (weights ? 1 : 0); }
+  };
+  using Evaluate = std::function<Lanes(const PointLine&, Lanes*)>;
+
+  static Group group(const std::array<geometry::KnotVector, 3>& knots, std::array<LineTable, 3> tables);
+  template <int F>
+  static void spread_fields(const Group& group, const Fields& fields, const LaneBand& band, Sweep& sweep);
+  static void spread(const Group& group, const Fields& fields, const LaneBand& band, Sweep& sweep);
+  template <class Collect>
+  void integrate(const SweepBox& box, const double* displacement, const Group& result_group,
+                 const SweepStages& result_stages, const Evaluate& evaluate, PatchOperatorScratch& scratch,
+                 Collect collect) const;
+  [[noreturn]] void refuse_folded(const SweepBox& box) const;
+
+  int patch_;
+  const PatchSpace* space_;
+  Material material_;
+  std::array<DirectionTable, 3> elements_;
+  std::array<std::vector<double>, 3> quadrature_;  // weights of all points
+  std::vector<Lanes> lane_weights_;                // of direction 1
+  bool together_ = false;                          // functions and geometry are the same functions
+  Denominators denominators_ = Denominators::none;
+  Group functions_;
+  Group geometry_;  // empty if together
+  Group squares_;   // of the functions
+};
+
+}  // namespace isopatch::iga

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "iga/internal/lanes.hpp"
+#include "iga/material/material.hpp"
+
+namespace isopatch::iga {
+
+/// Where the vectors of some fields lie at the points of a line in direction 2: component c of a derivative
+/// is `derivatives[d][c]`, at the next point `step` further on.
+struct LineFields {
+  const Lanes* values = nullptr;  ///< only if rational
+  const Lanes* derivatives[3] = {nullptr, nullptr, nullptr};
+  int step = 0;
+};
+
+/// Whose denominators there are.
+enum class Denominators {
+  none,       ///< functions and geometry are polynomial
+  geometry,   ///< of the geometry only
+  functions,  ///< of the functions only
+  both,       ///< two different ones
+  shared,     ///< functions and geometry have the same
+};
+
+/// Everything at the points of one line in direction 2. A, X are numerators, W denominators: u = A / Wf,
+/// x = X / Wg.
+struct PointLine {
+  LineFields displacement;     ///< A
+  LineFields places;           ///< X
+  LineFields function_weight;  ///< Wf
+  LineFields geometry_weight;  ///< Wg
+  const Lanes* weights1;       ///< quadrature weights of the eight lanes, 0 for a lane that repeats a point
+  const double* weights2;      ///< of the points of the line
+  double weight3;
+  int points;
+};
+
+/// What multiplies the derivatives of the functions' numerators B at the points so that the sum over all
+/// points is K u: along directions 1, 3, 2, three vectors each, after three for B itself if the functions are
+/// rational.
+///
+/// With C the cofactors and D the determinant of dX - x dWg, the gradient of the displacement is
+/// (dA - u dWf) C Wg / (Wf D), and det J = D / Wg^3.
+/// @return  smallest D of each lane
+template <Denominators denominators>
+Lanes forces_at_points(const PointLine& line, const Material& material, Lanes* out);
+
+/// The same for the products of the derivatives of one function with itself: for each of the square_kinds (0
+/// is B itself) the entries 00, 11, 22, 01, 02, 12 of the integral of grad N grad N^T.
+template <Denominators denominators>
+Lanes squares_at_points(const PointLine& line, Lanes* out);
+
+}  // namespace isopatch::iga

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "iga/post/stress_points.hpp"
+#include "iga/problem/unresolved_energy.hpp"
+
+namespace isopatch::iga {
+
+/// What holds two coincident control points together: the force that the first exerts on the second is
+/// `force`.
+/// Without the components that supports fix; pairs with all components fixed have none.
+struct Multiplier {
+  int first_node = 0;
+  int second_node = 0;
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< N
+};
+
+struct Reaction {
+  std::string support;
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< on the part, N
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< about the origin, N m
+};
+
+struct ElasticityResults {
+  Extremum max_displacement;  ///< length of the displacement, m; on a grid of degree + 1 points per element
+                              ///< and direction, ends included
+  Extremum max_von_mises;     ///< Pa; of the Gauss points and of a grid on the faces of all patches
+  LeftOut left_out;           ///< points that `max_von_mises` does not look at
+  Extremum max_strain;        ///< Frobenius norm of the strain; at the Gauss points that are not left out
+  UnresolvedEnergy unresolved;
+  std::vector<std::string> idle_loads;  ///< surface loads that act where supports take them all
+  double internal_energy = 0;           ///< half the integral of stress : strain, J
+  double external_work = 0;  ///< half the work of loads and of reactions on prescribed displacements, J
+  std::vector<Reaction> reactions;                       ///< one per support
+  Eigen::Vector3d total_load = Eigen::Vector3d::Zero();  ///< N
+};
+
+struct PhaseTime {
+  std::string phase;
+  double seconds = 0;
+};
+
+}  // namespace isopatch::iga

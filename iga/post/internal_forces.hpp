@@ -1,0 +1,40 @@
+#pragma once
+
+#include "geometry/base/progress.hpp"
+#include "iga/post/elasticity_results.hpp"
+#include "iga/spaces/discretization.hpp"
+#include "iga/spaces/elastic_field.hpp"
+#include "iga/spaces/patch_space.hpp"
+#include "solvers/processes.hpp"
+
+namespace isopatch::iga {
+
+/// What the stresses of a displacement do.
+struct InternalForces {
+  Eigen::Matrix3Xd
+      forces;  ///< K u per node before any coupling, (3, nodes), N; from the stresses, not from a matrix
+  double energy = 0;            ///< half the integral of stress : strain, J
+  Extremum max_von_mises;       ///< over the Gauss points that are not left out, Pa
+  Extremum max_strain;          ///< Frobenius norm, over the same points
+  LeftOut left_out;             ///< Gauss points where the map is folded
+  UnresolvedEnergy unresolved;  ///< of the highest modes
+};
+
+/// @param displacement  coefficients per node, (3, nodes), m
+/// @param points        Gauss points per element and direction; 0: as many as each map needs
+/// @throws Error fold_over  a Gauss point with det J <= 0, naming patch, parameter (the input's names) and
+/// place
+/// @cost  O((degree + 1)^4) per element, in parallel; the same for any number of threads
+InternalForces internal_forces(const Discretization& discretization, const std::vector<Material>& materials,
+                               const Eigen::Matrix3Xd& displacement, int points = 0,
+                               const Progress& progress = {});
+
+/// The share of some parts: forces and energy are additive. Without elements, a value of -1 in no patch.
+InternalForces internal_forces(const Discretization& discretization, const std::vector<Material>& materials,
+                               const Eigen::Matrix3Xd& displacement, const std::vector<PatchPart>& parts,
+                               int points = 0, const Progress& progress = {});
+
+/// The shares of all processes together, on all of them.
+InternalForces summed(InternalForces share, const solvers::Processes& processes);
+
+}  // namespace isopatch::iga

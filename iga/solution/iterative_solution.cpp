@@ -1,0 +1,97 @@
+#include "iga/solution/iterative_solution.hpp"
+
+#include "iga/assembly/assembly.hpp"
+#include "iga/multigrid/elasticity_multigrid.hpp"
+#include "iga/multigrid/level_operator.hpp"
+#include "solvers/block_product.hpp"
+#include "solvers/operator_system.hpp"
+#include "solvers/stopwatch.hpp"
+
+namespace isopatch::iga {
+namespace {
+
+// Displacements that supports prescribe, per local row.
+Eigen::VectorXd prescribed_rows(const Level& level, const std::vector<Frame>& frames) {
+  Eigen::VectorXd result(3 * static_cast<Eigen::Index>(level.rows.local_rows()));
+  for (Eigen::Index row = 0; row < level.rows.local_rows(); ++row)
+    result.segment<3>(3 * row) =
+        frames[static_cast<std::size_t>(level.rows.global_of_local()[static_cast<std::size_t>(row)])]
+            .prescribed;
+  return result;
+}
+
+// Forces that the loads, and the prescribed displacements, put on the unknowns.
+Eigen::VectorXd free_load(const Level& level, const LevelOperator& stiffness, const Eigen::Matrix3Xd& load,
+                          const Eigen::VectorXd& prescribed) {
+  Eigen::VectorXd result = sum_of_nodes(level, load);  // every process has all loads: consistent
+  if (!prescribed.isZero(0)) {
+    Eigen::VectorXd forces = stiffness.forces(prescribed);
+    level.rows.sum(forces);
+    result -= forces;
+  }
+  return level.free.to_free(std::move(result));
+}
+
+// The values of all rows of the whole system at all nodes.
+Eigen::Matrix3Xd whole_at_nodes(const Level& level, const Eigen::VectorXd& of_classes) {
+  Eigen::Matrix3Xd result(3, static_cast<Eigen::Index>(level.class_of.size()));
+  for (Eigen::Index node = 0; node < result.cols(); ++node)
+    result.col(node) =
+        of_classes.segment<3>(3 * static_cast<Eigen::Index>(level.class_of[static_cast<std::size_t>(node)]));
+  return result;
+}
+
+solvers::SymmetricBlockMatrix assembled(const Level& level, const SolutionTask& task,
+                                        const Progress& progress) {
+  const RowNumbering numbering{level.row_of_node, level.rows.local_rows()};
+  solvers::SymmetricBlockMatrix matrix =
+      assemble_stiffness(level.spaces, level.parts, task.problem.materials, numbering, task.points, progress);
+  apply_supports(matrix, level.free, level.rows);
+  return matrix;
+}
+
+}  // namespace
+
+NodalSolution solve_eliminated(const SolutionTask& task, const solvers::SolverOptions& options,
+                               solvers::Operator form, const Progress& progress) {
+  solvers::Stopwatch watch;
+  const Level level =
+      finest_level(task.problem.discretization, task.classes, task.frames, task.distribution, task.processes);
+  const LevelOperator stiffness(level, task.problem.materials, task.points);
+  const Eigen::VectorXd prescribed = prescribed_rows(level, task.frames);
+  solvers::OperatorSystem system;
+  system.rows = level.rows;
+  system.load = free_load(level, stiffness, task.load, prescribed);
+  solvers::SymmetricBlockMatrix matrix;
+  if (form == solvers::Operator::assembled) {
+    matrix = assembled(level, task, progress);
+    system.product = [&](const Eigen::VectorXd& x) {
+      Eigen::VectorXd y = multiply(matrix, x);
+      level.rows.sum(y);
+      return y;
+    };
+  } else {
+    system.product = [&](const Eigen::VectorXd& x) { return stiffness.apply(x); };
+  }
+  const double assembly_seconds = watch.lap();
+  const ElasticityMultigrid multigrid(task.problem, level, task.frames, task.distribution, task.processes,
+                                      system.product, {options.multigrid, task.points}, progress);
+  system.preconditioner = [&](const Eigen::VectorXd& r) { return multigrid.apply(r); };
+  const double setup_seconds = watch.lap();
+  solvers::LinearSolution solved = solve_with_cg(system, options, progress);
+  NodalSolution result;
+  result.report = std::move(solved.report);
+  result.report.form = form;
+  result.report.assembly_seconds = assembly_seconds;
+  result.report.analysis_seconds = setup_seconds;
+  result.report.levels = multigrid.levels();
+  result.report.matrix_nonzeros = form == solvers::Operator::assembled ? matrix.nonzeros() : 0;
+  constexpr int vectors = 20;  // of PETSc, the multigrid's levels and operators
+  result.report.memory_bytes = (form == solvers::Operator::assembled ? matrix.bytes() : 0) +
+                               multigrid.bytes() + 8 * vectors * system.load.size();
+  const Eigen::VectorXd of_rows = prescribed + level.free.to_space(std::move(solved.x));
+  result.displacement = whole_at_nodes(level, level.rows.whole(of_rows));
+  return result;
+}
+
+}  // namespace isopatch::iga

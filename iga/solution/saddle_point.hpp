@@ -1,0 +1,72 @@
+#pragma once
+
+#include <vector>
+
+#include "iga/multigrid/elasticity_multigrid.hpp"
+#include "iga/operator/stiffness_operator.hpp"
+#include "iga/solution/nodal_solution.hpp"
+
+namespace isopatch::iga {
+
+/// The saddle point of patches that multipliers tie, without a matrix, spread over processes.
+///
+/// Block rows: the nodes, three components each along the frame of the node's class; then one for every node
+/// but the first of each class, the forces that tie it to the first, along the same frame. A process keeps
+/// all nodes and ties of every class of which it has a node: whatever couples patches is local then, and only
+/// the forces of elements are summed over processes.
+///
+/// K + g Q stands for K, with Q the projection onto jumps and g a stiffness per class: it is positive
+/// definite where K is singular on floating patches, and the solution is the same.
+class SaddlePoint {
+ public:
+  /// @param level      the finest one, of the classes; must outlive this, as must all others
+  /// @param multigrid  for what is continuous
+  /// @param diagonal   of the level's rows, the 3 x 3 diagonal blocks of the stiffness
+  SaddlePoint(const SolutionTask& task, const Level& level, const ElasticityMultigrid& multigrid,
+              const std::vector<Eigen::Matrix3d>& diagonal);
+
+  const solvers::SharedRows& rows() const { return rows_; }
+
+  /// The product of K + g Q, B and B^T. Here and below: consistent local vectors. (3 rows)
+  Eigen::VectorXd product(const Eigen::VectorXd& z) const;
+
+  /// Block diagonal: the multigrid on what is continuous, 1 / g on jumps, g (B B^T)^-1 on multipliers.
+  Eigen::VectorXd preconditioned(const Eigen::VectorXd& r) const;
+
+  /// What loads and prescribed displacements put on the unknowns.
+  Eigen::VectorXd load() const;
+
+  /// Displacements of all nodes, the same on every process. (3, nodes), m
+  Eigen::Matrix3Xd displacement(const Eigen::VectorXd& z) const;
+
+  /// One per MultiplierRow, the same on every process: those without g Q, which takes its share of the force
+  /// as long as jumps are not quite closed. N
+  Eigen::VectorXd multipliers(const Eigen::VectorXd& z) const;
+
+ private:
+  // Nodes that are one point of the body, with their places among the rows.
+  struct TiedClass {
+    std::vector<Eigen::Index> nodes;  // local rows, first the one that the others are tied to
+    Eigen::Index first_tie = 0;       // local row
+    int free = 3;                     // components that supports leave
+    double jump_stiffness = 0;        // N/m
+  };
+  struct Node {
+    int node = 0;       // of all patches
+    int class_row = 0;  // of the level
+    const Frame* frame = nullptr;
+  };
+  void add_tie_inverse(const TiedClass& tied, const Eigen::VectorXd& in, Eigen::VectorXd& out) const;
+  Eigen::VectorXd along_axes(const Eigen::Matrix3Xd& forces) const;
+
+  const SolutionTask* task_;
+  const Level* level_;
+  const ElasticityMultigrid* multigrid_;
+  StiffnessOperator stiffness_;
+  solvers::SharedRows rows_;
+  std::vector<int> first_tie_;  // per class, row of the whole system
+  std::vector<Node> nodes_;     // of the first local rows
+  std::vector<TiedClass> tied_;
+};
+
+}  // namespace isopatch::iga

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+
+#include "iga/distribution/distribution.hpp"
+#include "iga/solution/nodal_solution.hpp"
+#include "iga/spaces/matching_spaces.hpp"
+#include "solvers/factor_forecast.hpp"
+
+namespace isopatch::iga {
+
+/// What a problem will need, known from the knots of its solution space: nothing of it need exist yet.
+///
+/// Bytes are those of the process with most of them.
+struct SizeForecast {
+  std::int64_t nodes = 0;     ///< of all patches
+  std::int64_t unknowns = 0;  ///< of the whole system, multipliers included
+  int degree = 0;             ///< highest
+  Coupling coupling = Coupling::elimination;
+  int processes = 1;
+  bool is_nearly_incompressible = false;  ///< one of the materials: iterations grow
+  solvers::FactorForecast factor;         ///< of the whole system
+  double geometry_bytes = 0;              ///< control points of the solution space, while they are made
+  double nodal_bytes = 0;                 ///< node classes, frames, loads and results
+  double matrix_bytes = 0;
+  double system_bytes = 0;     ///< vectors and numberings beside the matrix
+  double multigrid_bytes = 0;  ///< iterations with the multigrid, without a matrix
+};
+
+/// @param knots  of the solution space (`solution_knots`, or those of a discretization)
+/// @cost  at most some tenths of a second, whatever the size: nodes are counted in groups
+SizeForecast forecast_size(const geometry::MultiPatch& model, const DirectionKnots& knots,
+                           const std::vector<Material>& materials, Coupling coupling, int processes);
+/// The same of a discretization that exists.
+SizeForecast forecast_size(const Discretization& discretization, const std::vector<Material>& materials,
+                           Coupling coupling, int processes);
+
+}  // namespace isopatch::iga

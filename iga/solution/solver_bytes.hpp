@@ -1,0 +1,17 @@
+#pragma once
+
+#include "iga/solution/size_forecast.hpp"
+
+namespace isopatch::iga {
+
+/// Bytes that a way to solve takes at its peak beyond what is held before, of the process with most of them:
+/// assembly, matrix, its copies, factors or vectors. Calibrated by measured runs (solvers/README.md, "What a
+/// factor takes"), and rather above than below them.
+double direct_bytes(const SizeForecast& size, solvers::Method method);
+double jacobi_bytes(const SizeForecast& size);
+double multigrid_bytes(const SizeForecast& size, solvers::Operator form);
+
+/// The part that does not depend on the size: libraries that start.
+double fixed_bytes(solvers::Method method);
+
+}  // namespace isopatch::iga

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "geometry/multi_patch.hpp"
+#include "iga/spaces/discretization_options.hpp"
+#include "iga/spaces/matching_spaces.hpp"
+
+namespace isopatch::iga {
+
+/// Knots of the solution space, before any of its control points exist: `discretize` refines to these.
+///
+/// Where neighbours differ in degree or knots, both get the union, and so on from patch to patch until all
+/// traces match.
+///
+/// @throws Error invalid_argument  options out of range
+/// @throws Error not_conforming    an interface whose knots cannot be matched
+/// @cost   O(knots)
+DirectionKnots solution_knots(const geometry::MultiPatch& model, const DiscretizationOptions& options = {});
+
+}  // namespace isopatch::iga
