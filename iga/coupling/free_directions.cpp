@@ -4,9 +4,9 @@
 
 namespace isopatch::iga {
 
-FreeDirections::FreeDirections(const std::vector<const Frame*>& frame_of_row) {
+FreeDirections::FreeDirections(const std::vector<const SupportFrame*>& frame_of_row) {
   for (std::size_t row = 0; row < frame_of_row.size(); ++row) {
-    const Frame& frame = *frame_of_row[row];
+    const SupportFrame& frame = *frame_of_row[row];
     if (frame.free < 3) held_.push_back({static_cast<int>(row), frame.free, frame.axes});
   }
 }
@@ -28,8 +28,8 @@ Eigen::VectorXd FreeDirections::to_free(Eigen::VectorXd force) const {
   return force;
 }
 
-std::vector<Frame> FreeDirections::frames(int rows) const {
-  std::vector<Frame> result(static_cast<std::size_t>(rows));
+std::vector<SupportFrame> FreeDirections::frames(int rows) const {
+  std::vector<SupportFrame> result(static_cast<std::size_t>(rows));
   for (const Held& held : held_) {
     result[static_cast<std::size_t>(held.row)].axes = held.axes;
     result[static_cast<std::size_t>(held.row)].free = held.free;

@@ -14,14 +14,14 @@ class FreeDirections {
  public:
   FreeDirections() = default;
   /// @param frame_of_row  one frame per block row
-  explicit FreeDirections(const std::vector<const Frame*>& frame_of_row);
+  explicit FreeDirections(const std::vector<const SupportFrame*>& frame_of_row);
 
   /// Displacements of the rows: axes * x, without what supports prescribe. (3 rows)
   Eigen::VectorXd to_space(Eigen::VectorXd x) const;
   /// Transpose: forces along the free axes, 0 along the fixed ones. (3 rows)
   Eigen::VectorXd to_free(Eigen::VectorXd force) const;
   /// One frame per row, prescribing nothing.
-  std::vector<Frame> frames(int rows) const;
+  std::vector<SupportFrame> frames(int rows) const;
   /// Whether the row can move along a coordinate axis at all.
   bool can_move(int row, int axis) const;
 

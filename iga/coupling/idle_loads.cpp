@@ -29,13 +29,13 @@ std::map<int, Eigen::Vector3d> forces_of(const ElasticityProblem& problem, const
 }  // namespace
 
 std::vector<std::string> idle_loads(const ElasticityProblem& problem, const NodeClasses& classes,
-                                    const std::vector<Frame>& frames) {
+                                    const std::vector<SupportFrame>& frames) {
   constexpr double round_off = 1e-9;  // beside the load itself
   std::vector<std::string> result;
   for (const SurfaceLoad& load : problem.surface_loads) {
     double all = 0, free = 0;
     for (const auto& [node_class, force] : forces_of(problem, load, classes)) {
-      const Frame& frame = frames[static_cast<std::size_t>(node_class)];
+      const SupportFrame& frame = frames[static_cast<std::size_t>(node_class)];
       all += force.norm();
       free += (frame.axes.leftCols(frame.free).transpose() * force).norm();
     }

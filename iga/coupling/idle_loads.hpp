@@ -14,6 +14,6 @@ namespace isopatch::iga {
 /// @param frames  of the classes
 /// @cost  that of the surface loads' part of the load vector
 std::vector<std::string> idle_loads(const ElasticityProblem& problem, const NodeClasses& classes,
-                                    const std::vector<Frame>& frames);
+                                    const std::vector<SupportFrame>& frames);
 
 }  // namespace isopatch::iga

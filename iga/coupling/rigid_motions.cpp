@@ -79,7 +79,7 @@ std::vector<std::string> described(const Eigen::MatrixXd& null_space, const Eige
 }  // namespace
 
 std::vector<FreeBody> free_bodies(const Discretization& d, const NodeClasses& classes,
-                                  const std::vector<Frame>& frames) {
+                                  const std::vector<SupportFrame>& frames) {
   std::vector<FreeBody> result;
   for (const std::vector<PatchId>& body : d.model.bodies()) {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
@@ -93,7 +93,7 @@ std::vector<FreeBody> free_bodies(const Discretization& d, const NodeClasses& cl
     for (const PatchId patch : body) {
       const auto p = static_cast<std::size_t>(patch.value);
       for (int i = 0; i < d.patches[p].size(); ++i) {
-        const Frame& frame =
+        const SupportFrame& frame =
             frames[static_cast<std::size_t>(classes.class_of[static_cast<std::size_t>(d.first_node[p] + i)])];
         const Eigen::Vector3d arm = (d.patches[p].control_points().col(i) - centre) / size;
         for (int k = frame.free; k < 3; ++k) {
@@ -114,7 +114,7 @@ std::vector<FreeBody> free_bodies(const Discretization& d, const NodeClasses& cl
 }
 
 void require_supported(const Discretization& d, const NodeClasses& classes,
-                       const std::vector<Frame>& frames) {
+                       const std::vector<SupportFrame>& frames) {
   const std::vector<FreeBody> bodies = free_bodies(d, classes, frames);
   if (bodies.empty()) return;
   std::string message = "the supports leave rigid motions:";

@@ -36,7 +36,7 @@ std::string point_text(const Eigen::Vector3d& x) {
 }
 
 // Fixes one more direction of a frame, or holds the condition against those already there.
-void impose(Frame& frame, const Condition& condition, int support, const ElasticityProblem& problem,
+void impose(SupportFrame& frame, const Condition& condition, int support, const ElasticityProblem& problem,
             const Eigen::Vector3d& place) {
   Eigen::Vector3d rest = condition.direction;
   for (int k = frame.free; k < 3; ++k) rest -= frame.axes.col(k) * frame.axes.col(k).dot(condition.direction);
@@ -130,7 +130,7 @@ std::vector<Condition> conditions_at(const Support& support, const Eigen::Vector
 
 // Imposes a support on some control points of a patch.
 void hold(const std::vector<int>& points, PatchId patch, int support, const PlaneNormal& normal,
-          const ElasticityProblem& problem, const NodeClasses& classes, std::vector<Frame>& frames) {
+          const ElasticityProblem& problem, const NodeClasses& classes, std::vector<SupportFrame>& frames) {
   const Discretization& d = problem.discretization;
   for (const int point : points) {
     const int node = d.first_node[static_cast<std::size_t>(patch.value)] + point;
@@ -145,11 +145,11 @@ void hold(const std::vector<int>& points, PatchId patch, int support, const Plan
 
 }  // namespace
 
-std::vector<Frame> support_frames(const ElasticityProblem& problem, const NodeClasses& classes) {
+std::vector<SupportFrame> support_frames(const ElasticityProblem& problem, const NodeClasses& classes) {
   const Discretization& d = problem.discretization;
   const auto& boundary = d.model.boundary_faces();
   const auto sizes = [&](PatchId patch) { return d.patches[static_cast<std::size_t>(patch.value)].sizes(); };
-  std::vector<Frame> frames(static_cast<std::size_t>(classes.count()));
+  std::vector<SupportFrame> frames(static_cast<std::size_t>(classes.count()));
   for (std::size_t s = 0; s < problem.supports.size(); ++s) {
     const Support& support = problem.supports[s];
     const bool plane = std::holds_alternative<PlaneSupport>(support.condition);

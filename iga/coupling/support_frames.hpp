@@ -11,7 +11,7 @@ namespace isopatch::iga {
 
 /// The displacements that supports leave to a class of nodes: u = prescribed + sum over k < free of q_k
 /// axes.col(k).
-struct Frame {
+struct SupportFrame {
   Eigen::Matrix3d axes =
       Eigen::Matrix3d::Identity();  ///< orthonormal columns: the free directions, then the fixed ones
   int free = 3;                     ///< number of free directions
@@ -28,6 +28,6 @@ struct Frame {
 /// @throws Error invalid_argument  a plane support on a face that is not plane or on an edge, a face that is
 /// not on the boundary, an edge of a patch that does not exist
 /// @throws Error conflict          supports that prescribe different displacements for one point, naming both
-std::vector<Frame> support_frames(const ElasticityProblem& problem, const NodeClasses& classes);
+std::vector<SupportFrame> support_frames(const ElasticityProblem& problem, const NodeClasses& classes);
 
 }  // namespace isopatch::iga

@@ -8,12 +8,12 @@ namespace {
 
 using Block = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-bool is_identity(const Frame& frame) {
+bool is_identity(const SupportFrame& frame) {
   return frame.free == 3;
 }
 
 // Part of a block that survives: rows and columns of fixed components are 0.
-Block turned(const Block& block, const Frame& row, const Frame& column) {
+Block turned(const Block& block, const SupportFrame& row, const SupportFrame& column) {
   Block result = row.axes.transpose() * block * column.axes;
   for (int k = row.free; k < 3; ++k) result.row(k).setZero();
   for (int k = column.free; k < 3; ++k) result.col(k).setZero();
@@ -22,7 +22,7 @@ Block turned(const Block& block, const Frame& row, const Frame& column) {
 
 }  // namespace
 
-void apply_supports(solvers::LinearSystem& system, const std::vector<const Frame*>& frame_of_row) {
+void apply_supports(solvers::LinearSystem& system, const std::vector<const SupportFrame*>& frame_of_row) {
   solvers::SymmetricBlockMatrix& k = system.stiffness;
   Eigen::VectorXd& load = system.load;
   const double diagonal = solvers::mean_diagonal(k, system.rows);
@@ -32,11 +32,11 @@ void apply_supports(solvers::LinearSystem& system, const std::vector<const Frame
     for (const int row : system.rows.owned()) is_owned[static_cast<std::size_t>(row)] = true;
   Eigen::VectorXd moved = Eigen::VectorXd::Zero(load.size());
   for (int row = 0; row < k.block_rows(); ++row) {
-    const Frame& of_row = *frame_of_row[static_cast<std::size_t>(row)];
+    const SupportFrame& of_row = *frame_of_row[static_cast<std::size_t>(row)];
     for (std::int64_t position = k.row_start[static_cast<std::size_t>(row)];
          position < k.row_start[static_cast<std::size_t>(row) + 1]; ++position) {
       const int column = k.columns[static_cast<std::size_t>(position)];
-      const Frame& of_column = *frame_of_row[static_cast<std::size_t>(column)];
+      const SupportFrame& of_column = *frame_of_row[static_cast<std::size_t>(column)];
       if (is_identity(of_row) && is_identity(of_column)) continue;
       Eigen::Map<Block> block(&k.values[static_cast<std::size_t>(9 * position)]);
       moved.segment<3>(3 * row) += block * of_column.prescribed;
@@ -49,7 +49,7 @@ void apply_supports(solvers::LinearSystem& system, const std::vector<const Frame
   system.rows.sum(moved);
   load -= moved;
   for (int row = 0; row < k.block_rows(); ++row) {
-    const Frame& frame = *frame_of_row[static_cast<std::size_t>(row)];
+    const SupportFrame& frame = *frame_of_row[static_cast<std::size_t>(row)];
     if (is_identity(frame)) continue;
     Eigen::Vector3d in_axes = frame.axes.transpose() * load.segment<3>(3 * row);
     in_axes.tail(3 - frame.free).setZero();
@@ -59,9 +59,9 @@ void apply_supports(solvers::LinearSystem& system, const std::vector<const Frame
 
 void apply_supports(solvers::SymmetricBlockMatrix& stiffness, const FreeDirections& free,
                     const solvers::SharedRows& rows) {
-  const std::vector<Frame> frames = free.frames(stiffness.block_rows());
-  std::vector<const Frame*> of_rows;
-  for (const Frame& frame : frames) of_rows.push_back(&frame);
+  const std::vector<SupportFrame> frames = free.frames(stiffness.block_rows());
+  std::vector<const SupportFrame*> of_rows;
+  for (const SupportFrame& frame : frames) of_rows.push_back(&frame);
   solvers::LinearSystem system;
   system.rows = rows;
   system.load = Eigen::VectorXd::Zero(stiffness.rows());
@@ -71,16 +71,17 @@ void apply_supports(solvers::SymmetricBlockMatrix& stiffness, const FreeDirectio
 }
 
 Eigen::Matrix3Xd displacement_of_rows(const Eigen::VectorXd& x,
-                                      const std::vector<const Frame*>& frame_of_row) {
+                                      const std::vector<const SupportFrame*>& frame_of_row) {
   Eigen::Matrix3Xd u(3, x.size() / 3);
   for (Eigen::Index row = 0; row < u.cols(); ++row) {
-    const Frame& frame = *frame_of_row[static_cast<std::size_t>(row)];
+    const SupportFrame& frame = *frame_of_row[static_cast<std::size_t>(row)];
     u.col(row) = frame.prescribed + frame.axes.leftCols(frame.free) * x.segment(3 * row, frame.free);
   }
   return u;
 }
 
-std::vector<MultiplierRow> multiplier_rows(const NodeClasses& classes, const std::vector<Frame>& frames) {
+std::vector<MultiplierRow> multiplier_rows(const NodeClasses& classes,
+                                           const std::vector<SupportFrame>& frames) {
   std::vector<MultiplierRow> rows;
   for (int c = 0; c < classes.count(); ++c) {
     const auto members = classes.of(c);
@@ -110,7 +111,8 @@ solvers::ConstraintMatrix multiplier_matrix(const std::vector<MultiplierRow>& ro
 }
 
 Eigen::VectorXd recovered_multipliers(const std::vector<MultiplierRow>& rows, const NodeClasses& classes,
-                                      const std::vector<Frame>& frames, const Eigen::Matrix3Xd& residual) {
+                                      const std::vector<SupportFrame>& frames,
+                                      const Eigen::Matrix3Xd& residual) {
   const auto component = [&](const MultiplierRow& row, int node) {
     return frames[static_cast<std::size_t>(row.node_class)].axes.col(row.axis).dot(residual.col(node));
   };

@@ -15,7 +15,7 @@ namespace isopatch::iga {
 ///
 /// The unknowns become x with u = prescribed + axes * x; the block size stays 3 and the matrix symmetric.
 /// @param frame_of_row  one frame per block row
-void apply_supports(solvers::LinearSystem& system, const std::vector<const Frame*>& frame_of_row);
+void apply_supports(solvers::LinearSystem& system, const std::vector<const SupportFrame*>& frame_of_row);
 
 /// The same for a matrix alone, where nothing is prescribed.
 void apply_supports(solvers::SymmetricBlockMatrix& stiffness, const FreeDirections& free,
@@ -23,7 +23,7 @@ void apply_supports(solvers::SymmetricBlockMatrix& stiffness, const FreeDirectio
 
 /// u = prescribed + axes * x for every block row. (3, block rows)
 Eigen::Matrix3Xd displacement_of_rows(const Eigen::VectorXd& x,
-                                      const std::vector<const Frame*>& frame_of_row);
+                                      const std::vector<const SupportFrame*>& frame_of_row);
 
 /// One scalar multiplier: component `axis` (a column of the class's frame) of two nodes is the same.
 struct MultiplierRow {
@@ -35,7 +35,8 @@ struct MultiplierRow {
 
 /// Rows that tie every class of m nodes by m - 1 pairs (its first node with each other one), in the
 /// components that supports leave free: never redundant.
-std::vector<MultiplierRow> multiplier_rows(const NodeClasses& classes, const std::vector<Frame>& frames);
+std::vector<MultiplierRow> multiplier_rows(const NodeClasses& classes,
+                                           const std::vector<SupportFrame>& frames);
 
 /// B with x(first) - x(second) = 0 in each row; x as in apply_supports, one block row per node.
 /// @throws Error internal if the rank is not full: the rows, as edges between components of nodes, close a
@@ -45,6 +46,7 @@ solvers::ConstraintMatrix multiplier_matrix(const std::vector<MultiplierRow>& ro
 /// The multipliers of a known solution: (B B^T)^-1 B r, with the residual r = f - K u of every node in frame
 /// axes. Closed form per class: B B^T = I + 1 1^T.
 Eigen::VectorXd recovered_multipliers(const std::vector<MultiplierRow>& rows, const NodeClasses& classes,
-                                      const std::vector<Frame>& frames, const Eigen::Matrix3Xd& residual);
+                                      const std::vector<SupportFrame>& frames,
+                                      const Eigen::Matrix3Xd& residual);
 
 }  // namespace isopatch::iga

@@ -50,7 +50,8 @@ struct ElasticityMultigrid::State {
 };
 
 ElasticityMultigrid::ElasticityMultigrid(const ElasticityProblem& problem, const Level& finest,
-                                         const std::vector<Frame>& frames, const Distribution& distribution,
+                                         const std::vector<SupportFrame>& frames,
+                                         const Distribution& distribution,
                                          const solvers::Processes& processes, solvers::LinearOperator product,
                                          const ElasticityMultigridOptions& options, const Progress& progress)
     : state_(std::make_unique<State>()) {

@@ -27,10 +27,10 @@ class ElasticityMultigrid {
   /// @param frames   of the finest level's classes
   /// @param product  of the finest level, assembled or not
   /// @throws Error singular_system  if a level is not positive definite
-  ElasticityMultigrid(const ElasticityProblem& problem, const Level& finest, const std::vector<Frame>& frames,
-                      const Distribution& distribution, const solvers::Processes& processes,
-                      solvers::LinearOperator product, const ElasticityMultigridOptions& options,
-                      const Progress& progress);
+  ElasticityMultigrid(const ElasticityProblem& problem, const Level& finest,
+                      const std::vector<SupportFrame>& frames, const Distribution& distribution,
+                      const solvers::Processes& processes, solvers::LinearOperator product,
+                      const ElasticityMultigridOptions& options, const Progress& progress);
   ~ElasticityMultigrid();
   ElasticityMultigrid(ElasticityMultigrid&&) noexcept;
 

@@ -13,14 +13,14 @@ using geometry::KnotVector;
 
 // Fills in all but spaces and first_node.
 void number_rows(Level& level, const std::vector<int>& class_of,
-                 const std::vector<const Frame*>& frame_of_class, const Distribution& distribution,
+                 const std::vector<const SupportFrame*>& frame_of_class, const Distribution& distribution,
                  const solvers::Processes& processes) {
   level.class_of = class_of;
   LocalRows local = local_rows({class_of, static_cast<int>(frame_of_class.size())}, level.first_node,
                                distribution, processes);
   level.rows = std::move(local.rows);
   level.row_of_node = std::move(local.numbering.row_of_node);
-  std::vector<const Frame*> frame_of_row;
+  std::vector<const SupportFrame*> frame_of_row;
   for (const int c : level.rows.global_of_local())
     frame_of_row.push_back(frame_of_class[static_cast<std::size_t>(c)]);
   level.free = FreeDirections(frame_of_row);
@@ -37,9 +37,9 @@ int representative(int i, int count, int fine_count) {
 }
 
 // Supports hold whole faces or edges, so a coarse function has the frame of any fine one on the same ones.
-std::vector<const Frame*> coarse_frames(const Level& coarse, const NodeClasses& classes, const Level& finest,
-                                        const std::vector<Frame>& frames) {
-  std::vector<const Frame*> result(static_cast<std::size_t>(classes.count()));
+std::vector<const SupportFrame*> coarse_frames(const Level& coarse, const NodeClasses& classes,
+                                               const Level& finest, const std::vector<SupportFrame>& frames) {
+  std::vector<const SupportFrame*> result(static_cast<std::size_t>(classes.count()));
   for (std::size_t p = 0; p < coarse.spaces.size(); ++p) {
     const auto n = coarse.spaces[p].sizes();
     const auto m = finest.spaces[p].sizes();
@@ -116,19 +116,20 @@ KnotVector coarser_knots(const KnotVector& knots) {
   return KnotVector(knots.degree(), kept);
 }
 
-Level finest_level(const Discretization& d, const NodeClasses& classes, const std::vector<Frame>& frames,
-                   const Distribution& distribution, const solvers::Processes& processes) {
+Level finest_level(const Discretization& d, const NodeClasses& classes,
+                   const std::vector<SupportFrame>& frames, const Distribution& distribution,
+                   const solvers::Processes& processes) {
   Level level;
   level.spaces = isoparametric_spaces(d);
   level.first_node = d.first_node;
-  std::vector<const Frame*> of_class;
-  for (const Frame& frame : frames) of_class.push_back(&frame);
+  std::vector<const SupportFrame*> of_class;
+  for (const SupportFrame& frame : frames) of_class.push_back(&frame);
   number_rows(level, classes.class_of, of_class, distribution, processes);
   return level;
 }
 
 std::optional<Level> coarser_level(const geometry::MultiPatch& model, const Level& level, const Level& finest,
-                                   const std::vector<Frame>& frames, const Distribution& distribution,
+                                   const std::vector<SupportFrame>& frames, const Distribution& distribution,
                                    const solvers::Processes& processes) {
   const bool lower_degree = std::all_of(level.spaces.begin(), level.spaces.end(), has_one_element);
   const int lower = highest_degree(level.spaces) > 2 ? 2 : 1;

@@ -27,7 +27,7 @@ struct Level {
 /// The solution space. `discretization` must outlive the level.
 /// @param process  number of this one
 Level finest_level(const Discretization& discretization, const NodeClasses& classes,
-                   const std::vector<Frame>& frames, const Distribution& distribution,
+                   const std::vector<SupportFrame>& frames, const Distribution& distribution,
                    const solvers::Processes& processes);
 
 /// Half the elements of `level` per direction; where only one is left, degree 2 and then 1. Empty if nothing
@@ -40,7 +40,7 @@ Level finest_level(const Discretization& discretization, const NodeClasses& clas
 /// @param frames   of the finest level's classes
 /// @cost  O(nodes of the finest level) at most
 std::optional<Level> coarser_level(const geometry::MultiPatch& model, const Level& level, const Level& finest,
-                                   const std::vector<Frame>& frames, const Distribution& distribution,
+                                   const std::vector<SupportFrame>& frames, const Distribution& distribution,
                                    const solvers::Processes& processes);
 
 /// Every second break of a knot vector is dropped, from both ends alike, so that the two sides of an

@@ -43,7 +43,7 @@ FaceGrid face_grid(const Discretization& d, const geometry::PatchFace& face) {
 /// Per node: whether its multiplier is the force of one interface alone and of no support.
 std::vector<bool> attributable_nodes(const ElasticityProblem& problem) {
   const NodeClasses classes = node_classes(problem.discretization);
-  const std::vector<Frame> frames = support_frames(problem, classes);
+  const std::vector<SupportFrame> frames = support_frames(problem, classes);
   std::vector<bool> result;
   for (const int c : classes.class_of)
     result.push_back(classes.of(c).size() == 2 && frames[static_cast<std::size_t>(c)].free == 3);

@@ -82,7 +82,8 @@ Extremum max_displacement(const ElasticField& field) {
 }
 
 std::vector<Reaction> support_reactions(const ElasticityProblem& problem, const NodeClasses& classes,
-                                        const std::vector<Frame>& frames, const Eigen::Matrix3Xd& forces) {
+                                        const std::vector<SupportFrame>& frames,
+                                        const Eigen::Matrix3Xd& forces) {
   const Discretization& d = problem.discretization;
   std::vector<Reaction> reactions;
   for (const Support& support : problem.supports)
@@ -91,7 +92,8 @@ std::vector<Reaction> support_reactions(const ElasticityProblem& problem, const 
     const auto p = static_cast<std::size_t>(patch);
     for (int i = 0; i < d.patches[p].size(); ++i) {
       const int node = d.first_node[p] + i;
-      const Frame& frame = frames[static_cast<std::size_t>(classes.class_of[static_cast<std::size_t>(node)])];
+      const SupportFrame& frame =
+          frames[static_cast<std::size_t>(classes.class_of[static_cast<std::size_t>(node)])];
       // The residual is a sum of forces along the supports' own directions, which are triangular in the axes.
       Eigen::Vector3d rest = forces.col(node);
       for (int k = frame.free; k < 3; ++k) {

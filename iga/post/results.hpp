@@ -17,6 +17,7 @@ Extremum max_displacement(const ElasticField& field, const std::vector<PatchPart
 /// Force and moment of every support on the part, from the residual K u - f of the fixed components.
 /// @param forces  internal forces minus loads per node, (3, nodes), N
 std::vector<Reaction> support_reactions(const ElasticityProblem& problem, const NodeClasses& classes,
-                                        const std::vector<Frame>& frames, const Eigen::Matrix3Xd& forces);
+                                        const std::vector<SupportFrame>& frames,
+                                        const Eigen::Matrix3Xd& forces);
 
 }  // namespace isopatch::iga

@@ -12,7 +12,7 @@ void number_rows(const SolutionTask& task, AssembledSystem& result) {
   const NodeClasses& classes = task.classes;
   if (task.coupling == Coupling::elimination) {
     result.numbering = {classes.class_of, classes.count()};
-    for (const Frame& frame : task.frames) result.frame_of_row.push_back(&frame);
+    for (const SupportFrame& frame : task.frames) result.frame_of_row.push_back(&frame);
   } else {
     result.numbering.rows = static_cast<int>(classes.class_of.size());
     result.numbering.row_of_node.resize(classes.class_of.size());
@@ -23,8 +23,9 @@ void number_rows(const SolutionTask& task, AssembledSystem& result) {
 }
 
 // The frames of this process' rows.
-std::vector<const Frame*> frames_of(const solvers::SharedRows& rows, const std::vector<const Frame*>& whole) {
-  std::vector<const Frame*> result;
+std::vector<const SupportFrame*> frames_of(const solvers::SharedRows& rows,
+                                           const std::vector<const SupportFrame*>& whole) {
+  std::vector<const SupportFrame*> result;
   for (const int row : rows.global_of_local()) result.push_back(whole[static_cast<std::size_t>(row)]);
   return result;
 }

@@ -10,9 +10,9 @@ namespace isopatch::iga {
 /// The equations of a task as `solvers::solve` takes them: of block row r the displacement is
 /// prescribed + axes * x in the frame `frame_of_row[r]`.
 struct AssembledSystem {
-  solvers::LinearSystem system;            ///< of this process
-  RowNumbering numbering;                  ///< of the whole system
-  std::vector<const Frame*> frame_of_row;  ///< of the whole system; the task's
+  solvers::LinearSystem system;                   ///< of this process
+  RowNumbering numbering;                         ///< of the whole system
+  std::vector<const SupportFrame*> frame_of_row;  ///< of the whole system; the task's
 };
 
 /// @throws Error whatever assembly throws

@@ -7,7 +7,7 @@ namespace isopatch::iga {
 solvers::ConditionEstimate estimate_condition(const ElasticityProblem& problem, Coupling coupling, int points,
                                               const Progress& progress) {
   const NodeClasses classes = node_classes(problem.discretization);
-  const std::vector<Frame> frames = support_frames(problem, classes);
+  const std::vector<SupportFrame> frames = support_frames(problem, classes);
   const std::vector<MultiplierRow> rows = multiplier_rows(classes, frames);
   const Eigen::Matrix3Xd load = Eigen::Matrix3Xd::Zero(3, problem.discretization.node_count());
   const solvers::Processes alone;

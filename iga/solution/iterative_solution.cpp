@@ -11,7 +11,7 @@ namespace isopatch::iga {
 namespace {
 
 // Displacements that supports prescribe, per local row.
-Eigen::VectorXd prescribed_rows(const Level& level, const std::vector<Frame>& frames) {
+Eigen::VectorXd prescribed_rows(const Level& level, const std::vector<SupportFrame>& frames) {
   Eigen::VectorXd result(3 * static_cast<Eigen::Index>(level.rows.local_rows()));
   for (Eigen::Index row = 0; row < level.rows.local_rows(); ++row)
     result.segment<3>(3 * row) =

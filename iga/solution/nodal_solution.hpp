@@ -13,7 +13,7 @@ namespace isopatch::iga {
 struct SolutionTask {
   const ElasticityProblem& problem;
   const NodeClasses& classes;
-  const std::vector<Frame>& frames;
+  const std::vector<SupportFrame>& frames;
   const std::vector<MultiplierRow>& multipliers;
   const Eigen::Matrix3Xd& load;  ///< per node, (3, nodes), N
   const Distribution& distribution;

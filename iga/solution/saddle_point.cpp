@@ -91,7 +91,7 @@ SaddlePoint::SaddlePoint(const SolutionTask& task, const Level& level, const Ela
 VectorXd SaddlePoint::along_axes(const Eigen::Matrix3Xd& forces) const {
   VectorXd result = VectorXd::Zero(3 * static_cast<Index>(rows_.local_rows()));
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    const Frame& f = *nodes_[i].frame;
+    const SupportFrame& f = *nodes_[i].frame;
     result.segment(3 * static_cast<Index>(i), f.free) =
         f.axes.leftCols(f.free).transpose() * forces.col(nodes_[i].node);
   }
@@ -102,7 +102,7 @@ VectorXd SaddlePoint::along_axes(const Eigen::Matrix3Xd& forces) const {
 VectorXd SaddlePoint::product(const VectorXd& z) const {
   Eigen::Matrix3Xd u = Eigen::Matrix3Xd::Zero(3, static_cast<Index>(task_->classes.class_of.size()));
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    const Frame& f = *nodes_[i].frame;
+    const SupportFrame& f = *nodes_[i].frame;
     u.col(nodes_[i].node) = f.axes.leftCols(f.free) * z.segment(3 * static_cast<Index>(i), f.free);
   }
   VectorXd result = along_axes(stiffness_.apply(u));
@@ -169,7 +169,7 @@ Eigen::Matrix3Xd SaddlePoint::displacement(const VectorXd& z) const {
   const VectorXd whole = rows_.whole(z);
   Eigen::Matrix3Xd u(3, static_cast<Index>(task_->classes.class_of.size()));
   for (Index node = 0; node < u.cols(); ++node) {
-    const Frame& f =
+    const SupportFrame& f =
         task_->frames[static_cast<std::size_t>(task_->classes.class_of[static_cast<std::size_t>(node)])];
     u.col(node) = f.prescribed + f.axes.leftCols(f.free) * whole.segment(3 * node, f.free);
   }

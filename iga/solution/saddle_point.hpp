@@ -54,7 +54,7 @@ class SaddlePoint {
   struct Node {
     int node = 0;       // of all patches
     int class_row = 0;  // of the level
-    const Frame* frame = nullptr;
+    const SupportFrame* frame = nullptr;
   };
   void add_tie_inverse(const TiedClass& tied, const Eigen::VectorXd& in, Eigen::VectorXd& out) const;
   Eigen::VectorXd along_axes(const Eigen::Matrix3Xd& forces) const;

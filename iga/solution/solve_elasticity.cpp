@@ -50,7 +50,8 @@ void check(const ElasticityProblem& problem, const ElasticityOptions& options) {
 }
 
 ProblemSize problem_size(const Discretization& d, const NodeClasses& classes,
-                         const std::vector<Frame>& frames, std::size_t multipliers_free, Coupling coupling) {
+                         const std::vector<SupportFrame>& frames, std::size_t multipliers_free,
+                         Coupling coupling) {
   ProblemSize size;
   size.elements = d.element_count();
   size.control_points = d.node_count();
@@ -69,7 +70,7 @@ ProblemSize problem_size(const Discretization& d, const NodeClasses& classes,
 }
 
 std::vector<Multiplier> multipliers_in_space(const std::vector<MultiplierRow>& rows,
-                                             const std::vector<Frame>& frames,
+                                             const std::vector<SupportFrame>& frames,
                                              const Eigen::VectorXd& values) {
   std::vector<Multiplier> result;
   for (std::size_t r = 0; r < rows.size(); ++r) {
@@ -119,7 +120,7 @@ ElasticitySolution solve_elasticity(const ElasticityProblem& problem, const Elas
   const Discretization& d = problem.discretization;
 
   const NodeClasses classes = node_classes(d);
-  const std::vector<Frame> frames = support_frames(problem, classes);
+  const std::vector<SupportFrame> frames = support_frames(problem, classes);
   require_supported(d, classes, frames);
   const Eigen::Matrix3Xd load = load_vector(problem, options.quadrature_points);
   const std::vector<MultiplierRow> rows = multiplier_rows(classes, frames);

@@ -103,7 +103,7 @@ TEST(MultiplierRows, AreIndependentAndTieExactlyWhatEliminationMerges) {
       {"x0", boundary(model, "x0"), PlaneSupport{}},
       {"inner", boundary(model, "inner"), PrescribedDisplacement{{std::nullopt, 0.0, std::nullopt}}}};
   const NodeClasses classes = node_classes(p.discretization);
-  const std::vector<Frame> frames = support_frames(p, classes);
+  const std::vector<SupportFrame> frames = support_frames(p, classes);
   const auto rows = multiplier_rows(classes, frames);
   const Eigen::MatrixXd b = multiplier_matrix(rows, p.discretization.node_count());
   EXPECT_EQ(Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(b).rank(), b.rows());
@@ -130,7 +130,7 @@ TEST(SupportFrames, KeepOneDirectionWhereTwoObliquePlanesMeet) {
   const NodeClasses classes = node_classes(p.discretization);
   const Eigen::Vector3d normal(-std::sin(50 * M_PI / 180), std::cos(50 * M_PI / 180), 0);
   std::map<int, int> counts;
-  for (const Frame& frame : support_frames(p, classes)) {
+  for (const SupportFrame& frame : support_frames(p, classes)) {
     ++counts[frame.free];
     EXPECT_LT((frame.axes.transpose() * frame.axes - Eigen::Matrix3d::Identity()).norm(), 1e-14);
     EXPECT_NEAR((frame.axes.leftCols(frame.free).transpose() * frame.prescribed).norm(), 0, 1e-18);

@@ -45,7 +45,7 @@ struct Levels {
         fine(finest_level(p.discretization, classes, frames, distribution, {})),
         coarse(coarser_level(p.discretization.model, fine, fine, frames, distribution, {}).value()) {}
   NodeClasses classes;
-  std::vector<Frame> frames;
+  std::vector<SupportFrame> frames;
   Distribution distribution;
   Level fine;
   Level coarse;

@@ -10,7 +10,7 @@ namespace isopatch::verification {
 
 solvers::LinearSystem system_of(const iga::ElasticityProblem& problem, iga::Coupling coupling) {
   const iga::NodeClasses classes = iga::node_classes(problem.discretization);
-  const std::vector<iga::Frame> frames = iga::support_frames(problem, classes);
+  const std::vector<iga::SupportFrame> frames = iga::support_frames(problem, classes);
   const std::vector<iga::MultiplierRow> rows = iga::multiplier_rows(classes, frames);
   const Eigen::Matrix3Xd load = Eigen::Matrix3Xd::Zero(3, problem.discretization.node_count());
   const solvers::Processes alone;

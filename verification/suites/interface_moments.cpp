@@ -50,7 +50,7 @@ void add_moments(const iga::Discretization& d, const geometry::PatchFace& face, 
 double difference_where_free(const iga::ElasticityProblem& problem, const Eigen::Matrix3Xd& found,
                              const Eigen::Matrix3Xd& expected) {
   const iga::NodeClasses classes = iga::node_classes(problem.discretization);
-  const std::vector<iga::Frame> frames = iga::support_frames(problem, classes);
+  const std::vector<iga::SupportFrame> frames = iga::support_frames(problem, classes);
   double apart = 0;
   for (std::size_t node = 0; node < classes.class_of.size(); ++node)
     if (frames[static_cast<std::size_t>(classes.class_of[node])].free == 3)

@@ -56,7 +56,7 @@ Resultant resultant(const iga::ElasticityProblem& problem, const Eigen::Matrix3X
 std::vector<int> untouched_patches(const iga::ElasticityProblem& problem) {
   const iga::Discretization& d = problem.discretization;
   const iga::NodeClasses classes = iga::node_classes(d);
-  const std::vector<iga::Frame> frames = iga::support_frames(problem, classes);
+  const std::vector<iga::SupportFrame> frames = iga::support_frames(problem, classes);
   std::vector<int> result;
   for (int patch = 0; patch < d.patch_count(); ++patch) {
     const auto p = static_cast<std::size_t>(patch);
