@@ -50,7 +50,7 @@ std::vector<iga::Material> assign_materials(const Study& study, const MultiPatch
 /// The faces of a support or a load, with its share of the report and a warning if some are missed by little.
 std::vector<geometry::PatchFace> caught_faces(const FaceSelection& selection, const std::string& name,
                                               std::string_view kind, BuiltProblem& built,
-                                              std::vector<CaughtRegion>& regions) {
+                                              std::vector<AppliedRegion>& regions) {
   const MultiPatch& model = built.problem.discretization.model;
   SelectedFaces selected = select_faces(model, selection);
   regions.push_back(region_of(name, kind, selected.faces, built.report));

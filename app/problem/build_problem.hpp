@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "app/problem/applied_region.hpp"
 #include "app/problem/built_problem.hpp"
-#include "app/problem/caught_region.hpp"
 #include "app/problem/model_report.hpp"
 #include "app/study/study.hpp"
 #include "iga/problem/problem.hpp"

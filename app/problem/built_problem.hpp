@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/problem/caught_region.hpp"
+#include "app/problem/applied_region.hpp"
 #include "app/problem/model_report.hpp"
 #include "app/study/study.hpp"
 #include "iga/problem/problem.hpp"
@@ -22,8 +22,8 @@ struct LocatedProbe {
 struct BuiltProblem {
   iga::ElasticityProblem problem;
   ModelReport report;
-  std::vector<CaughtRegion> supports;  ///< in the study's order
-  std::vector<CaughtRegion> loads;
+  std::vector<AppliedRegion> supports;  ///< in the study's order
+  std::vector<AppliedRegion> loads;
   std::vector<LocatedProbe> probes;
   std::vector<Warning> warnings;
   std::optional<segmentation::ParameterizationReport> parameterization = {};  ///< of a model made of solids

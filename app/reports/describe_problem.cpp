@@ -9,7 +9,7 @@
 namespace isopatch::app {
 namespace {
 
-std::string places_of(const CaughtRegion& region, bool all) {
+std::string places_of(const AppliedRegion& region, bool all) {
   constexpr std::size_t short_list = 12;
   std::vector<std::string> names = region.edges.empty() ? region.faces : region.edges;
   for (const int patch : region.patches) names.push_back(fmt::format("patch {}", patch));
@@ -21,11 +21,11 @@ std::string places_of(const CaughtRegion& region, bool all) {
   return fmt::format("    {}\n", fmt::join(names, region.patches.empty() ? " " : ", "));
 }
 
-std::string regions_text(const char* title, const std::vector<CaughtRegion>& regions, bool are_loads,
+std::string regions_text(const char* title, const std::vector<AppliedRegion>& regions, bool are_loads,
                          bool all) {
   if (regions.empty()) return "";
   std::string text = fmt::format("\n{}\n", title);
-  for (const CaughtRegion& region : regions) {
+  for (const AppliedRegion& region : regions) {
     text += "  " + region_text(region);
     // What cancels out to rounding is no force.
     if (are_loads)

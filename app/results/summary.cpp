@@ -90,9 +90,9 @@ Json materials_json(const Study& study, const StudyRun& run) {
   return result;
 }
 
-Json regions_json(const std::vector<CaughtRegion>& regions) {
+Json regions_json(const std::vector<AppliedRegion>& regions) {
   Json result = Json::array();
-  for (const CaughtRegion& region : regions)
+  for (const AppliedRegion& region : regions)
     result.push_back(
         {{"name", region.key}, {"kind", region.kind}, {"faces", region.faces}, {"area", region.area}});
   return result;
@@ -100,13 +100,13 @@ Json regions_json(const std::vector<CaughtRegion>& regions) {
 
 }  // namespace
 
-Json supports_json(const std::vector<CaughtRegion>& supports) {
+Json supports_json(const std::vector<AppliedRegion>& supports) {
   Json result = regions_json(supports);
   for (std::size_t i = 0; i < supports.size(); ++i) result[i]["edges"] = supports[i].edges;
   return result;
 }
 
-Json loads_json(const std::vector<CaughtRegion>& loads) {
+Json loads_json(const std::vector<AppliedRegion>& loads) {
   Json result = regions_json(loads);
   for (std::size_t i = 0; i < loads.size(); ++i) {
     result[i]["patches"] = loads[i].patches;
@@ -203,9 +203,9 @@ Json timings_json(const StudyRun& run) {
 
 std::string regions_text(const StudyRun& run) {
   std::string text;
-  for (const CaughtRegion& region : run.built.supports)
+  for (const AppliedRegion& region : run.built.supports)
     text += fmt::format("  support           {}\n", region_text(region));
-  for (const CaughtRegion& region : run.built.loads)
+  for (const AppliedRegion& region : run.built.loads)
     text += fmt::format("  load              {}\n", region_text(region));
   return text;
 }

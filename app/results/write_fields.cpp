@@ -79,9 +79,9 @@ int automatic_pieces(const iga::ElasticField& field) {
 /// Names of supports or loads with their faces as the input names them.
 using Regions = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
-Regions regions_of(const std::vector<CaughtRegion>& caught) {
+Regions regions_of(const std::vector<AppliedRegion>& caught) {
   Regions result;
-  for (const CaughtRegion& region : caught) result.emplace_back(region.key, region.faces);
+  for (const AppliedRegion& region : caught) result.emplace_back(region.key, region.faces);
   return result;
 }
 
@@ -115,8 +115,8 @@ std::vector<FaceGroup> groups_of(const Regions& supports, const Regions& loads,
 
 }  // namespace
 
-std::vector<FaceGroup> face_groups(const std::vector<CaughtRegion>& supports,
-                                   const std::vector<CaughtRegion>& loads,
+std::vector<FaceGroup> face_groups(const std::vector<AppliedRegion>& supports,
+                                   const std::vector<AppliedRegion>& loads,
                                    const geometry::MultiPatch& model) {
   return groups_of(regions_of(supports), regions_of(loads), model);
 }

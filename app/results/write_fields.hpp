@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/base/warning.hpp"
-#include "app/problem/caught_region.hpp"
+#include "app/problem/applied_region.hpp"
 #include "app/study/study.hpp"
 #include "geometry/base/progress.hpp"
 #include "iga/output/plane_fields.hpp"
@@ -20,8 +20,9 @@ struct FaceGroup {
 };
 
 /// Of a study that was solved.
-std::vector<FaceGroup> face_groups(const std::vector<CaughtRegion>& supports,
-                                   const std::vector<CaughtRegion>& loads, const geometry::MultiPatch& model);
+std::vector<FaceGroup> face_groups(const std::vector<AppliedRegion>& supports,
+                                   const std::vector<AppliedRegion>& loads,
+                                   const geometry::MultiPatch& model);
 /// Of stored results, whose summary tells the faces of supports and loads.
 std::vector<FaceGroup> face_groups(const geometry::MultiPatch& model, const std::string& summary);
 

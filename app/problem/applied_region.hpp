@@ -11,7 +11,7 @@ namespace isopatch::app {
 
 /// Where a support or a load acts, so that its author can see what was caught: faces, or edges for supports
 /// that hold these, or patches for the loads that act in them.
-struct CaughtRegion {
+struct AppliedRegion {
   std::string name;                ///< for messages: "support 1 (left bore)"
   std::string kind;                ///< as the study's key says: "displacement", "pressure", "gravity", ...
   std::vector<std::string> faces;  ///< "0:back", in the input's naming
@@ -26,15 +26,15 @@ struct CaughtRegion {
 std::string_view name(SupportKind kind);
 std::string_view name(LoadKind kind);
 
-CaughtRegion region_of(const std::string& name, std::string_view kind,
-                       const std::vector<geometry::PatchFace>& faces, const ModelReport& report);
-CaughtRegion region_of(const std::string& name, std::string_view kind, const std::vector<PatchId>& patches,
-                       const ModelReport& report);
+AppliedRegion region_of(const std::string& name, std::string_view kind,
+                        const std::vector<geometry::PatchFace>& faces, const ModelReport& report);
+AppliedRegion region_of(const std::string& name, std::string_view kind, const std::vector<PatchId>& patches,
+                        const ModelReport& report);
 
-CaughtRegion region_of(const std::string& name, std::string_view kind,
-                       const std::vector<iga::SupportedEdge>& edges, const geometry::MultiPatch& model);
+AppliedRegion region_of(const std::string& name, std::string_view kind,
+                        const std::vector<iga::SupportedEdge>& edges, const geometry::MultiPatch& model);
 
 /// "support 1 (left bore): displacement on 4 faces, 7.54 cm^2".
-std::string region_text(const CaughtRegion& region);
+std::string region_text(const AppliedRegion& region);
 
 }  // namespace isopatch::app

@@ -1,4 +1,4 @@
-#include "app/problem/caught_region.hpp"
+#include "app/problem/applied_region.hpp"
 
 #include <fmt/format.h>
 
@@ -44,9 +44,9 @@ std::string_view name(LoadKind kind) {
   return "traction";
 }
 
-CaughtRegion region_of(const std::string& name, std::string_view kind,
-                       const std::vector<geometry::PatchFace>& faces, const ModelReport& report) {
-  CaughtRegion region{name, std::string(kind), {}, 0, {}, 0};
+AppliedRegion region_of(const std::string& name, std::string_view kind,
+                        const std::vector<geometry::PatchFace>& faces, const ModelReport& report) {
+  AppliedRegion region{name, std::string(kind), {}, 0, {}, 0};
   for (const BoundaryFaceReport& face : report.boundary_faces) {
     if (std::find(faces.begin(), faces.end(), face.face) == faces.end()) continue;
     region.faces.push_back(face.label);
@@ -55,9 +55,9 @@ CaughtRegion region_of(const std::string& name, std::string_view kind,
   return region;
 }
 
-CaughtRegion region_of(const std::string& name, std::string_view kind, const std::vector<PatchId>& patches,
-                       const ModelReport& report) {
-  CaughtRegion region{name, std::string(kind), {}, 0, {}, 0};
+AppliedRegion region_of(const std::string& name, std::string_view kind, const std::vector<PatchId>& patches,
+                        const ModelReport& report) {
+  AppliedRegion region{name, std::string(kind), {}, 0, {}, 0};
   for (const PatchId id : patches) {
     region.patches.push_back(id.value);
     region.volume += report.patches[static_cast<std::size_t>(id.value)].volume;
@@ -65,14 +65,14 @@ CaughtRegion region_of(const std::string& name, std::string_view kind, const std
   return region;
 }
 
-CaughtRegion region_of(const std::string& name, std::string_view kind,
-                       const std::vector<iga::SupportedEdge>& edges, const geometry::MultiPatch& model) {
-  CaughtRegion region{name, std::string(kind), {}, 0, {}, 0};
+AppliedRegion region_of(const std::string& name, std::string_view kind,
+                        const std::vector<iga::SupportedEdge>& edges, const geometry::MultiPatch& model) {
+  AppliedRegion region{name, std::string(kind), {}, 0, {}, 0};
   for (const iga::SupportedEdge& held : edges) region.edges.push_back(label(model, held));
   return region;
 }
 
-std::string region_text(const CaughtRegion& region) {
+std::string region_text(const AppliedRegion& region) {
   if (!region.patches.empty())
     return fmt::format("{}: {} in {}, {}", region.name, region.kind,
                        counted(region.patches.size(), "patch", "patches"), with_unit(region.volume, "m^3"));
