@@ -83,19 +83,19 @@ double diagonal(const std::vector<NurbsVolume>& patches) {
 
 }  // namespace
 
-PatchFace MultiPatch::renamed(PatchFace face) const {
+PatchFace MultiPatch::from_input(PatchFace face) const {
   if (was_reversed(face.patch) && direction(face.side) == 0) face.side = opposite(face.side);
   return face;
 }
 
-Parameter<3> MultiPatch::renamed(PatchId id, const Parameter<3>& parameter) const {
+Parameter<3> MultiPatch::from_input(PatchId id, const Parameter<3>& parameter) const {
   if (!was_reversed(id)) return parameter;
   const KnotVector& knots = patch(id).knots(0);
   return {knots.first() + (knots.last() - parameter[0]), parameter[1], parameter[2]};
 }
 
 std::string MultiPatch::label(PatchFace face) const {
-  return fmt::format("{}:{}", face.patch.value, name(renamed(face).side));
+  return fmt::format("{}:{}", face.patch.value, name(to_input(face).side));
 }
 
 std::vector<std::vector<PatchId>> MultiPatch::bodies() const {
@@ -137,10 +137,10 @@ MultiPatch connect(PatchSet set, const Tolerance& tolerance) {
     model.patches_.push_back(model.reversed_.back() ? reversed(patch, 0) : std::move(patch));
   }
   for (Boundary& boundary : set.boundaries)
-    for (PatchFace& face : boundary.faces) face = model.renamed(face);
+    for (PatchFace& face : boundary.faces) face = model.from_input(face);
   for (auto& [first, second] : set.listed_interfaces) {
-    first = model.renamed(first);
-    second = model.renamed(second);
+    first = model.from_input(first);
+    second = model.from_input(second);
   }
   model.boundaries_ = std::move(set.boundaries);
   model.names_ = std::move(set.names);

@@ -49,9 +49,13 @@ class MultiPatch {
 
   /// Whether the patch was left-handed as given, so that its first direction has been turned around.
   bool was_reversed(PatchId id) const { return reversed_[static_cast<std::size_t>(id.value)]; }
-  /// Between a face, or a parameter, as the input names it and as `patches()` does; each is its own inverse.
-  PatchFace renamed(PatchFace face) const;
-  Parameter<3> renamed(PatchId id, const Parameter<3>& parameter) const;
+  /// The face, or the parameter, of `patches()` that the input names so: another one where a patch was
+  /// reversed.
+  PatchFace from_input(PatchFace face) const;
+  Parameter<3> from_input(PatchId id, const Parameter<3>& parameter) const;
+  /// What the input calls a face, or a parameter, of `patches()`: turning around twice changes nothing.
+  PatchFace to_input(PatchFace face) const { return from_input(face); }
+  Parameter<3> to_input(PatchId id, const Parameter<3>& parameter) const { return from_input(id, parameter); }
   /// What the input calls the patch; "" where it has no name for it.
   std::string patch_name(PatchId id) const;
   /// "3:north", in the input's names: for messages and reports.

@@ -122,7 +122,7 @@ LocatedProbe locate_probe(const ProbeInput& probe, const iga::ElasticityProblem&
       throw error_at(probe.place, fmt::format("patch {} does not exist: the model has patches 0 to {}",
                                               *probe.patch, model.patch_count() - 1));
     const auto& patch = model.patch(PatchId(*probe.patch));
-    const auto parameter = model.renamed(PatchId(*probe.patch), probe.parameter);
+    const auto parameter = model.from_input(PatchId(*probe.patch), probe.parameter);
     if (((parameter - patch.low()).array() < 0).any() || ((patch.high() - parameter).array() < 0).any())
       throw error_at(probe.place,
                      fmt::format("the parameter lies outside the patch's knots, ({}, {}, {}) to ({}, {}, {})",

@@ -80,7 +80,7 @@ std::vector<iga::SupportedEdge> select_edges(const MultiPatch& model, const std:
 std::string label(const MultiPatch& model, const iga::SupportedEdge& held) {
   const auto meeting = sides(held.edge);
   return model.label({held.patch, meeting[0]}) + "+" +
-         std::string(name(model.renamed({held.patch, meeting[1]}).side));
+         std::string(name(model.to_input({held.patch, meeting[1]}).side));
 }
 
 }  // namespace isopatch::app

@@ -80,7 +80,7 @@ std::vector<Warning> certificate_warnings(const MultiPatch& model, const ModelRe
     const auto& certificate = report.patches[i].certificate;
     if (certificate.accepted()) continue;
     const PatchId id(static_cast<int>(i));
-    const auto parameter = model.renamed(id, certificate.parameter);
+    const auto parameter = model.to_input(id, certificate.parameter);
     const std::string place =
         fmt::format("at parameter ({:.4g}, {:.4g}, {:.4g}), {}", parameter[0], parameter[1], parameter[2],
                     place_with_unit(certificate.place, model.size()));

@@ -48,7 +48,7 @@ std::vector<PatchFace> named_faces(const MultiPatch& model, const std::string& t
   std::vector<PatchFace> faces = faces_named(text, model.patch_count(), model.boundaries(), place);
   const auto is_name = [&](const geometry::Boundary& boundary) { return boundary.name == text; };
   if (std::none_of(model.boundaries().begin(), model.boundaries().end(), is_name))
-    faces.front() = model.renamed(faces.front());
+    faces.front() = model.from_input(faces.front());
   for (const PatchFace& face : faces) check_boundary(model, face, model.label(face), place);
   return faces;
 }

@@ -65,8 +65,9 @@ void add_marker(const ComparedStudy& finest, const char* name, const iga::Extrem
                 std::vector<SceneMarker>& markers) {
   if (extremum.patch < 0) return;
   const auto& model = finest.run.built.problem.discretization.model;
-  const iga::FieldValues values = iga::evaluate(finest.run.solution.field, extremum.patch,
-                                                model.renamed(PatchId(extremum.patch), extremum.parameter));
+  const iga::FieldValues values =
+      iga::evaluate(finest.run.solution.field, extremum.patch,
+                    model.from_input(PatchId(extremum.patch), extremum.parameter));
   markers.push_back({name, "difference", extremum.patch, extremum.parameter, extremum.place,
                      values.displacement, values.von_mises});
 }

@@ -98,7 +98,7 @@ Json face_json(const BoundaryFaceReport& face) {
 }
 
 Json patch_json(const MultiPatch& model, const PatchReport& patch, int index) {
-  const auto parameter = model.renamed(PatchId(index), patch.certificate.parameter);
+  const auto parameter = model.to_input(PatchId(index), patch.certificate.parameter);
   return {{"degree", patch.degree},
           {"control_points", patch.control_points},
           {"elements", patch.elements},
@@ -125,7 +125,7 @@ Json probes_json(const BuiltProblem& problem) {
     result.push_back(
         {{"name", probe.name},
          {"patch", probe.patch},
-         {"parameter", to_json(Eigen::Vector3d(model.renamed(PatchId(probe.patch), probe.parameter)))},
+         {"parameter", to_json(Eigen::Vector3d(model.to_input(PatchId(probe.patch), probe.parameter)))},
          {"point", to_json(model.patch(PatchId(probe.patch)).point(probe.parameter))}});
   return result;
 }

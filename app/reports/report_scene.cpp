@@ -34,7 +34,7 @@ std::vector<ScenePatch> patches_of(const geometry::MultiPatch& model, const iga:
     ScenePatch patch{fmt::format("{}", p), {}, samples.patches[static_cast<std::size_t>(p)].parameters};
     for (const geometry::Side side : geometry::all_sides)
       patch.faces[static_cast<std::size_t>(side)] = model.label({PatchId(p), side});
-    for (double& first : patch.parameters[0]) first = model.renamed(PatchId(p), {first, 0, 0})[0];
+    for (double& first : patch.parameters[0]) first = model.to_input(PatchId(p), {first, 0, 0})[0];
     result.push_back(std::move(patch));
   }
   return result;
@@ -107,7 +107,7 @@ void add_marker(const iga::ElasticField& field, const geometry::MultiPatch& mode
   const int index = patch.get<int>();
   if (index < 0 || index >= model.patch_count()) return;
   const geometry::Parameter<3> parameter = vector_of(at(place, "/parameter"));
-  const iga::FieldValues values = iga::evaluate(field, index, model.renamed(PatchId(index), parameter));
+  const iga::FieldValues values = iga::evaluate(field, index, model.from_input(PatchId(index), parameter));
   markers.push_back({name, kind, index, parameter, values.place, values.displacement, values.von_mises});
 }
 

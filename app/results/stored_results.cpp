@@ -44,7 +44,7 @@ StoredValues probe(const iga::StoredResult& result, const StoredProbe& where) {
     const iga::Location location = iga::locate(result.field, *where.point);
     if (location.distance > 1e-4 * model.size())
       throw Error(ErrorCode::invalid_argument, outside_text(model, *where.point, location));
-    return {location.patch, model.renamed(PatchId(location.patch), location.parameter),
+    return {location.patch, model.to_input(PatchId(location.patch), location.parameter),
             iga::evaluate(result.field, location.patch, location.parameter)};
   }
   const int index = where.patch.value_or(-1);
@@ -52,7 +52,7 @@ StoredValues probe(const iga::StoredResult& result, const StoredProbe& where) {
     throw Error(ErrorCode::invalid_argument,
                 fmt::format("patch {} does not exist: there are patches 0 to {}", index, count - 1));
   const auto& patch = model.patch(PatchId(index));
-  const auto parameter = model.renamed(PatchId(index), where.parameter);
+  const auto parameter = model.from_input(PatchId(index), where.parameter);
   if (((parameter - patch.low()).array() < 0).any() || ((patch.high() - parameter).array() < 0).any())
     throw Error(ErrorCode::invalid_argument,
                 fmt::format("the parameter lies outside the knots of patch {}", index));

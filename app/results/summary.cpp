@@ -155,7 +155,7 @@ Json results_json(const StudyRun& run) {
   const auto at = [&](const iga::Extremum& e) {
     if (e.patch < 0) return Json(nullptr);
     return Json{{"patch", e.patch},
-                {"parameter", to_json(Eigen::Vector3d(model.renamed(PatchId(e.patch), e.parameter)))}};
+                {"parameter", to_json(Eigen::Vector3d(model.to_input(PatchId(e.patch), e.parameter)))}};
   };
   return {{"max_displacement", results.max_displacement.value},
           {"max_displacement_point", to_json(results.max_displacement.place)},

@@ -100,7 +100,7 @@ std::vector<geometry::Boundary> named_faces(const Regions& regions, const geomet
     geometry::Boundary boundary{name, {}};
     for (const std::string& label : labels)
       for (const geometry::PatchFace& face : faces_named(label, model.patch_count(), {}, {}))
-        boundary.faces.push_back(model.renamed(face));
+        boundary.faces.push_back(model.from_input(face));
     if (!boundary.faces.empty()) result.push_back(std::move(boundary));
   }
   return result;

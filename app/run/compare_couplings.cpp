@@ -69,7 +69,7 @@ void find_largest_differences(const iga::ElasticityProblem& problem, const iga::
        {&comparison.largest_displacement_difference, &comparison.largest_stress_difference})
     if (extremum->patch >= 0)
       extremum->parameter =
-          problem.discretization.model.renamed(PatchId(extremum->patch), extremum->parameter);
+          problem.discretization.model.to_input(PatchId(extremum->patch), extremum->parameter);
 }
 
 std::vector<InterfaceForce> interface_forces(const geometry::MultiPatch& model,

@@ -28,7 +28,7 @@ StudyRun run_study(const Study& study, const Progress& progress) {
   for (const iga::PhaseTime& time : run.solution.timings) run.timings.push_back(time);
   const auto& model = run.built.problem.discretization.model;
   for (const LocatedProbe& probe : run.built.probes)
-    run.probes.push_back({probe.name, probe.patch, model.renamed(PatchId(probe.patch), probe.parameter),
+    run.probes.push_back({probe.name, probe.patch, model.to_input(PatchId(probe.patch), probe.parameter),
                           iga::evaluate(run.solution.field, probe.patch, probe.parameter)});
   for (Warning& warning : result_warnings(run.built, run.solution))
     run.built.warnings.push_back(std::move(warning));

@@ -81,8 +81,8 @@ void add_faces(Text& text, const std::vector<PatchFace>& faces, const std::strin
 // "patch side patch side", where each direction of the first patch goes on the second, and whether both run
 // the same way there; across the interface: whether one runs on into the other.
 std::string interface_line(const MultiPatch& model, const Interface& found) {
-  const PatchFace first = model.renamed(found.first);
-  const PatchFace second = model.renamed(found.second);
+  const PatchFace first = model.to_input(found.first);
+  const PatchFace second = model.to_input(found.second);
   const auto on_first = tangents(first.side);
   const auto on_second = tangents(second.side);
   const FaceOrientation& o = found.orientation;
@@ -104,9 +104,9 @@ std::string interface_line(const MultiPatch& model, const Interface& found) {
                      same[1], same[2]);
 }
 
-std::vector<PatchFace> renamed(const MultiPatch& model, const std::vector<PatchFace>& faces) {
+std::vector<PatchFace> to_input(const MultiPatch& model, const std::vector<PatchFace>& faces) {
   std::vector<PatchFace> result;
-  for (const PatchFace& face : faces) result.push_back(model.renamed(face));
+  for (const PatchFace& face : faces) result.push_back(model.to_input(face));
   return result;
 }
 
@@ -137,9 +137,9 @@ std::string to_gismo_xml(const MultiPatch& model) {
   for (const Interface& found : model.interfaces()) add(text, "{}\n", interface_line(model, found));
   add(text, "</interfaces>\n");
   // All outer faces first: older versions of G+Smo read only the first list, newer ones drop repetitions.
-  if (!model.boundary_faces().empty()) add_faces(text, renamed(model, model.boundary_faces()), "");
+  if (!model.boundary_faces().empty()) add_faces(text, to_input(model, model.boundary_faces()), "");
   for (const Boundary& boundary : model.boundaries())
-    add_faces(text, renamed(model, boundary.faces), boundary.name);
+    add_faces(text, to_input(model, boundary.faces), boundary.name);
   return closed(text);
 }
 

@@ -150,15 +150,15 @@ TEST(Connect, TurnsLeftHandedPatchesAroundAndTranslatesNames) {
       {{plain, left}, {{"far", {west, north}}}, {{{PatchId(0), Side::east}, {PatchId(1), Side::east}}}});
   EXPECT_FALSE(model.was_reversed(PatchId(0)));
   EXPECT_TRUE(model.was_reversed(PatchId(1)));
-  EXPECT_EQ(model.renamed(west), (PatchFace{PatchId(1), Side::east}));
-  EXPECT_EQ(model.renamed(model.renamed(west)), west);
-  EXPECT_EQ(model.renamed(PatchFace{PatchId(0), Side::west}), (PatchFace{PatchId(0), Side::west}));
-  EXPECT_EQ(model.boundaries()[0].faces, (std::vector{model.renamed(west), north}));
-  EXPECT_EQ(model.label(model.renamed(west)), "1:west");
+  EXPECT_EQ(model.from_input(west), (PatchFace{PatchId(1), Side::east}));
+  EXPECT_EQ(model.to_input(model.from_input(west)), west);
+  EXPECT_EQ(model.from_input(PatchFace{PatchId(0), Side::west}), (PatchFace{PatchId(0), Side::west}));
+  EXPECT_EQ(model.boundaries()[0].faces, (std::vector{model.from_input(west), north}));
+  EXPECT_EQ(model.label(model.from_input(west)), "1:west");
   const Parameter<3> as_given(2.5, 0.2, 0.7);
-  const Parameter<3> inside = model.renamed(PatchId(1), as_given);
+  const Parameter<3> inside = model.from_input(PatchId(1), as_given);
   EXPECT_LT((model.patch(PatchId(1)).point(inside) - left.point(as_given)).norm(), 1e-15);
-  EXPECT_LT((model.renamed(PatchId(1), inside) - as_given).norm(), 1e-15);
+  EXPECT_LT((model.to_input(PatchId(1), inside) - as_given).norm(), 1e-15);
   EXPECT_GT(volume(model.patch(PatchId(1))), 0);
 }
 

@@ -27,7 +27,7 @@ FacePairs sorted(FacePairs pairs) {
 FacePairs found_in(const MultiPatch& model) {
   FacePairs pairs;
   for (const Interface& i : model.interfaces())
-    pairs.emplace_back(model.renamed(i.first), model.renamed(i.second));
+    pairs.emplace_back(model.to_input(i.first), model.to_input(i.second));
   return sorted(pairs);
 }
 

@@ -8,7 +8,7 @@ namespace isopatch::iga {
 
 void refuse_folded(const Discretization& discretization, int patch, double jacobian,
                    const geometry::Parameter<3>& parameter, const Eigen::Vector3d& place) {
-  const geometry::Parameter<3> given = discretization.model.renamed(PatchId(patch), parameter);
+  const geometry::Parameter<3> given = discretization.model.to_input(PatchId(patch), parameter);
   throw Error(
       ErrorCode::fold_over,
       fmt::format("patch {} is folded: det J = {:.3g} m^3 at the Gauss point with parameter ({:.6g}, {:.6g}, "
