@@ -73,7 +73,7 @@ std::vector<SceneWarning> warnings_of(const ParameterizationReport& report) {
     const auto& patch = report.patches[p];
     if (patch.certificate.accepted()) continue;
     result[next].patch = static_cast<int>(p);
-    result[next].place = patch.hopeless ? patch.hopeless->place : patch.certificate.place;
+    result[next].place = patch.folded_edge ? patch.folded_edge->place : patch.certificate.place;
     ++next;
   }
   return result;

@@ -16,7 +16,7 @@ namespace {
 using solvers::Method;
 using solvers::Preconditioner;
 
-// Iterations that stand in for factors have this many at most: what needs more is hopeless.
+// Iterations that stand in for factors have this many at most: what needs more does not converge.
 constexpr int most_iterations_instead = 500;
 
 NodalSolution solve_by(const SolverPlan& plan, const SolutionTask& task, solvers::SolverOptions options,

@@ -159,10 +159,10 @@ struct SlidingProblem {
 };
 
 SlidingProblem sliding_problem(const HexComplex& complex, const ComplexFit& fit, const BlockNets& nets,
-                               const std::vector<int>& unhealthy) {
+                               const std::vector<int>& poor_blocks) {
   SlidingProblem problem;
   std::set<int> blocks;
-  for (const int b : unhealthy)
+  for (const int b : poor_blocks)
     for (const int f : complex.block_faces[static_cast<std::size_t>(b)]) {
       problem.faces[static_cast<std::size_t>(f)] = {};
       for (const FaceUse& use : complex.faces[static_cast<std::size_t>(f)].uses)
@@ -215,9 +215,9 @@ double slide(FaceMap& map, const SlidingFace& face, const Eigen::VectorXd& varia
   return 0;
 }
 
-std::optional<HopelessPlace> hopeless_place(const geometry::NurbsVolume& volume) {
+std::optional<FoldedEdge> folded_edge(const geometry::NurbsVolume& volume) {
   constexpr int steps = 16;
-  std::optional<HopelessPlace> worst;
+  std::optional<FoldedEdge> worst;
   for (int e = 0; e < 12; ++e) {
     geometry::Parameter<3> at;
     const auto others = other_directions(e / 4);
@@ -235,31 +235,31 @@ std::optional<HopelessPlace> hopeless_place(const geometry::NurbsVolume& volume)
 
 }  // namespace
 
-bool Health::better_than(const Health& other) const {
+bool PatchValidity::better_than(const PatchValidity& other) const {
   if (certificate.accepted() != other.certificate.accepted()) return certificate.accepted();
   return quality.min_scaled_jacobian > other.quality.min_scaled_jacobian;
 }
 
-Health health(const std::array<KnotVector, 3>& knots, const Eigen::Matrix3Xd& net) {
+PatchValidity validity(const std::array<KnotVector, 3>& knots, const Eigen::Matrix3Xd& net) {
   const geometry::NurbsVolume volume(knots, net);
   return {geometry::certify_jacobian(volume, {.max_depth = 6}), geometry::quality(volume),
-          hopeless_place(volume)};
+          folded_edge(volume)};
 }
 
 ImprovedNet improve_interior(const std::array<KnotVector, 3>& knots, const Eigen::Matrix3Xd& net,
                              double wanted_quality, const OptimizationOptions& options) {
-  ImprovedNet best{net, health(knots, net), 0};
+  ImprovedNet best{net, validity(knots, net), 0};
   const std::array<int, 3> n = sizes_of(knots);
-  if (*std::min_element(n.begin(), n.end()) < 3 || best.health.hopeless) return best;
+  if (*std::min_element(n.begin(), n.end()) < 3 || best.validity.folded_edge) return best;
   MovableBlock block{knots, net, {}, mean_lengths(n, net), CountedPoints::inside_faces_and_interior, {}};
   const double step = step_of(block.lengths);
-  const auto healthy = [&](const Health& health) {
-    return health.certificate.accepted() && health.quality.min_scaled_jacobian >= wanted_quality;
+  const auto is_good_enough = [&](const PatchValidity& validity) {
+    return validity.certificate.accepted() && validity.quality.min_scaled_jacobian >= wanted_quality;
   };
   // Few variables first: they get around large folds quickly, and most patches need no more.
   constexpr int most_spans = 64;
   for (const int spans : {2, 4, most_spans}) {
-    if (healthy(best.health) || (spans == most_spans && best.health.certificate.accepted())) break;
+    if (is_good_enough(best.validity) || (spans == most_spans && best.validity.certificate.accepted())) break;
     block.points = best.net;
     if (spans == most_spans) {
       Triplets moves;
@@ -269,14 +269,14 @@ ImprovedNet improve_interior(const std::array<KnotVector, 3>& knots, const Eigen
       block.moves = coarse_moves(knots, spans, step);
     }
     constexpr int most_looks = 3;
-    for (int look = 0; look < most_looks && !healthy(best.health); ++look) {
+    for (int look = 0; look < most_looks && !is_good_enough(best.validity); ++look) {
       const OptimizedShapes found = optimize_shapes({block}, options);
       best.evaluations += found.evaluations;
       const Eigen::Matrix3Xd candidate = moved(block, found.variables);
-      const Health now = health(knots, candidate);
-      if (now.better_than(best.health) || !best.health.certificate.accepted()) {
+      const PatchValidity now = validity(knots, candidate);
+      if (now.better_than(best.validity) || !best.validity.certificate.accepted()) {
         best.net = candidate;
-        best.health = now;
+        best.validity = now;
       }
       // Where no fold lies between the points looked at, another look finds nothing new.
       if (now.certificate.accepted() || found.smallest_after <= 0) break;
@@ -287,9 +287,9 @@ ImprovedNet improve_interior(const std::array<KnotVector, 3>& knots, const Eigen
   return best;
 }
 
-bool slide_faces(HexComplex& complex, ComplexFit& fit, BlockNets& blocks, const std::vector<int>& unhealthy,
+bool slide_faces(HexComplex& complex, ComplexFit& fit, BlockNets& blocks, const std::vector<int>& poor_blocks,
                  double wanted_quality, const OptimizationOptions& options) {
-  const SlidingProblem problem = sliding_problem(complex, fit, blocks, unhealthy);
+  const SlidingProblem problem = sliding_problem(complex, fit, blocks, poor_blocks);
   const OptimizedShapes found = optimize_shapes(problem.movable, options);
   blocks.evaluations += found.evaluations;
   HexComplex new_complex = complex;
@@ -315,9 +315,10 @@ bool slide_faces(HexComplex& complex, ComplexFit& fit, BlockNets& blocks, const 
     const ImprovedNet improved = improve_interior(knots, net, wanted_quality, options);
     changed.evaluations += improved.evaluations;
     changed.nets[b] = improved.net;
-    changed.healths[b] = improved.health;
-    better = better || improved.health.better_than(blocks.healths[b]);
-    worse = worse || (blocks.healths[b].certificate.accepted() && !improved.health.certificate.accepted());
+    changed.validities[b] = improved.validity;
+    better = better || improved.validity.better_than(blocks.validities[b]);
+    worse =
+        worse || (blocks.validities[b].certificate.accepted() && !improved.validity.certificate.accepted());
   }
   blocks.evaluations = changed.evaluations;
   if (!better || worse) return false;

@@ -10,37 +10,38 @@
 
 namespace isopatch::segmentation {
 
-/// Where the edges and faces of a block leave no regular map: a dihedral angle of 180 degrees or more, or of
-/// 0.
-struct HopelessPlace {
+/// An edge of a block along which det J <= 0 whatever the inside is, since two faces meet there at 180
+/// degrees or more, or at 0: no map of this block can be certified.
+struct FoldedEdge {
   geometry::Parameter<3> parameter;  ///< on an edge of the cube
   Eigen::Vector3d place;
   double scaled_jacobian =
       0;  ///< there; on edges it depends on edges and faces alone, and its sign on their angle
 };
 
-/// How healthy a patch is.
-struct Health {
+/// Whether the map of a patch is regular, and how well shaped it is.
+struct PatchValidity {
   geometry::JacobianCertificate certificate;
   geometry::Quality quality;
-  std::optional<HopelessPlace> hopeless;
+  std::optional<FoldedEdge> folded_edge;
 
   /// Certified before not certified, then by the smallest scaled Jacobian.
-  bool better_than(const Health& other) const;
+  bool better_than(const PatchValidity& other) const;
 };
-Health health(const std::array<KnotVector, 3>& knots, const Eigen::Matrix3Xd& net);
+PatchValidity validity(const std::array<KnotVector, 3>& knots, const Eigen::Matrix3Xd& net);
 
-/// Control points with their health, and what they cost.
+/// Control points with their validity, and what they cost.
 struct ImprovedNet {
   Eigen::Matrix3Xd net;
-  Health health;
+  PatchValidity validity;
   int evaluations = 0;
 };
 
 /// Moves a patch's inner control points until it is certified and as good as `wanted_quality`, if that can
 /// be.
 ///
-/// Where the certificate still finds a fold between the points looked at, it is done again with a look there.
+/// Where the certificate still finds a fold between the sampled points, the optimization is repeated with a
+/// sample there.
 /// @return the better of the given and the found net; its six faces as given, to the last bit
 ImprovedNet improve_interior(const std::array<KnotVector, 3>& knots, const Eigen::Matrix3Xd& net,
                              double wanted_quality, const OptimizationOptions& options);
@@ -48,16 +49,16 @@ ImprovedNet improve_interior(const std::array<KnotVector, 3>& knots, const Eigen
 /// A complex with the nets of its blocks.
 struct BlockNets {
   std::vector<Eigen::Matrix3Xd> nets;
-  std::vector<Health> healths;
+  std::vector<PatchValidity> validities;
   int evaluations = 0;
 };
 
-/// Lets the inner parameters of the faces of unhealthy blocks slide on their surfaces, together with the
+/// Lets the inner parameters of the faces of poor blocks slide on their surfaces, together with the
 /// interiors of the blocks at them. Maps of faces, the fit and the nets change; surfaces and edges stay.
 ///
-/// @param unhealthy  blocks whose faces slide
+/// @param poor_blocks  blocks whose faces slide
 /// @return whether any block became better; everything is as before otherwise
-bool slide_faces(HexComplex& complex, ComplexFit& fit, BlockNets& blocks, const std::vector<int>& unhealthy,
+bool slide_faces(HexComplex& complex, ComplexFit& fit, BlockNets& blocks, const std::vector<int>& poor_blocks,
                  double wanted_quality, const OptimizationOptions& options);
 
 }  // namespace isopatch::segmentation

@@ -36,30 +36,30 @@ void refuse_partial_contacts(const HexComplex& complex) {
       std::move(fault));
 }
 
-bool healthy(const Health& health, double wanted_quality) {
-  return health.certificate.accepted() && health.quality.min_scaled_jacobian >= wanted_quality;
+bool is_good_enough(const PatchValidity& validity, double wanted_quality) {
+  return validity.certificate.accepted() && validity.quality.min_scaled_jacobian >= wanted_quality;
 }
 
 BlockNets first_nets(const HexComplex& complex, const ComplexFit& fit) {
   BlockNets blocks;
   for (int b = 0; b < static_cast<int>(complex.blocks.size()); ++b) {
     blocks.nets.push_back(block_net(complex, fit, b));
-    blocks.healths.push_back(health(block_knots(complex, fit, b), blocks.nets.back()));
+    blocks.validities.push_back(validity(block_knots(complex, fit, b), blocks.nets.back()));
   }
   return blocks;
 }
 
-std::vector<int> unhealthy(const BlockNets& blocks, double wanted_quality) {
+std::vector<int> poor_blocks(const BlockNets& blocks, double wanted_quality) {
   std::vector<int> result;
-  for (std::size_t b = 0; b < blocks.healths.size(); ++b)
-    if (!healthy(blocks.healths[b], wanted_quality) && !blocks.healths[b].hopeless)
+  for (std::size_t b = 0; b < blocks.validities.size(); ++b)
+    if (!is_good_enough(blocks.validities[b], wanted_quality) && !blocks.validities[b].folded_edge)
       result.push_back(static_cast<int>(b));
   return result;
 }
 
 void improve(HexComplex& complex, ComplexFit& fit, BlockNets& blocks, const ParameterizationOptions& options,
              const Progress& progress) {
-  std::vector<int> bad = unhealthy(blocks, options.wanted_quality);
+  std::vector<int> bad = poor_blocks(blocks, options.wanted_quality);
   for (std::size_t i = 0; i < bad.size(); ++i) {
     progress("optimizing patches", double(i) / double(bad.size()));
     const auto b = static_cast<std::size_t>(bad[i]);
@@ -67,12 +67,12 @@ void improve(HexComplex& complex, ComplexFit& fit, BlockNets& blocks, const Para
                                             options.wanted_quality, options.optimization);
     blocks.evaluations += improved.evaluations;
     blocks.nets[b] = std::move(improved.net);
-    blocks.healths[b] = improved.health;
+    blocks.validities[b] = improved.validity;
   }
   constexpr int most_slides = 3;
   for (int slide = 0; slide < most_slides; ++slide) {
     // Faces only slide where the insides alone are far from good.
-    bad = unhealthy(blocks, options.wanted_quality / 2);
+    bad = poor_blocks(blocks, options.wanted_quality / 2);
     if (bad.empty()) return;
     progress("sliding faces", double(slide) / most_slides);
     if (!slide_faces(complex, fit, blocks, bad, options.wanted_quality, options.optimization)) return;
@@ -100,12 +100,13 @@ std::array<int, 10> histogram(const geometry::NurbsVolume& patch) {
   return counts;
 }
 
-PatchReport report_of(const std::string& name, const geometry::NurbsVolume& patch, const Health& health) {
+PatchReport report_of(const std::string& name, const geometry::NurbsVolume& patch,
+                      const PatchValidity& validity) {
   PatchReport report;
   report.name = name;
-  report.certificate = health.certificate;
-  report.quality = health.quality;
-  report.hopeless = health.hopeless;
+  report.certificate = validity.certificate;
+  report.quality = validity.quality;
+  report.folded_edge = validity.folded_edge;
   report.histogram = histogram(patch);
   report.volume = geometry::volume(patch);
   report.control_points = patch.size();
@@ -166,11 +167,11 @@ std::string complaint(const PatchReport& patch) {
       "patch '{}' is {}: det J is {:.3g} at parameter {}, point {}", patch.name,
       patch.certificate.sign == geometry::JacobianSign::negative ? "folded" : "not certified",
       patch.certificate.smallest, place(patch.certificate.parameter), place(patch.certificate.place));
-  if (!patch.hopeless) return what + "; optimization found no better map: divide the block";
+  if (!patch.folded_edge) return what + "; optimization found no better map: divide the block";
   return fmt::format(
       "{}; its faces meet at 180 degrees or more on the edge at {}, where no regular patch has an edge: "
       "divide the block there",
-      what, place(patch.hopeless->place));
+      what, place(patch.folded_edge->place));
 }
 
 /// The least number with two digits that is not below x.
@@ -220,9 +221,9 @@ FittedComplex fitted_complex(HexComplex complex, const FitOptions& options) {
 }
 
 std::size_t poor_blocks(const BlockNets& blocks, double wanted_quality) {
-  return static_cast<std::size_t>(
-      std::count_if(blocks.healths.begin(), blocks.healths.end(),
-                    [&](const Health& health) { return !healthy(health, wanted_quality); }));
+  return static_cast<std::size_t>(std::count_if(
+      blocks.validities.begin(), blocks.validities.end(),
+      [&](const PatchValidity& validity) { return !is_good_enough(validity, wanted_quality); }));
 }
 
 /// Keeps the input's paces, and with them its splines, unless arc length leaves fewer poor blocks.
@@ -245,8 +246,8 @@ Parameterization shared_method(const HexComplex& given, const ParameterizationOp
   std::vector<geometry::NurbsVolume> patches;
   for (std::size_t b = 0; b < complex.blocks.size(); ++b) {
     patches.emplace_back(block_knots(complex, fitted, static_cast<int>(b)), blocks.nets[b]);
-    report.patches.push_back(report_of(complex.blocks[b].name, patches.back(), blocks.healths[b]));
-    report.patches.back().certified_before = first.healths[b].certificate.accepted();
+    report.patches.push_back(report_of(complex.blocks[b].name, patches.back(), blocks.validities[b]));
+    report.patches.back().certified_before = first.validities[b].certificate.accepted();
     report.patches.back().moved = blocks.nets[b] != first.nets[b];
   }
   for (std::size_t f = 0; f < complex.faces.size(); ++f) {
@@ -271,7 +272,7 @@ Parameterization paper_method(const HexComplex& complex) {
   for (std::size_t b = 0; b < complex.blocks.size(); ++b) {
     const geometry::NurbsVolume& patch = found.patches[b];
     result.report.patches.push_back(
-        report_of(complex.blocks[b].name, patch, health(patch.knots(), patch.control_points())));
+        report_of(complex.blocks[b].name, patch, validity(patch.knots(), patch.control_points())));
     result.report.patches.back().certified_before = result.report.patches.back().certificate.accepted();
   }
   for (std::size_t f = 0; f < complex.faces.size(); ++f) {

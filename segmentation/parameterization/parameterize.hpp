@@ -44,7 +44,7 @@ struct PatchReport {
   std::string name;
   geometry::JacobianCertificate certificate;
   geometry::Quality quality;
-  std::optional<HopelessPlace> hopeless;  ///< why no map can be certified, where that is known
+  std::optional<FoldedEdge> folded_edge;  ///< why no map can be certified, where that is known
   std::array<int, 10>
       histogram{};    ///< of the scaled Jacobian at Gauss points, tenths of [0, 1]; below 0 in the first
   double volume = 0;  ///< model units^3

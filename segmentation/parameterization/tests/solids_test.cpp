@@ -79,8 +79,8 @@ TEST(Solids, ACornerThatNoPatchHasIsReportedWithItsPlace) {
       "deformed cube",
       {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1.2, .125, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {.125, .5, 1}}}));
   EXPECT_FALSE(made.report.certified());
-  ASSERT_TRUE(made.report.patches[0].hopeless.has_value());
-  EXPECT_LT((made.report.patches[0].hopeless->place - Eigen::Vector3d(.125, .5, 1)).norm(), 1e-9);
+  ASSERT_TRUE(made.report.patches[0].folded_edge.has_value());
+  EXPECT_LT((made.report.patches[0].folded_edge->place - Eigen::Vector3d(.125, .5, 1)).norm(), 1e-9);
   EXPECT_THAT(made.report.complaints()[0], testing::AllOf(testing::HasSubstr("'deformed cube' is folded"),
                                                           testing::HasSubstr("edge at (0.125, 0.5, 1)"),
                                                           testing::HasSubstr("180 degrees")));

@@ -71,10 +71,10 @@ TEST(Untangling, FreesInnerPointsThatWereThrownAbout) {
   for (Eigen::Index i = 0; i < 125; ++i)
     if (!outer[static_cast<std::size_t>(i)])
       net.col(i) += Eigen::Vector3d(number(), 2 * number(), 3 * number());
-  ASSERT_FALSE(health(knots, net).certificate.accepted());
+  ASSERT_FALSE(validity(knots, net).certificate.accepted());
   const ImprovedNet improved = improve_interior(knots, net, 0.5, {});
-  EXPECT_TRUE(improved.health.certificate.accepted());
-  EXPECT_GT(improved.health.quality.min_scaled_jacobian, 0.5);
+  EXPECT_TRUE(improved.validity.certificate.accepted());
+  EXPECT_GT(improved.validity.quality.min_scaled_jacobian, 0.5);
   for (Eigen::Index i = 0; i < 125; ++i) {
     if (outer[static_cast<std::size_t>(i)]) EXPECT_EQ(improved.net.col(i), net.col(i));
   }
@@ -83,7 +83,7 @@ TEST(Untangling, FreesInnerPointsThatWereThrownAbout) {
 
 /// Hexahedra of one amount of distortion.
 struct Share {
-  int before = 0, after = 0, hopeless = 0, wrong = 0;
+  int before = 0, after = 0, folded_edges = 0, wrong = 0;
   double seconds = 0;
 };
 
@@ -97,7 +97,7 @@ Share share(double amount, int count, int first_seed) {
     const PatchReport& patch = made.report.patches[0];
     result.before += patch.certified_before;
     result.after += patch.certificate.accepted();
-    result.hopeless += patch.hopeless.has_value();
+    result.folded_edges += patch.folded_edge.has_value();
     const double smallest = test::smallest_determinant(made.patches.patches[0], 12);
     result.wrong += patch.certificate.accepted() && !(smallest > 0);
   }
@@ -114,7 +114,7 @@ TEST(Untangling, AcceptsNoRandomHexahedronWrongly) {
     EXPECT_GE(found.after, found.before);
     if (asked)
       fmt::print("| {} | {} | {} | {} | {} | {} | {:.2f} s |\n", amount, count, found.before, found.after,
-                 found.hopeless, found.wrong, found.seconds / count);
+                 found.folded_edges, found.wrong, found.seconds / count);
     std::fflush(stdout);
   }
 }
