@@ -12,7 +12,8 @@ std::int64_t SymmetricBlockMatrix::bytes() const {
 double mean_diagonal(const SymmetricBlockMatrix& matrix) {
   double sum = 0;
   for (int row = 0; row < matrix.block_rows(); ++row)
-    for (int i = 0; i < 3; ++i) sum += std::abs(matrix.values[9 * matrix.row_start[row] + 4 * i]);
+    for (int i = 0; i < block_size; ++i)
+      sum += std::abs(matrix.values[block_entries * matrix.row_start[row] + (block_size + 1) * i]);
   return matrix.rows() == 0 ? 0 : sum / matrix.rows();
 }
 

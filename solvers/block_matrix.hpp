@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "solvers/block_size.hpp"
 #include "solvers/zeroed_allocator.hpp"
 
 namespace isopatch::solvers {
@@ -13,10 +14,9 @@ namespace isopatch::solvers {
 /// Row r holds its blocks at positions row_start[r] .. row_start[r + 1], columns increasing, the first one
 /// the diagonal block (column r), which is always present and symmetric.
 struct SymmetricBlockMatrix {
-  static constexpr int block_size = 3;
   std::vector<std::int64_t> row_start = {0};
   ZeroedVector<int> columns;
-  ZeroedVector<double> values;  ///< 9 per block, row by row
+  ZeroedVector<double> values;  ///< `block_entries` per block, row by row
 
   /// Number of block rows.
   int block_rows() const { return static_cast<int>(row_start.size()) - 1; }
@@ -24,7 +24,7 @@ struct SymmetricBlockMatrix {
   int rows() const { return block_size * block_rows(); }
   std::int64_t blocks() const { return static_cast<std::int64_t>(columns.size()); }
   /// Scalar entries of the whole matrix, both triangles.
-  std::int64_t nonzeros() const { return 9 * (2 * blocks() - block_rows()); }
+  std::int64_t nonzeros() const { return block_entries * (2 * blocks() - block_rows()); }
   std::int64_t bytes() const;
 };
 

@@ -42,11 +42,11 @@ std::vector<Quad> quad_product(const SymmetricBlockMatrix& matrix, const BlockRo
   const std::int64_t last = matrix.blocks() - 1;
   for (int row = range.begin; row < range.end; ++row) {
     const Quad x_row = x[static_cast<std::size_t>(row)];
-    Quad sums[3] = {};
+    Quad sums[block_size] = {};
     for (std::int64_t k = matrix.row_start[row]; k < matrix.row_start[row + 1]; ++k) {
-      const double* const block = matrix.values.data() + 9 * k;
+      const double* const block = matrix.values.data() + block_entries * k;
       const int column = matrix.columns[k];
-      const Quad first = row_of(block), second = row_of(block + 3);
+      const Quad first = row_of(block), second = row_of(block + block_size);
       const Quad third = k < last ? Quad(row_of(block + 6)) : Quad{block[6], block[7], block[8], 0};
       const Quad x_column = x[static_cast<std::size_t>(column)];
       sums[0] += first * x_column;
@@ -55,7 +55,7 @@ std::vector<Quad> quad_product(const SymmetricBlockMatrix& matrix, const BlockRo
       if (column != row)  // the first one is the diagonal block
         shifted[column] += x_row[0] * first + x_row[1] * second + x_row[2] * third;
     }
-    for (int i = 0; i < 3; ++i) shifted[row][i] += sums[i][0] + sums[i][1] + sums[i][2];
+    for (int i = 0; i < block_size; ++i) shifted[row][i] += sums[i][0] + sums[i][1] + sums[i][2];
   }
   return y;
 }
@@ -67,7 +67,7 @@ Eigen::VectorXd multiply(const SymmetricBlockMatrix& matrix, const Eigen::Vector
   const auto rows = static_cast<std::size_t>(matrix.block_rows());
   std::vector<Quad> padded(rows);
   for (std::size_t row = 0; row < rows; ++row) {
-    const Eigen::Index at = 3 * static_cast<Eigen::Index>(row);
+    const Eigen::Index at = block_size * static_cast<Eigen::Index>(row);
     padded[row] = Quad{x[at], x[at + 1], x[at + 2], 0};
   }
   std::vector<std::vector<Quad>> parts(ranges.size());
@@ -75,9 +75,10 @@ Eigen::VectorXd multiply(const SymmetricBlockMatrix& matrix, const Eigen::Vector
   for (std::size_t i = 0; i < ranges.size(); ++i) parts[i] = quad_product(matrix, ranges[i], padded);
   Eigen::VectorXd y = Eigen::VectorXd::Zero(matrix.rows());
   for (std::size_t i = 0; i < ranges.size(); ++i) {
-    const Eigen::Index first = 3 * static_cast<Eigen::Index>(ranges[i].begin);
+    const Eigen::Index first = block_size * static_cast<Eigen::Index>(ranges[i].begin);
     for (std::size_t k = 0; k < parts[i].size(); ++k)
-      for (int c = 0; c < 3; ++c) y[first + 3 * static_cast<Eigen::Index>(k) + c] += parts[i][k][c];
+      for (int c = 0; c < block_size; ++c)
+        y[first + block_size * static_cast<Eigen::Index>(k) + c] += parts[i][k][c];
   }
   return y;
 }

@@ -24,23 +24,27 @@ std::vector<BlockRowRange> balanced_ranges(const SymmetricBlockMatrix& matrix);
 template <class Number, class Entry>
 std::vector<Number> range_product(const SymmetricBlockMatrix& matrix, const BlockRowRange& range,
                                   const Eigen::VectorXd& x, const Entry& entry) {
-  std::vector<Number> y(3 * (static_cast<std::size_t>(range.last_column) + 1 - range.begin), Number(0));
+  std::vector<Number> y(block_size * (static_cast<std::size_t>(range.last_column) + 1 - range.begin),
+                        Number(0));
   const double* const input = x.data();
   for (int row = range.begin; row < range.end; ++row) {
-    const double* const x_row = input + 3 * static_cast<std::int64_t>(row);
-    Number sum[3] = {0, 0, 0};
+    const double* const x_row = input + block_size * static_cast<std::int64_t>(row);
+    Number sum[block_size] = {0, 0, 0};
     for (std::int64_t k = matrix.row_start[row]; k < matrix.row_start[row + 1]; ++k) {
       const int column = matrix.columns[k];
-      const double* const block = matrix.values.data() + 9 * k;
-      const double* const x_column = input + 3 * static_cast<std::int64_t>(column);
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) sum[i] += static_cast<Number>(entry(block[3 * i + j])) * x_column[j];
+      const double* const block = matrix.values.data() + block_entries * k;
+      const double* const x_column = input + block_size * static_cast<std::int64_t>(column);
+      for (int i = 0; i < block_size; ++i)
+        for (int j = 0; j < block_size; ++j)
+          sum[i] += static_cast<Number>(entry(block[block_size * i + j])) * x_column[j];
       if (column == row) continue;
-      Number* const y_column = y.data() + 3 * static_cast<std::int64_t>(column - range.begin);
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) y_column[j] += static_cast<Number>(entry(block[3 * i + j])) * x_row[i];
+      Number* const y_column = y.data() + block_size * static_cast<std::int64_t>(column - range.begin);
+      for (int i = 0; i < block_size; ++i)
+        for (int j = 0; j < block_size; ++j)
+          y_column[j] += static_cast<Number>(entry(block[block_size * i + j])) * x_row[i];
     }
-    for (int i = 0; i < 3; ++i) y[3 * static_cast<std::size_t>(row - range.begin) + i] += sum[i];
+    for (int i = 0; i < block_size; ++i)
+      y[block_size * static_cast<std::size_t>(row - range.begin) + i] += sum[i];
   }
   return y;
 }
@@ -58,7 +62,7 @@ Eigen::Matrix<Number, Eigen::Dynamic, 1> block_product(const SymmetricBlockMatri
   Eigen::Matrix<Number, Eigen::Dynamic, 1> y(matrix.rows());
   y.setZero();
   for (std::size_t i = 0; i < ranges.size(); ++i) {
-    const Eigen::Index first = 3 * static_cast<Eigen::Index>(ranges[i].begin);
+    const Eigen::Index first = block_size * static_cast<Eigen::Index>(ranges[i].begin);
     for (std::size_t k = 0; k < parts[i].size(); ++k) y[first + static_cast<Eigen::Index>(k)] += parts[i][k];
   }
   return y;

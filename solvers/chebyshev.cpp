@@ -8,16 +8,19 @@
 #include <vector>
 
 #include "geometry/base/error.hpp"
+#include "solvers/block_size.hpp"
 
 namespace isopatch::solvers {
 namespace {
 
 // Numbers between -1 and 1 without a pattern, the same for a row on whichever process it is.
 Eigen::VectorXd rough_vector(const SharedRows& rows) {
-  Eigen::VectorXd x(3 * static_cast<Eigen::Index>(rows.local_rows()));
+  Eigen::VectorXd x(block_size * static_cast<Eigen::Index>(rows.local_rows()));
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     auto bits = static_cast<std::uint64_t>(
-        3 * static_cast<std::int64_t>(rows.global_of_local()[static_cast<std::size_t>(i / 3)]) + i % 3);
+        block_size *
+            static_cast<std::int64_t>(rows.global_of_local()[static_cast<std::size_t>(i / block_size)]) +
+        i % block_size);
     bits = (bits + 1) * 0x9E3779B97F4A7C15U;
     bits = (bits ^ (bits >> 30)) * 0xBF58476D1CE4E5B9U;
     bits = (bits ^ (bits >> 27)) * 0x94D049BB133111EBU;

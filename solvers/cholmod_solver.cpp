@@ -5,12 +5,12 @@
 #include <memory>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/stopwatch.hpp"
 #include "solvers/blas_threads.hpp"
 #include "solvers/block_ordering.hpp"
 #include "solvers/internal/cholmod_api.hpp"
 #include "solvers/pivot_check.hpp"
 #include "solvers/refinement.hpp"
-#include "solvers/stopwatch.hpp"
 
 namespace isopatch::solvers {
 namespace {
@@ -26,24 +26,25 @@ CompressedRows<Index> permuted_lower_triangle(const SymmetricBlockMatrix& matrix
   for (int row = 0; row < n; ++row)
     for (std::int64_t k = matrix.row_start[row]; k < matrix.row_start[row + 1]; ++k)
       ++blocks[std::min(ordering.position[row], ordering.position[matrix.columns[k]])];
-  lower.row_start.resize(3 * static_cast<std::size_t>(n) + 1, 0);
-  for (int i = 0; i < 3 * n; ++i) lower.row_start[i + 1] = lower.row_start[i] + 3 * blocks[i / 3] - i % 3;
+  lower.row_start.resize(block_size * static_cast<std::size_t>(n) + 1, 0);
+  for (int i = 0; i < block_size * n; ++i)
+    lower.row_start[i + 1] = lower.row_start[i] + block_size * blocks[i / block_size] - i % block_size;
   lower.columns.resize(lower.row_start.back());
   lower.values.resize(lower.row_start.back());
-  std::vector<Index> filled(n, 3);  // rows of the diagonal block come first
+  std::vector<Index> filled(n, block_size);  // rows of the diagonal block come first
   for (int row = 0; row < n; ++row) {
     for (std::int64_t k = matrix.row_start[row]; k < matrix.row_start[row + 1]; ++k) {
       const int a = ordering.position[row], b = ordering.position[matrix.columns[k]];
       const int first = std::min(a, b), second = std::max(a, b);
-      const double* const block = matrix.values.data() + 9 * k;
-      for (int i = 0; i < 3; ++i) {
-        const Index start = lower.row_start[3 * first + i] + (a == b ? -i : filled[first] - i);
-        for (int j = a == b ? i : 0; j < 3; ++j) {
-          lower.columns[start + j] = static_cast<Index>(3 * second + j);
-          lower.values[start + j] = a <= b ? block[3 * i + j] : block[3 * j + i];
+      const double* const block = matrix.values.data() + block_entries * k;
+      for (int i = 0; i < block_size; ++i) {
+        const Index start = lower.row_start[block_size * first + i] + (a == b ? -i : filled[first] - i);
+        for (int j = a == b ? i : 0; j < block_size; ++j) {
+          lower.columns[start + j] = static_cast<Index>(block_size * second + j);
+          lower.values[start + j] = a <= b ? block[block_size * i + j] : block[block_size * j + i];
         }
       }
-      if (a != b) filled[first] += 3;
+      if (a != b) filled[first] += block_size;
     }
   }
   return lower;
@@ -99,7 +100,8 @@ class Cholesky {
   Eigen::VectorXd solve(const Eigen::VectorXd& b) {
     Eigen::VectorXd permuted(b.size());
     for (std::size_t k = 0; k < ordering_.order.size(); ++k)
-      permuted.segment<3>(3 * k) = b.segment<3>(3 * static_cast<Eigen::Index>(ordering_.order[k]));
+      permuted.segment<block_size>(block_size * k) =
+          b.segment<block_size>(block_size * static_cast<Eigen::Index>(ordering_.order[k]));
     cholmod_dense view = {};
     view.nrow = view.nzmax = view.d = static_cast<std::size_t>(b.size());
     view.ncol = 1;
@@ -112,7 +114,8 @@ class Cholesky {
     const Eigen::Map<const Eigen::VectorXd> values(static_cast<const double*>(solution->x), b.size());
     Eigen::VectorXd x(b.size());
     for (std::size_t k = 0; k < ordering_.order.size(); ++k)
-      x.segment<3>(3 * static_cast<Eigen::Index>(ordering_.order[k])) = values.segment<3>(3 * k);
+      x.segment<block_size>(block_size * static_cast<Eigen::Index>(ordering_.order[k])) =
+          values.segment<block_size>(block_size * k);
     Api::free_dense(&solution, workspace_.get());
     return x;
   }
@@ -150,7 +153,7 @@ class Cholesky {
         ErrorCode::singular_system,
         fmt::format(
             "the matrix is not positive definite to working precision: {} at block row {}, component {} of 3",
-            finding, ordering_.order[column / 3], column % 3));
+            finding, ordering_.order[column / block_size], column % block_size));
   }
 
   void check_status() {
@@ -203,7 +206,7 @@ LinearSolution solve_with_cholmod(const LinearSystem& system, const SolverOption
   report.method = Method::cholmod;
   progress("ordering", 0);
   const BlockOrdering ordering = fill_reducing_ordering(system.stiffness);
-  if (9 * system.stiffness.blocks() <= std::numeric_limits<std::int32_t>::max()) {
+  if (block_entries * system.stiffness.blocks() <= std::numeric_limits<std::int32_t>::max()) {
     Cholesky<std::int32_t> cholesky(system.stiffness, ordering);
     if (cholesky.fits())
       return factorize_and_solve(cholesky, system, options, progress, watch, std::move(report));

@@ -21,6 +21,7 @@ struct LinearSystem {
   Eigen::VectorXd load;                       ///< f
   SharedRows rows = SharedRows();             ///< block rows of K
   SharedRows multiplier_rows = SharedRows();  ///< rows of B, block size 1
+  double assembly_seconds = 0;                ///< that it took to make them; for the report
 
   /// Constraints of the whole system.
   std::int64_t constraint_count() const {

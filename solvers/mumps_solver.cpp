@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/stopwatch.hpp"
 #include "solvers/blas_threads.hpp"
 #include "solvers/internal/mpi_session.hpp"
 #include "solvers/pivot_check.hpp"
 #include "solvers/refinement.hpp"
-#include "solvers/stopwatch.hpp"
 
 namespace isopatch::solvers {
 namespace {
@@ -163,7 +163,7 @@ Eigen::VectorXd solve_local(SymmetricFactorization& factorization, const ScaledS
   whole << system.rows.whole(scaled.unknowns(b)),
       system.multiplier_rows.whole(b.tail(system.constraints.rows()));
   const Eigen::VectorXd z = factorization.solve(std::move(whole));
-  const Eigen::Index unknowns = 3 * Eigen::Index{system.rows.global_rows()};
+  const Eigen::Index unknowns = block_size * Eigen::Index{system.rows.global_rows()};
   Eigen::VectorXd result(scaled.rows());
   result << system.rows.part(z.head(unknowns)), system.multiplier_rows.part(z.tail(z.size() - unknowns));
   return result;

@@ -1,3 +1,5 @@
+#include "solvers/operator_system.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -6,21 +8,12 @@
 #include <utility>
 
 #include "geometry/base/error.hpp"
-#include "solvers/internal/krylov.hpp"
+#include "geometry/base/stopwatch.hpp"
 #include "solvers/internal/petsc_session.hpp"
-#include "solvers/operator_system.hpp"
-#include "solvers/stopwatch.hpp"
+#include "solvers/internal/restarts.hpp"
 
 namespace isopatch::solvers {
 namespace {
-
-void check_reason(KSPConvergedReason reason, int iterations) {
-  if (reason == KSP_DIVERGED_INDEFINITE_MAT || reason == KSP_DIVERGED_INDEFINITE_PC)
-    throw Error(ErrorCode::singular_system,
-                fmt::format("the iteration met a direction without positive energy in step {}: the matrix is "
-                            "singular or indefinite",
-                            iterations));
-}
 
 // Round-off may leave a square a little below 0; what is no number stays none.
 double error_of(const OperatorSystem& system, const Eigen::VectorXd& residual) {
@@ -31,8 +24,9 @@ double error_of(const OperatorSystem& system, const Eigen::VectorXd& residual) {
 // Entries of x with signs that follow no order but their numbers in the whole system.
 Eigen::VectorXd with_rough_signs(Eigen::VectorXd x, const SharedRows& rows) {
   for (Eigen::Index i = 0; i < x.size(); ++i) {
-    const auto row = static_cast<std::size_t>(i / 3);
-    const auto number = 3 * (rows.is_distributed() ? rows.global_of_local()[row] : i / 3) + i % 3;
+    const auto row = static_cast<std::size_t>(i / block_size);
+    const auto number =
+        block_size * (rows.is_distributed() ? rows.global_of_local()[row] : i / block_size) + i % block_size;
     if ((static_cast<std::uint32_t>(number) * 2654435761u) >> 31) x[i] = -x[i];
   }
   return x;
@@ -45,46 +39,60 @@ double rounding_level(const OperatorSystem& system, const Eigen::VectorXd& x, do
          error_of(system, system.product(with_rough_signs(x, system.rows))) / first;
 }
 
+void check_load(double error) {
+  if (std::isfinite(error)) return;
+  throw Error(
+      ErrorCode::not_converged,
+      fmt::format("the load is {} in the norm of the preconditioner: a value that is not a number in the "
+                  "load, the matrix or the preconditioner",
+                  error));
+}
+
+double relative_residual(const OperatorSystem& system, const Eigen::VectorXd& residual) {
+  return std::sqrt(system.rows.dot(residual, residual) / system.rows.dot(system.load, system.load));
+}
+
+// What is known of the system before it is solved.
+SolveReport first_report(const OperatorSystem& system, Method method) {
+  constexpr int vectors = 20;  // of PETSc, of the preconditioner and of the products
+  const OperatorCosts& costs = system.costs;
+  SolveReport report;
+  report.method = method;
+  report.form = costs.form;
+  report.levels = costs.levels;
+  report.matrix_nonzeros = costs.matrix_nonzeros;
+  report.memory_bytes = costs.bytes + 8 * vectors * system.load.size();
+  report.assembly_seconds = costs.assembly_seconds;
+  report.analysis_seconds = costs.setup_seconds;
+  return report;
+}
+
 LinearSolution solve(const OperatorSystem& system, const SolverOptions& options, Krylov method,
                      const Progress& progress) {
-  constexpr int most_restarts = 5;
   start_petsc();
   Stopwatch watch;
   LinearSolution solution;
   SolveReport& report = solution.report;
-  report.method = method == Krylov::conjugate_gradients ? Method::cg : Method::minres;
-  solution.x = Eigen::VectorXd::Zero(system.load.size());
+  report = first_report(system, method == Krylov::conjugate_gradients ? Method::cg : Method::minres);
   const double first = error_of(system, system.load);
-  Eigen::VectorXd residual = system.load;
-  if (!std::isfinite(first))
-    throw Error(
-        ErrorCode::not_converged,
-        fmt::format("the load is {} in the norm of the preconditioner: a value that is not a number in the "
-                    "load, the matrix or the preconditioner",
-                    first));
-  double relative = first > 0 ? 1 : 0;
-  report.residual_history.push_back(relative);
-  for (int restart = 0; restart <= most_restarts && relative > options.tolerance; ++restart) {
-    // A little below the tolerance, for the true error is not quite the updated one.
-    const KrylovOptions krylov{method, ErrorNorm::preconditioned, 0.8 * options.tolerance / relative,
-                               options.max_iterations - report.iterations};
-    if (krylov.max_iterations <= 0) break;
-    const KrylovSolution step =
-        iterate(system.rows, system.product, system.preconditioner, residual, krylov, progress);
-    for (std::size_t k = 1; k < step.errors.size(); ++k)
-      report.residual_history.push_back(step.errors[k] * relative);
-    report.iterations = static_cast<int>(report.residual_history.size()) - 1;
-    check_reason(step.reason, report.iterations);
-    solution.x += step.x;
-    residual = system.load - system.product(solution.x);
-    const double before = std::exchange(relative, error_of(system, residual) / first);
-    report.residual_history.back() = relative;
-    if (!(relative < 0.9 * before)) break;
-  }
+  check_load(first);
+  const RestartedProblem problem{
+      .rows = system.rows,
+      .product = system.product,
+      .preconditioner = system.preconditioner,
+      .residual = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
+        return system.load - system.product(x);
+      },
+      .error = [&](const Eigen::VectorXd& r) { return error_of(system, r) / first; },
+      .method = method,
+      .norm = ErrorNorm::preconditioned,
+      .margin = 0.8};
+  RestartedSolution solved =
+      iterate_with_restarts(problem, system.load, first > 0 ? 1 : 0, options, progress, report);
+  solution.x = std::move(solved.x);
+  const double relative = solved.error;
   report.energy_error = relative;
-  report.relative_residual =
-      first > 0 ? std::sqrt(system.rows.dot(residual, residual) / system.rows.dot(system.load, system.load))
-                : 0;
+  report.relative_residual = first > 0 ? relative_residual(system, solved.residual) : 0;
   report.solve_seconds = watch.lap();
   constexpr double tolerance_of_round_off = 1e-12;  // who asks for less wants to know that it was not reached
   if (relative > options.tolerance && options.tolerance >= tolerance_of_round_off) {

@@ -9,6 +9,16 @@
 
 namespace isopatch::solvers {
 
+/// What it took to make an operator and its preconditioner, for the report.
+struct OperatorCosts {
+  Operator form = Operator::matrix_free;  ///< whether a matrix is stored
+  int levels = 0;                         ///< of a multigrid
+  std::int64_t matrix_nonzeros = 0;
+  std::int64_t bytes = 0;  ///< of matrix and preconditioner
+  double assembly_seconds = 0;
+  double setup_seconds = 0;  ///< of the preconditioner
+};
+
 /// A symmetric system that is known by its product alone, spread over processes. All vectors are consistent
 /// local ones.
 struct OperatorSystem {
@@ -17,6 +27,7 @@ struct OperatorSystem {
   LinearOperator
       preconditioner;    ///< symmetric positive definite, near the inverse of A (of |A| if indefinite)
   Eigen::VectorXd load;  ///< b
+  OperatorCosts costs = {};
 };
 
 /// Solves A x = b by preconditioned conjugate gradients (A positive definite).

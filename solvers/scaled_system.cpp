@@ -108,7 +108,7 @@ std::int64_t global_rows(const ScaledSystem& scaled) {
   const LinearSystem& system = scaled.system();
   const std::int64_t block_rows =
       system.rows.is_distributed() ? system.rows.global_rows() : system.stiffness.block_rows();
-  return 3 * block_rows + system.constraint_count();
+  return block_size * block_rows + system.constraint_count();
 }
 
 namespace {
@@ -129,9 +129,9 @@ std::vector<int> places(const ScaledSystem& scaled, int first) {
   }
   std::size_t next = 0;
   for (const int row : system.rows.global_of_local())
-    for (int i = 0; i < 3; ++i) result[next++] = first + 3 * row + i;
+    for (int i = 0; i < block_size; ++i) result[next++] = first + block_size * row + i;
   for (const int row : system.multiplier_rows.global_of_local())
-    result[next++] = first + 3 * system.rows.global_rows() + row;
+    result[next++] = first + block_size * system.rows.global_rows() + row;
   return result;
 }
 
@@ -142,8 +142,8 @@ MatrixEntries upper_entries(const ScaledSystem& scaled, int first) {
   const ConstraintMatrix& constraints = scaled.system().constraints;
   const std::vector<int> place = places(scaled, first);
   MatrixEntries entries;
-  const auto count =
-      static_cast<std::size_t>(9 * stiffness.blocks() - 3 * stiffness.block_rows() + constraints.nonZeros());
+  const auto count = static_cast<std::size_t>(block_entries * stiffness.blocks() -
+                                              block_size * stiffness.block_rows() + constraints.nonZeros());
   entries.rows.reserve(count);
   entries.columns.reserve(count);
   entries.values.reserve(count);
@@ -153,10 +153,11 @@ MatrixEntries upper_entries(const ScaledSystem& scaled, int first) {
     entries.values.push_back(value);
   };
   for (int row = 0; row < stiffness.rows(); ++row) {
-    const int block_row = row / 3, i = row % 3;
+    const int block_row = row / block_size, i = row % block_size;
     for (std::int64_t k = stiffness.row_start[block_row]; k < stiffness.row_start[block_row + 1]; ++k)
-      for (int j = stiffness.columns[k] == block_row ? i : 0; j < 3; ++j)
-        append(row, 3 * Eigen::Index{stiffness.columns[k]} + j, stiffness.values[9 * k + 3 * i + j]);
+      for (int j = stiffness.columns[k] == block_row ? i : 0; j < block_size; ++j)
+        append(row, block_size * Eigen::Index{stiffness.columns[k]} + j,
+               stiffness.values[block_entries * k + block_size * i + j]);
   }
   for (Eigen::Index row = 0; row < constraints.rows(); ++row)
     for (ConstraintMatrix::InnerIterator it(constraints, row); it; ++it)
@@ -172,8 +173,8 @@ CompressedRows<std::int64_t> upper_triangle(const ScaledSystem& scaled) {
   // Rows of B^T, so columns of B, stand to the right of K.
   const Eigen::SparseMatrix<double, Eigen::RowMajor> transposed = scaled.system().constraints.transpose();
   const std::int64_t constraint_rows = scaled.system().constraints.rows();
-  const std::int64_t entries =
-      9 * stiffness.blocks() - 3 * stiffness.block_rows() + transposed.nonZeros() + constraint_rows;
+  const std::int64_t entries = block_entries * stiffness.blocks() - block_size * stiffness.block_rows() +
+                               transposed.nonZeros() + constraint_rows;
   CompressedRows<std::int64_t> upper;
   upper.columns.reserve(entries);
   upper.values.reserve(entries);
@@ -184,10 +185,11 @@ CompressedRows<std::int64_t> upper_triangle(const ScaledSystem& scaled) {
     upper.values.push_back(value);
   };
   for (int row = 0; row < stiffness.rows(); ++row) {
-    const int block_row = row / 3, i = row % 3;
+    const int block_row = row / block_size, i = row % block_size;
     for (std::int64_t k = stiffness.row_start[block_row]; k < stiffness.row_start[block_row + 1]; ++k)
-      for (int j = stiffness.columns[k] == block_row ? i : 0; j < 3; ++j)
-        append(3 * static_cast<std::int64_t>(stiffness.columns[k]) + j, stiffness.values[9 * k + 3 * i + j]);
+      for (int j = stiffness.columns[k] == block_row ? i : 0; j < block_size; ++j)
+        append(block_size * static_cast<std::int64_t>(stiffness.columns[k]) + j,
+               stiffness.values[block_entries * k + block_size * i + j]);
     if (constraint_rows > 0)
       for (ConstraintMatrix::InnerIterator it(transposed, row); it; ++it)
         append(stiffness.rows() + it.col(), scaled.scale() * it.value());

@@ -80,7 +80,7 @@ std::vector<Vector> exchanged(const Vector& x, const std::vector<Neighbour>& nei
 
 struct SharedRows::State {
   Processes processes;
-  int block_size = 3;
+  int block_size = solvers::block_size;
   int global_rows = 0;
   std::vector<int> global_of_local;
   std::vector<int> owned;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "solvers/block_size.hpp"
 #include "solvers/processes.hpp"
 
 namespace isopatch::solvers {
@@ -29,7 +30,8 @@ class SharedRows {
   ///                          the same on all processes
   /// The local rows are those that this process touches, in the order of the whole system.
   explicit SharedRows(const std::vector<std::vector<int>>& processes_of_row,
-                      const Processes& processes = Processes::launched(), int block_size = 3);
+                      const Processes& processes = Processes::launched(),
+                      int block_size = solvers::block_size);
 
   /// Block rows of this process, and of the whole system.
   int local_rows() const;

@@ -23,7 +23,7 @@ void check_sizes(const LinearSystem& system) {
   const SymmetricBlockMatrix& matrix = system.stiffness;
   const auto blocks = static_cast<std::size_t>(matrix.blocks());
   if (matrix.row_start.empty() || matrix.row_start.front() != 0 ||
-      matrix.row_start.back() != matrix.blocks() || matrix.values.size() != 9 * blocks)
+      matrix.row_start.back() != matrix.blocks() || matrix.values.size() != block_entries * blocks)
     refuse(
         fmt::format("the block matrix is inconsistent: {} columns, {} values", blocks, matrix.values.size()));
   if (system.load.size() != matrix.rows())
@@ -48,14 +48,15 @@ void check_columns(const SymmetricBlockMatrix& matrix) {
 void check_values(const LinearSystem& system) {
   const SymmetricBlockMatrix& matrix = system.stiffness;
   for (int row = 0; row < matrix.block_rows(); ++row)
-    for (std::int64_t k = 9 * matrix.row_start[row]; k < 9 * matrix.row_start[row + 1]; ++k)
+    for (std::int64_t k = block_entries * matrix.row_start[row];
+         k < block_entries * matrix.row_start[row + 1]; ++k)
       if (!std::isfinite(matrix.values[k]))
         refuse(fmt::format("the matrix is not a number or infinite in block row {}, block column {}", row,
-                           matrix.columns[k / 9]));
+                           matrix.columns[k / block_entries]));
   for (Eigen::Index i = 0; i < system.load.size(); ++i)
     if (!std::isfinite(system.load[i]))
-      refuse(fmt::format("the load is not a number or infinite at block row {}, component {} of 3", i / 3,
-                         i % 3));
+      refuse(fmt::format("the load is not a number or infinite at block row {}, component {} of 3",
+                         i / block_size, i % block_size));
   for (Eigen::Index i = 0; i < system.constraints.rows(); ++i)
     for (ConstraintMatrix::InnerIterator it(system.constraints, i); it; ++it)
       if (!std::isfinite(it.value()))
@@ -109,6 +110,7 @@ LinearSolution solve_with(Method method, const LinearSystem& system, const Solve
 LinearSolution verified(LinearSolution solution, const LinearSystem& system, const SolverOptions& options) {
   SolveReport& report = solution.report;
   report.matrix_nonzeros = matrix_nonzeros(system);
+  report.assembly_seconds = system.assembly_seconds;
   const ScaledSystem scaled(system);
   const Eigen::VectorXd z = scaled.join(solution.x, solution.multipliers);
   report.relative_residual = scaled.relative_residual(z);
@@ -140,6 +142,7 @@ LinearSolution zero_solution(const LinearSystem& system, Method method) {
   solution.report.reason = "nothing to solve: the load is zero";
   solution.report.residual_history = {0};
   solution.report.matrix_nonzeros = matrix_nonzeros(system);
+  solution.report.assembly_seconds = system.assembly_seconds;
   return solution;
 }
 

@@ -26,7 +26,7 @@ struct SolveReport {
   std::int64_t factor_nonzeros = 0;  ///< 0 for iterative methods
   double factor_flops = 0;
   std::int64_t memory_bytes = 0;  ///< held by the solver at its peak, as it reports itself
-  double assembly_seconds = 0;    ///< of an iterative method's matrix
+  double assembly_seconds = 0;    ///< of the matrix
   double analysis_seconds = 0;    ///< ordering and symbolic factorization, or preconditioner set-up
   double factorization_seconds = 0;
   double solve_seconds = 0;

@@ -6,10 +6,10 @@
 #include <array>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/stopwatch.hpp"
 #include "solvers/blas_threads.hpp"
 #include "solvers/pivot_check.hpp"
 #include "solvers/refinement.hpp"
-#include "solvers/stopwatch.hpp"
 
 namespace isopatch::solvers {
 namespace {

@@ -5,7 +5,7 @@
 #include "app/commands/commands.hpp"
 #include "app/results/output_directory.hpp"
 #include "app/verify/verification_report.hpp"
-#include "solvers/stopwatch.hpp"
+#include "geometry/base/stopwatch.hpp"
 
 namespace isopatch::app {
 
@@ -18,7 +18,7 @@ ExitCode verify_command(const VerifyCommand& command, const Console& console) {
   }
   check_writable(command.output);
   ProgressDisplay display(console);
-  solvers::Stopwatch watch;
+  Stopwatch watch;
   const std::string claims = run_verification(program, command.suites, level, display.progress());
   const double seconds = watch.lap();
   display.clear();

@@ -2,14 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
-
 #include "app/reports/report_page.hpp"
 #include "app/results/output_directory.hpp"
 #include "app/results/summary.hpp"
 #include "app/results/unfinished_results.hpp"
 #include "app/results/write_fields.hpp"
 #include "geometry/base/error.hpp"
+#include "geometry/base/stopwatch.hpp"
 #include "geometry/patch_connections.hpp"
 #include "iga/output/result_file.hpp"
 
@@ -32,7 +31,7 @@ WrittenFields write_run_fields(const Study& study, StudyRun& run, const std::fil
 std::vector<std::string> write_all(const Study& study, StudyRun& run, const std::filesystem::path& folder,
                                    const Progress& progress) {
   std::vector<std::string> written;
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const iga::ElasticField& field = run.solution.field;
   const auto connections = geometry::connections_of(run.built.problem.discretization.model);
   std::string summary = summary_json(study, run);
@@ -55,8 +54,7 @@ std::vector<std::string> write_all(const Study& study, StudyRun& run, const std:
     write_in(folder, "report.html", report_html(field, model, study.text, summary, solids));
     written.emplace_back("report.html");
   }
-  run.timings.push_back(
-      {"output", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()});
+  run.timings.push_back({"output", watch.seconds()});
   write_in(folder, "summary.json", with_phase(summary, run.timings.back()));
   written.emplace_back("summary.json");
   return written;

@@ -1,27 +1,12 @@
 #include "app/run/run_study.hpp"
 
-#include <chrono>
-
 #include "app/base/provenance.hpp"
 #include "app/problem/plausibility.hpp"
+#include "geometry/base/stopwatch.hpp"
 
 namespace isopatch::app {
-namespace {
-
-class Watch {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-}  // namespace
-
 StudyRun run_study(const Study& study, const Progress& progress) {
-  const Watch building;
+  const Stopwatch building;
   StudyRun run{build_problem(study, progress), {}, {}, {}, 0};
   run.timings.push_back({"model", building.seconds()});
   run.solution = iga::solve_elasticity(run.built.problem, study.options, progress);

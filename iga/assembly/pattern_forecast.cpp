@@ -5,15 +5,17 @@
 #include <cmath>
 
 #include "iga/assembly/internal/direction_overlap.hpp"
-#include "iga/coupling/node_classes.hpp"
+#include "iga/coupling/global_nodes.hpp"
 
 namespace isopatch::iga {
 namespace {
 
-// The functions of one direction in groups: how many there are, and which overlap.
+// The functions of one direction in groups: how many there are, and which
+// overlap.
 struct LineGroups {
   std::vector<int> size;
-  // Per group and neighbour low .. high: pairs of functions that overlap, one of each.
+  // Per group and neighbour low .. high: pairs of functions that overlap, one
+  // of each.
   struct Neighbours {
     int low = 0;
     std::vector<std::int64_t> pairs;
@@ -23,8 +25,8 @@ struct LineGroups {
   int count() const { return static_cast<int>(size.size()); }
 };
 
-// First and last function alone, the others in stretches of about `width`; the same from both ends, for
-// neighbours may count the other way round.
+// First and last function alone, the others in stretches of about `width`; the
+// same from both ends, for neighbours may count the other way round.
 std::vector<int> group_sizes(int functions, double width) {
   const int inner = functions - 2;
   if (inner <= 0) return std::vector<int>(static_cast<std::size_t>(functions), 1);
@@ -64,7 +66,8 @@ LineGroups line_groups(const geometry::KnotVector& knots, double widening) {
 
 using PatchGroups = std::array<LineGroups, 3>;
 
-// Groups as wide as functions overlap, or `widening` times that so that there are no more than wanted.
+// Groups as wide as functions overlap, or `widening` times that so that there
+// are no more than wanted.
 std::vector<PatchGroups> patch_groups(const DirectionKnots& knots, int most_groups, double& widening) {
   std::vector<PatchGroups> patches(knots.size() / 3);
   for (widening = 1;; widening *= 1.25) {
@@ -108,7 +111,8 @@ int size_of(const PatchGroups& groups, const std::array<int, 3>& at) {
   return result;
 }
 
-// Pairs of groups of a patch that share an element, the second not before the first.
+// Pairs of groups of a patch that share an element, the second not before the
+// first.
 void append_pairs(const PatchGroups& groups, const int* vertex_of_cell, std::vector<GroupPair>& found) {
   const int row = groups[0].count(), plane = row * groups[1].count();
   for_each_cell(groups, [&](const std::array<int, 3>& at, int cell) {
@@ -126,7 +130,8 @@ void append_pairs(const PatchGroups& groups, const int* vertex_of_cell, std::vec
   });
 }
 
-// Each pair once. Patches that share a pair have it on a common face, and count the same.
+// Each pair once. Patches that share a pair have it on a common face, and count
+// the same.
 void unite(std::vector<GroupPair>& pairs) {
   std::sort(pairs.begin(), pairs.end(), [](const GroupPair& a, const GroupPair& b) {
     return std::array<std::int64_t, 3>{a.first, a.second, -a.pairs} <
@@ -138,11 +143,11 @@ void unite(std::vector<GroupPair>& pairs) {
   pairs.erase(std::unique(pairs.begin(), pairs.end(), same), pairs.end());
 }
 
-// Multipliers tie the first group of a class to each other one: vertices of their own behind those of the
-// nodes.
-void append_multipliers(const NodeClasses& classes, PatternForecast& result, std::vector<GroupPair>& pairs) {
-  for (int c = 0; c < classes.count(); ++c) {
-    const auto members = classes.of(c);
+// Multipliers tie the first group of a global node to each other one: vertices
+// of their own behind those of the nodes.
+void append_multipliers(const GlobalNodes& global, PatternForecast& result, std::vector<GroupPair>& pairs) {
+  for (int c = 0; c < global.count(); ++c) {
+    const auto members = global.nodes_of(c);
     for (std::size_t m = 1; m < members.size(); ++m) {
       const int rows = std::min(result.groups.rows[static_cast<std::size_t>(members[0])],
                                 result.groups.rows[static_cast<std::size_t>(members[m])]);
@@ -182,17 +187,17 @@ PatternForecast forecast_pattern(const geometry::MultiPatch& model, const Direct
   for (const PatchGroups& groups : patches)
     sizes.push_back({groups[0].count(), groups[1].count(), groups[2].count()});
   // Groups are tied as nodes are: by their numbers.
-  const NodeClasses classes = node_classes(model, sizes);
+  const GlobalNodes global = global_nodes(model, sizes);
   const bool merged = coupling == Coupling::elimination;
-  const int cells = static_cast<int>(classes.class_of.size());
+  const int cells = static_cast<int>(global.global_of.size());
 
   std::vector<int> vertex(static_cast<std::size_t>(cells));
-  result.groups.rows.assign(static_cast<std::size_t>(merged ? classes.count() : cells), 1 << 30);
+  result.groups.rows.assign(static_cast<std::size_t>(merged ? global.count() : cells), 1 << 30);
   int first = 0;
   for (std::size_t p = 0; p < patches.size(); ++p) {
     for_each_cell(patches[p], [&](const std::array<int, 3>& at, int cell) {
       const auto node = static_cast<std::size_t>(first + cell);
-      vertex[node] = merged ? classes.class_of[node] : first + cell;
+      vertex[node] = merged ? global.global_of[node] : first + cell;
       const int size = size_of(patches[p], at);
       result.nodes += size;
       // The nodes of a collapsed edge are one, as its corner is.
@@ -216,7 +221,7 @@ PatternForecast forecast_pattern(const geometry::MultiPatch& model, const Direct
     twice += (pair.first == pair.second ? 1 : 2) * std::min(pair.pairs, most);
   }
   result.blocks = twice / 2;
-  if (!merged) append_multipliers(classes, result, pairs);
+  if (!merged) append_multipliers(global, result, pairs);
   result.multipliers *= 3;
   for (int& rows : result.groups.rows) rows *= 3;
   connect(result.groups, pairs);

@@ -7,9 +7,9 @@
 namespace isopatch::iga {
 namespace {
 
-// What a load puts on each class of nodes, N.
+// What a load puts on each global node, N.
 std::map<int, Eigen::Vector3d> forces_of(const ElasticityProblem& problem, const SurfaceLoad& load,
-                                         const NodeClasses& classes) {
+                                         const GlobalNodes& global) {
   const Discretization& d = problem.discretization;
   std::map<int, Eigen::Vector3d> forces;
   for (const geometry::PatchFace& face : load.faces) {
@@ -19,7 +19,7 @@ std::map<int, Eigen::Vector3d> forces_of(const ElasticityProblem& problem, const
     for (std::size_t i = 0; i < indices.size(); ++i) {
       const int node = d.first_node[p] + indices[i];
       const auto found =
-          forces.try_emplace(classes.class_of[static_cast<std::size_t>(node)], Eigen::Vector3d::Zero()).first;
+          forces.try_emplace(global.global_of[static_cast<std::size_t>(node)], Eigen::Vector3d::Zero()).first;
       found->second += on_face.col(static_cast<Eigen::Index>(i));
     }
   }
@@ -28,14 +28,14 @@ std::map<int, Eigen::Vector3d> forces_of(const ElasticityProblem& problem, const
 
 }  // namespace
 
-std::vector<std::string> idle_loads(const ElasticityProblem& problem, const NodeClasses& classes,
+std::vector<std::string> idle_loads(const ElasticityProblem& problem, const GlobalNodes& global,
                                     const std::vector<SupportFrame>& frames) {
   constexpr double round_off = 1e-9;  // beside the load itself
   std::vector<std::string> result;
   for (const SurfaceLoad& load : problem.surface_loads) {
     double all = 0, free = 0;
-    for (const auto& [node_class, force] : forces_of(problem, load, classes)) {
-      const SupportFrame& frame = frames[static_cast<std::size_t>(node_class)];
+    for (const auto& [global_node, force] : forces_of(problem, load, global)) {
+      const SupportFrame& frame = frames[static_cast<std::size_t>(global_node)];
       all += force.norm();
       free += (frame.axes.leftCols(frame.free).transpose() * force).norm();
     }

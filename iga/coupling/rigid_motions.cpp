@@ -78,7 +78,7 @@ std::vector<std::string> described(const Eigen::MatrixXd& null_space, const Eige
 
 }  // namespace
 
-std::vector<FreeBody> free_bodies(const Discretization& d, const NodeClasses& classes,
+std::vector<FreeBody> free_bodies(const Discretization& d, const GlobalNodes& global,
                                   const std::vector<SupportFrame>& frames) {
   std::vector<FreeBody> result;
   for (const std::vector<PatchId>& body : d.model.bodies()) {
@@ -94,7 +94,7 @@ std::vector<FreeBody> free_bodies(const Discretization& d, const NodeClasses& cl
       const auto p = static_cast<std::size_t>(patch.value);
       for (int i = 0; i < d.patches[p].size(); ++i) {
         const SupportFrame& frame =
-            frames[static_cast<std::size_t>(classes.class_of[static_cast<std::size_t>(d.first_node[p] + i)])];
+            frames[static_cast<std::size_t>(global.global_of[static_cast<std::size_t>(d.first_node[p] + i)])];
         const Eigen::Vector3d arm = (d.patches[p].control_points().col(i) - centre) / size;
         for (int k = frame.free; k < 3; ++k) {
           Vector6 row;
@@ -113,9 +113,9 @@ std::vector<FreeBody> free_bodies(const Discretization& d, const NodeClasses& cl
   return result;
 }
 
-void require_supported(const Discretization& d, const NodeClasses& classes,
+void require_supported(const Discretization& d, const GlobalNodes& global,
                        const std::vector<SupportFrame>& frames) {
-  const std::vector<FreeBody> bodies = free_bodies(d, classes, frames);
+  const std::vector<FreeBody> bodies = free_bodies(d, global, frames);
   if (bodies.empty()) return;
   std::string message = "the supports leave rigid motions:";
   for (const FreeBody& body : bodies) {

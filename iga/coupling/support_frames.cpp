@@ -130,26 +130,27 @@ std::vector<Condition> conditions_at(const Support& support, const Eigen::Vector
 
 // Imposes a support on some control points of a patch.
 void hold(const std::vector<int>& points, PatchId patch, int support, const PlaneNormal& normal,
-          const ElasticityProblem& problem, const NodeClasses& classes, std::vector<SupportFrame>& frames) {
+          const ElasticityProblem& problem, const GlobalNodes& global, std::vector<SupportFrame>& frames) {
   const Discretization& d = problem.discretization;
   for (const int point : points) {
     const int node = d.first_node[static_cast<std::size_t>(patch.value)] + point;
-    const int node_class = classes.class_of[static_cast<std::size_t>(node)];
-    // One place for all nodes of a class, or a gradient would prescribe their distances as a contradiction.
-    const Eigen::Vector3d place = control_point(d, classes.of(node_class)[0]);
+    const int global_node = global.global_of[static_cast<std::size_t>(node)];
+    // One place for all nodes of a global one, or a gradient would prescribe their distances as a
+    // contradiction.
+    const Eigen::Vector3d place = control_point(d, global.nodes_of(global_node)[0]);
     for (const Condition& condition :
          conditions_at(problem.supports[static_cast<std::size_t>(support)], place, normal))
-      impose(frames[static_cast<std::size_t>(node_class)], condition, support, problem, place);
+      impose(frames[static_cast<std::size_t>(global_node)], condition, support, problem, place);
   }
 }
 
 }  // namespace
 
-std::vector<SupportFrame> support_frames(const ElasticityProblem& problem, const NodeClasses& classes) {
+std::vector<SupportFrame> support_frames(const ElasticityProblem& problem, const GlobalNodes& global) {
   const Discretization& d = problem.discretization;
   const auto& boundary = d.model.boundary_faces();
   const auto sizes = [&](PatchId patch) { return d.patches[static_cast<std::size_t>(patch.value)].sizes(); };
-  std::vector<SupportFrame> frames(static_cast<std::size_t>(classes.count()));
+  std::vector<SupportFrame> frames(static_cast<std::size_t>(global.count()));
   for (std::size_t s = 0; s < problem.supports.size(); ++s) {
     const Support& support = problem.supports[s];
     const bool plane = std::holds_alternative<PlaneSupport>(support.condition);
@@ -159,7 +160,7 @@ std::vector<SupportFrame> support_frames(const ElasticityProblem& problem, const
                     fmt::format("'{}': face {} is not on the boundary of the model", support.name,
                                 d.model.label(face)));
       hold(geometry::face_control_points(sizes(face.patch), face.side), face.patch, static_cast<int>(s),
-           plane ? plane_normal(d.model, face, support.name) : PlaneNormal{}, problem, classes, frames);
+           plane ? plane_normal(d.model, face, support.name) : PlaneNormal{}, problem, global, frames);
     }
     for (const SupportedEdge& held : support.edges) {
       if (plane || held.patch.value < 0 || held.patch.value >= d.patch_count())
@@ -170,7 +171,7 @@ std::vector<SupportFrame> support_frames(const ElasticityProblem& problem, const
                         : fmt::format("'{}': there is no patch {}, the model has patches 0 to {}",
                                       support.name, held.patch.value, d.patch_count() - 1));
       hold(geometry::edge_control_points(sizes(held.patch), held.edge), held.patch, static_cast<int>(s), {},
-           problem, classes, frames);
+           problem, global, frames);
     }
   }
   return frames;

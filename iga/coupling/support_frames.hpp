@@ -4,12 +4,12 @@
 #include <array>
 #include <vector>
 
-#include "iga/coupling/node_classes.hpp"
+#include "iga/coupling/global_nodes.hpp"
 #include "iga/problem/problem.hpp"
 
 namespace isopatch::iga {
 
-/// The displacements that supports leave to a class of nodes: u = prescribed + sum over k < free of q_k
+/// The displacements that supports leave to a global node: u = prescribed + sum over k < free of q_k
 /// axes.col(k).
 struct SupportFrame {
   Eigen::Matrix3d axes =
@@ -24,10 +24,10 @@ struct SupportFrame {
   std::array<int, 3> support = {-1, -1, -1};  ///< per column: the support that fixes it, or -1
 };
 
-/// One frame per class of nodes.
+/// One frame per global node.
 /// @throws Error invalid_argument  a plane support on a face that is not plane or on an edge, a face that is
 /// not on the boundary, an edge of a patch that does not exist
 /// @throws Error conflict          supports that prescribe different displacements for one point, naming both
-std::vector<SupportFrame> support_frames(const ElasticityProblem& problem, const NodeClasses& classes);
+std::vector<SupportFrame> support_frames(const ElasticityProblem& problem, const GlobalNodes& global);
 
 }  // namespace isopatch::iga

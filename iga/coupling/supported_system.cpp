@@ -80,11 +80,11 @@ Eigen::Matrix3Xd displacement_of_rows(const Eigen::VectorXd& x,
   return u;
 }
 
-std::vector<MultiplierRow> multiplier_rows(const NodeClasses& classes,
+std::vector<MultiplierRow> multiplier_rows(const GlobalNodes& global,
                                            const std::vector<SupportFrame>& frames) {
   std::vector<MultiplierRow> rows;
-  for (int c = 0; c < classes.count(); ++c) {
-    const auto members = classes.of(c);
+  for (int c = 0; c < global.count(); ++c) {
+    const auto members = global.nodes_of(c);
     for (std::size_t i = 1; i < members.size(); ++i)
       for (int axis = 0; axis < frames[static_cast<std::size_t>(c)].free; ++axis)
         rows.push_back({c, members[0], members[i], axis});
@@ -110,17 +110,17 @@ solvers::ConstraintMatrix multiplier_matrix(const std::vector<MultiplierRow>& ro
   return b;
 }
 
-Eigen::VectorXd recovered_multipliers(const std::vector<MultiplierRow>& rows, const NodeClasses& classes,
+Eigen::VectorXd recovered_multipliers(const std::vector<MultiplierRow>& rows, const GlobalNodes& global,
                                       const std::vector<SupportFrame>& frames,
                                       const Eigen::Matrix3Xd& residual) {
   const auto component = [&](const MultiplierRow& row, int node) {
-    return frames[static_cast<std::size_t>(row.node_class)].axes.col(row.axis).dot(residual.col(node));
+    return frames[static_cast<std::size_t>(row.global_node)].axes.col(row.axis).dot(residual.col(node));
   };
   Eigen::VectorXd result(static_cast<Eigen::Index>(rows.size()));
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    // (I + 1 1^T)^-1 = I - 1 1^T / m applied to the rows r_first - r_second leaves the class's mean less
-    // r_second.
-    const auto members = classes.of(rows[r].node_class);
+    // (I + 1 1^T)^-1 = I - 1 1^T / m applied to the rows r_first - r_second leaves the global node's mean
+    // less r_second.
+    const auto members = global.nodes_of(rows[r].global_node);
     double sum = 0;
     for (const int node : members) sum += component(rows[r], node);
     result[static_cast<Eigen::Index>(r)] =

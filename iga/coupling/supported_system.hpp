@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "iga/coupling/free_directions.hpp"
-#include "iga/coupling/node_classes.hpp"
+#include "iga/coupling/global_nodes.hpp"
 #include "iga/coupling/support_frames.hpp"
 #include "solvers/linear_system.hpp"
 
@@ -25,17 +25,17 @@ void apply_supports(solvers::SymmetricBlockMatrix& stiffness, const FreeDirectio
 Eigen::Matrix3Xd displacement_of_rows(const Eigen::VectorXd& x,
                                       const std::vector<const SupportFrame*>& frame_of_row);
 
-/// One scalar multiplier: component `axis` (a column of the class's frame) of two nodes is the same.
+/// One scalar multiplier: component `axis` (a column of the global node's frame) of two nodes is the same.
 struct MultiplierRow {
-  int node_class = 0;
+  int global_node = 0;
   int first = 0;   ///< node
   int second = 0;  ///< node
   int axis = 0;
 };
 
-/// Rows that tie every class of m nodes by m - 1 pairs (its first node with each other one), in the
+/// Rows that tie the m nodes of every global node by m - 1 pairs (its first node with each other one), in the
 /// components that supports leave free: never redundant.
-std::vector<MultiplierRow> multiplier_rows(const NodeClasses& classes,
+std::vector<MultiplierRow> multiplier_rows(const GlobalNodes& global,
                                            const std::vector<SupportFrame>& frames);
 
 /// B with x(first) - x(second) = 0 in each row; x as in apply_supports, one block row per node.
@@ -44,8 +44,8 @@ std::vector<MultiplierRow> multiplier_rows(const NodeClasses& classes,
 solvers::ConstraintMatrix multiplier_matrix(const std::vector<MultiplierRow>& rows, int nodes);
 
 /// The multipliers of a known solution: (B B^T)^-1 B r, with the residual r = f - K u of every node in frame
-/// axes. Closed form per class: B B^T = I + 1 1^T.
-Eigen::VectorXd recovered_multipliers(const std::vector<MultiplierRow>& rows, const NodeClasses& classes,
+/// axes. Closed form per global node: B B^T = I + 1 1^T.
+Eigen::VectorXd recovered_multipliers(const std::vector<MultiplierRow>& rows, const GlobalNodes& global,
                                       const std::vector<SupportFrame>& frames,
                                       const Eigen::Matrix3Xd& residual);
 

@@ -1,6 +1,6 @@
 #include "iga/coupling/well_posed.hpp"
 
-#include "iga/coupling/node_classes.hpp"
+#include "iga/coupling/global_nodes.hpp"
 #include "iga/coupling/rigid_motions.hpp"
 #include "iga/coupling/support_frames.hpp"
 #include "iga/problem/loads.hpp"
@@ -24,8 +24,8 @@ void require_unfolded(const Discretization& discretization, int points) {
 void require_well_posed(const ElasticityProblem& problem, int points) {
   const Discretization& discretization = problem.discretization;
   for (const Material& material : problem.materials) validate(material);
-  const NodeClasses classes = node_classes(discretization);
-  require_supported(discretization, classes, support_frames(problem, classes));
+  const GlobalNodes global = global_nodes(discretization);
+  require_supported(discretization, global, support_frames(problem, global));
   load_vector(problem, points);
   require_unfolded(discretization, points);
 }

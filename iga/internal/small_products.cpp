@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "iga/internal/registers.hpp"
+#include "iga/internal/native_lanes.hpp"
 
 namespace isopatch::iga {
 namespace {
@@ -26,16 +26,16 @@ struct BlockOperands {
 // M rows of T registers, all sums in registers.
 template <bool Add, int M, int T>
 void block_product(const BlockOperands& b) {
-  Register sums[M][T] = {};
+  NativeLanes sums[M][T] = {};
   const double* factor = b.factors;
   for (int k = 0; k < b.terms; ++k, factor += b.factor_step) {
     const double* const row = b.rows + b.offsets[k];
-    Register values[T];
+    NativeLanes values[T];
 #pragma GCC unroll 6
-    for (int t = 0; t < T; ++t) values[t] = load(row + t * register_size);
+    for (int t = 0; t < T; ++t) values[t] = load(row + t * native_lane_count);
 #pragma GCC unroll 12
     for (int m = 0; m < M; ++m) {
-      const Register f = factor[m] - Register{};
+      const NativeLanes f = factor[m] - NativeLanes{};
 #pragma GCC unroll 6
       for (int t = 0; t < T; ++t) sums[m][t] += f * values[t];
     }
@@ -44,7 +44,7 @@ void block_product(const BlockOperands& b) {
   for (int m = 0; m < M; ++m)
 #pragma GCC unroll 6
     for (int t = 0; t < T; ++t) {
-      double* const to = b.out + m * b.out_step + t * register_size;
+      double* const to = b.out + m * b.out_step + t * native_lane_count;
       store(to, Add ? load(to) + sums[m][t] : sums[m][t]);
     }
 }
@@ -86,7 +86,7 @@ int share(int whole, int i, int count) {
 }  // namespace
 
 SmallProducts::SmallProducts(int outputs, int columns) : outputs_(outputs), columns_(columns) {
-  const int registers = padded(columns) / register_size;
+  const int registers = padded(columns) / native_lane_count;
   const int strips = (registers + max_registers - 1) / max_registers;
   for (int strip = 0, column = 0; strip < strips; ++strip) {
     const int width = share(registers, strip, strips);
@@ -96,7 +96,7 @@ SmallProducts::SmallProducts(int outputs, int columns) : outputs_(outputs), colu
       blocks_.push_back({height, width, output, column});
       output += height;
     }
-    column += width * register_size;
+    column += width * native_lane_count;
   }
 }
 

@@ -2,30 +2,30 @@
 
 #include <utility>
 
-#include "iga/internal/registers.hpp"
+#include "iga/internal/native_lanes.hpp"
 
 namespace isopatch::iga {
 
-using Mask = long long __attribute__((vector_size(8 * register_size)));
+using Mask = long long __attribute__((vector_size(8 * native_lane_count)));
 
 // Entries of two rows of a square that is transposed by exchanging halves `Step` apart.
 template <int Step, int... Lane>
-inline __attribute__((always_inline)) void exchange(Register& a, Register& b,
+inline __attribute__((always_inline)) void exchange(NativeLanes& a, NativeLanes& b,
                                                     std::integer_sequence<int, Lane...>) {
-  constexpr Mask low = {((Lane & Step) != 0 ? register_size + Lane - Step : Lane)...};
-  constexpr Mask high = {((Lane & Step) != 0 ? register_size + Lane : Lane + Step)...};
-  const Register first = __builtin_shuffle(a, b, low);
+  constexpr Mask low = {((Lane & Step) != 0 ? native_lane_count + Lane - Step : Lane)...};
+  constexpr Mask high = {((Lane & Step) != 0 ? native_lane_count + Lane : Lane + Step)...};
+  const NativeLanes first = __builtin_shuffle(a, b, low);
   b = __builtin_shuffle(a, b, high);
   a = first;
 }
 
 template <int Step>
-inline __attribute__((always_inline)) void transpose_from(Register (&rows)[register_size]) {
-  if constexpr (Step < register_size) {
+inline __attribute__((always_inline)) void transpose_from(NativeLanes (&rows)[native_lane_count]) {
+  if constexpr (Step < native_lane_count) {
 #pragma GCC unroll 8
-    for (int r = 0; r < register_size; ++r)
+    for (int r = 0; r < native_lane_count; ++r)
       if ((r & Step) == 0)
-        exchange<Step>(rows[r], rows[r + Step], std::make_integer_sequence<int, register_size>{});
+        exchange<Step>(rows[r], rows[r + Step], std::make_integer_sequence<int, native_lane_count>{});
     transpose_from<2 * Step>(rows);
   }
 }
@@ -33,13 +33,13 @@ inline __attribute__((always_inline)) void transpose_from(Register (&rows)[regis
 /// Writes the columns of a square of doubles as rows.
 /// @param from    rows, one register each
 /// @param to      where the columns go, each `offset` further on
-inline void transpose(const double* from, double* const (&to)[register_size], int offset) {
-  Register rows[register_size];
+inline void transpose(const double* from, double* const (&to)[native_lane_count], int offset) {
+  NativeLanes rows[native_lane_count];
 #pragma GCC unroll 8
-  for (int r = 0; r < register_size; ++r) rows[r] = load(from + r * register_size);
+  for (int r = 0; r < native_lane_count; ++r) rows[r] = load(from + r * native_lane_count);
   transpose_from<1>(rows);
 #pragma GCC unroll 8
-  for (int r = 0; r < register_size; ++r) store(to[r] + offset, rows[r]);
+  for (int r = 0; r < native_lane_count; ++r) store(to[r] + offset, rows[r]);
 }
 
 }  // namespace isopatch::iga

@@ -31,7 +31,7 @@ bool has_one_element_of_degree(const Level& level, int highest) {
 // The coarsest level's matrix, the same on every process, which has all rows there.
 solvers::LinearOperator coarse_inverse(const Level& level, const std::vector<Material>& materials,
                                        int points) {
-  const RowNumbering numbering{level.class_of, level.rows.global_rows()};
+  const RowNumbering numbering{level.global_of, level.rows.global_rows()};
   solvers::SymmetricBlockMatrix stiffness =
       assemble_stiffness(level.spaces, whole_patches(level.spaces), materials, numbering, points);
   apply_supports(stiffness, level.free, solvers::SharedRows(stiffness.block_rows()));
@@ -115,7 +115,7 @@ std::int64_t ElasticityMultigrid::bytes() const {
   std::int64_t total = 0;
   for (const FastDiagonalization& smoother : state_->smoothers) total += smoother.bytes();
   for (const Level& level : state_->coarser)
-    total += static_cast<std::int64_t>(4 * (level.row_of_node.size() + level.class_of.size()));
+    total += static_cast<std::int64_t>(4 * (level.row_of_node.size() + level.global_of.size()));
   return total;
 }
 

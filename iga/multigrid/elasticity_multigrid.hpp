@@ -24,7 +24,7 @@ struct ElasticityMultigridOptions {
 class ElasticityMultigrid {
  public:
   /// @param finest   the solution space; must outlive the multigrid, as must `problem`
-  /// @param frames   of the finest level's classes
+  /// @param frames   of the finest level's global nodes
   /// @param product  of the finest level, assembled or not
   /// @throws Error singular_system  if a level is not positive definite
   ElasticityMultigrid(const ElasticityProblem& problem, const Level& finest,

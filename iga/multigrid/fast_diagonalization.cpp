@@ -124,7 +124,7 @@ FastDiagonalization::FastDiagonalization(const geometry::MultiPatch& model, cons
   for (const TensorBlock& block : tensor_blocks(model, level)) {
     const std::vector<int> nodes = nodes_of(level, block);
     for (const int node : nodes)
-      in_block[static_cast<std::size_t>(level.class_of[static_cast<std::size_t>(node)])] = 1;
+      in_block[static_cast<std::size_t>(level.global_of[static_cast<std::size_t>(node)])] = 1;
     const auto p = static_cast<std::size_t>(block.patch);
     if (!level.is_primary[p]) continue;
     const PatchSpace& space = level.spaces[p];

@@ -12,17 +12,17 @@ namespace {
 using geometry::KnotVector;
 
 // Fills in all but spaces and first_node.
-void number_rows(Level& level, const std::vector<int>& class_of,
-                 const std::vector<const SupportFrame*>& frame_of_class, const Distribution& distribution,
+void number_rows(Level& level, const std::vector<int>& global_of,
+                 const std::vector<const SupportFrame*>& frame_of_global, const Distribution& distribution,
                  const solvers::Processes& processes) {
-  level.class_of = class_of;
-  LocalRows local = local_rows({class_of, static_cast<int>(frame_of_class.size())}, level.first_node,
+  level.global_of = global_of;
+  LocalRows local = local_rows({global_of, static_cast<int>(frame_of_global.size())}, level.first_node,
                                distribution, processes);
   level.rows = std::move(local.rows);
   level.row_of_node = std::move(local.numbering.row_of_node);
   std::vector<const SupportFrame*> frame_of_row;
   for (const int c : level.rows.global_of_local())
-    frame_of_row.push_back(frame_of_class[static_cast<std::size_t>(c)]);
+    frame_of_row.push_back(frame_of_global[static_cast<std::size_t>(c)]);
   level.free = FreeDirections(frame_of_row);
   level.parts = parts_of(distribution, level.spaces, processes.rank());
   for (const auto& sharing : processes_of_patches(distribution, static_cast<int>(level.spaces.size())))
@@ -37,9 +37,9 @@ int representative(int i, int count, int fine_count) {
 }
 
 // Supports hold whole faces or edges, so a coarse function has the frame of any fine one on the same ones.
-std::vector<const SupportFrame*> coarse_frames(const Level& coarse, const NodeClasses& classes,
+std::vector<const SupportFrame*> coarse_frames(const Level& coarse, const GlobalNodes& global,
                                                const Level& finest, const std::vector<SupportFrame>& frames) {
-  std::vector<const SupportFrame*> result(static_cast<std::size_t>(classes.count()));
+  std::vector<const SupportFrame*> result(static_cast<std::size_t>(global.count()));
   for (std::size_t p = 0; p < coarse.spaces.size(); ++p) {
     const auto n = coarse.spaces[p].sizes();
     const auto m = finest.spaces[p].sizes();
@@ -49,8 +49,8 @@ std::vector<const SupportFrame*> coarse_frames(const Level& coarse, const NodeCl
         for (int i = 0; i < n[0]; ++i, ++node) {
           const int fine = representative(i, n[0], m[0]) +
                            m[0] * (representative(j, n[1], m[1]) + m[1] * representative(k, n[2], m[2]));
-          const int c = finest.class_of[static_cast<std::size_t>(finest.first_node[p] + fine)];
-          result[static_cast<std::size_t>(classes.class_of[static_cast<std::size_t>(node)])] =
+          const int c = finest.global_of[static_cast<std::size_t>(finest.first_node[p] + fine)];
+          result[static_cast<std::size_t>(global.global_of[static_cast<std::size_t>(node)])] =
               &frames[static_cast<std::size_t>(c)];
         }
   }
@@ -116,15 +116,16 @@ KnotVector coarser_knots(const KnotVector& knots) {
   return KnotVector(knots.degree(), kept);
 }
 
-Level finest_level(const Discretization& d, const NodeClasses& classes,
+Level finest_level(const std::vector<PatchSpace>& spaces, const GlobalNodes& global,
                    const std::vector<SupportFrame>& frames, const Distribution& distribution,
                    const solvers::Processes& processes) {
   Level level;
-  level.spaces = isoparametric_spaces(d);
-  level.first_node = d.first_node;
-  std::vector<const SupportFrame*> of_class;
-  for (const SupportFrame& frame : frames) of_class.push_back(&frame);
-  number_rows(level, classes.class_of, of_class, distribution, processes);
+  level.spaces = spaces;
+  level.first_node = {0};
+  for (const PatchSpace& space : spaces) level.first_node.push_back(level.first_node.back() + space.size());
+  std::vector<const SupportFrame*> of_global;
+  for (const SupportFrame& frame : frames) of_global.push_back(&frame);
+  number_rows(level, global.global_of, of_global, distribution, processes);
   return level;
 }
 
@@ -151,8 +152,8 @@ std::optional<Level> coarser_level(const geometry::MultiPatch& model, const Leve
   }
   if (!changed) return std::nullopt;
   add_weights(level, coarse);
-  const NodeClasses classes = node_classes(model, sizes);
-  number_rows(coarse, classes.class_of, coarse_frames(coarse, classes, finest, frames), distribution,
+  const GlobalNodes global = global_nodes(model, sizes);
+  number_rows(coarse, global.global_of, coarse_frames(coarse, global, finest, frames), distribution,
               processes);
   return coarse;
 }

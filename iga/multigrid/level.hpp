@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "iga/coupling/free_directions.hpp"
-#include "iga/coupling/node_classes.hpp"
+#include "iga/coupling/global_nodes.hpp"
 #include "iga/distribution/distribution.hpp"
 #include "iga/spaces/patch_space.hpp"
 #include "solvers/shared_rows.hpp"
@@ -17,16 +17,17 @@ struct Level {
   std::vector<PatchSpace> spaces;  ///< of all patches
   std::vector<int> first_node;     ///< of each patch, and the number of nodes at the end
   std::vector<int> row_of_node;    ///< local block row of every node, -1 where another process has it
-  std::vector<int> class_of;       ///< of every node, in the whole system
+  std::vector<int> global_of;      ///< of every node, in the whole system
   solvers::SharedRows rows;
   std::vector<PatchPart> parts;  ///< what this process integrates
   std::vector<bool> is_primary;  ///< per patch: whether this is the process that acts for it
   FreeDirections free;           ///< of the local rows
 };
 
-/// The solution space. `discretization` must outlive the level.
-/// @param process  number of this one
-Level finest_level(const Discretization& discretization, const NodeClasses& classes,
+/// The solution space as a level.
+/// @param spaces  of all patches; what they point to must outlive the level
+/// @param frames  one per global node
+Level finest_level(const std::vector<PatchSpace>& spaces, const GlobalNodes& global,
                    const std::vector<SupportFrame>& frames, const Distribution& distribution,
                    const solvers::Processes& processes);
 
@@ -37,7 +38,7 @@ Level finest_level(const Discretization& discretization, const NodeClasses& clas
 /// long as the coarser functions of every patch can make them; below that all are polynomial.
 ///
 /// @param finest   from which the supports are taken
-/// @param frames   of the finest level's classes
+/// @param frames   of the finest level's global nodes
 /// @cost  O(nodes of the finest level) at most
 std::optional<Level> coarser_level(const geometry::MultiPatch& model, const Level& level, const Level& finest,
                                    const std::vector<SupportFrame>& frames, const Distribution& distribution,

@@ -45,7 +45,7 @@ LevelTransfer::LevelTransfer(const Level& coarse, const Level& fine) : coarse_(&
     transposed_.push_back(std::move(up));
   }
   std::vector<int> members(static_cast<std::size_t>(fine.rows.global_rows()), 0);
-  for (const int c : fine.class_of) ++members[static_cast<std::size_t>(c)];
+  for (const int c : fine.global_of) ++members[static_cast<std::size_t>(c)];
   share_.resize(fine.rows.local_rows());
   for (Eigen::Index row = 0; row < share_.size(); ++row)
     share_[row] =

@@ -58,15 +58,15 @@ std::vector<TensorBlock> tensor_blocks(const geometry::MultiPatch& model, const 
         for (const auto& x : ranges(inner, p, 0, sizes[0])) {
           const TensorBlock block{p, {x[0], y[0], z[0]}, {x[1], y[1], z[1]}};
           if (block.size() < 2) continue;
-          std::vector<std::size_t> classes;
+          std::vector<std::size_t> global;
           for (const int node : nodes_of(level, block))
-            classes.push_back(static_cast<std::size_t>(level.class_of[static_cast<std::size_t>(node)]));
-          std::vector<std::size_t> sorted = classes;
+            global.push_back(static_cast<std::size_t>(level.global_of[static_cast<std::size_t>(node)]));
+          std::vector<std::size_t> sorted = global;
           std::sort(sorted.begin(), sorted.end());
           const bool repeats = std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
-          if (repeats || std::any_of(classes.begin(), classes.end(), [&](std::size_t c) { return taken[c]; }))
+          if (repeats || std::any_of(global.begin(), global.end(), [&](std::size_t c) { return taken[c]; }))
             continue;
-          for (const std::size_t c : classes) taken[c] = 1;
+          for (const std::size_t c : global) taken[c] = 1;
           blocks.push_back(block);
         }
   }

@@ -16,7 +16,7 @@ namespace {
 
 using geometry::KnotVector;
 using geometry::NurbsVolume;
-using Packets = std::vector<Packet<8>>;
+using NodeFields = std::vector<FieldLanes<8>>;
 
 // From values at degree + 1 evenly spread parameters to the Bernstein coefficients of their interpolant.
 Eigen::MatrixXd interpolation(int degree) {
@@ -94,10 +94,10 @@ class PatchCells {
     for (int k = layer > 0 ? 1 : 0; k <= p; ++k) {
       const FieldPlane& plane = nodal_.plane(layer * p + k);
       for (std::size_t i = 0; i < size(); ++i) {
-        Packet<8>& packet = nodes_[size() * static_cast<std::size_t>(k) + i];
-        packet.setZero();
+        FieldLanes<8>& lanes = nodes_[size() * static_cast<std::size_t>(k) + i];
+        lanes.setZero();
         const auto at = static_cast<Eigen::Index>(i);
-        packet.head<6>() = plane.weights[at] * plane.stress.col(at).array();
+        lanes.head<6>() = plane.weights[at] * plane.stress.col(at).array();
       }
     }
   }
@@ -107,7 +107,7 @@ class PatchCells {
   void interpolate_layer() {
     const auto [p, q, r] = grid_.degree;
     const int across = volume_.knots(0).element_count(), rows = volume_.knots(1).element_count();
-    std::vector<std::array<Packets, 2>> buffers(static_cast<std::size_t>(omp_get_max_threads()));
+    std::vector<std::array<NodeFields, 2>> buffers(static_cast<std::size_t>(omp_get_max_threads()));
     parallel_for(std::int64_t{across} * rows, [&](std::int64_t element, int thread) {
       const int e = static_cast<int>(element) % across, f = static_cast<int>(element) / across;
       auto& [values, spare] = buffers[static_cast<std::size_t>(thread)];
@@ -142,7 +142,7 @@ class PatchCells {
       GridSums::Row& row = rows[static_cast<std::size_t>(thread)];
       net_.row(static_cast<int>(j), plane_, row);
       for (Eigen::Index i = 0; i < across; ++i) {
-        const Packet<8> sums = net_.point(static_cast<int>(i), row).value;
+        const FieldLanes<8> sums = net_.point(static_cast<int>(i), row).value;
         const Eigen::Index at = i + across * j;
         const auto coefficient = size() * static_cast<std::size_t>(in_layer) + static_cast<std::size_t>(at);
         result.weights[at] = sums[3];
@@ -159,7 +159,7 @@ class PatchCells {
   PlaneFields nodal_;
   GridSums net_;
   std::array<Eigen::MatrixXd, 3> to_coefficients_;
-  Packets nodes_, stress_;  // of the planes of one layer
+  NodeFields nodes_, stress_;  // of the planes of one layer
   GridSums::Plane plane_;
 };
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "geometry/quadrature.hpp"
-#include "iga/coupling/node_classes.hpp"
+#include "iga/coupling/global_nodes.hpp"
 #include "iga/coupling/support_frames.hpp"
 #include "iga/spaces/element_tables.hpp"
 
@@ -42,11 +42,11 @@ FaceGrid face_grid(const Discretization& d, const geometry::PatchFace& face) {
 
 /// Per node: whether its multiplier is the force of one interface alone and of no support.
 std::vector<bool> attributable_nodes(const ElasticityProblem& problem) {
-  const NodeClasses classes = node_classes(problem.discretization);
-  const std::vector<SupportFrame> frames = support_frames(problem, classes);
+  const GlobalNodes global = global_nodes(problem.discretization);
+  const std::vector<SupportFrame> frames = support_frames(problem, global);
   std::vector<bool> result;
-  for (const int c : classes.class_of)
-    result.push_back(classes.of(c).size() == 2 && frames[static_cast<std::size_t>(c)].free == 3);
+  for (const int c : global.global_of)
+    result.push_back(global.nodes_of(c).size() == 2 && frames[static_cast<std::size_t>(c)].free == 3);
   return result;
 }
 

@@ -33,7 +33,7 @@ Longest longest_in(const ElementTensors& tensors, const geometry::NurbsVolume& p
     gather(tensors, element, displacement, patch.weights(), buffers.coefficients);
     tensors.values(element, buffers);
     for (std::size_t q = 0; q < buffers.at[0].size(); ++q) {
-      const Packet<4>& u = buffers.at[0][q];
+      const FieldLanes<4>& u = buffers.at[0][q];
       const double squared = u.head<3>().matrix().squaredNorm() / (u[3] * u[3]);
       if (is_larger(squared, result.squared)) result = {squared, element, static_cast<Eigen::Index>(q)};
     }
@@ -81,7 +81,7 @@ Extremum max_displacement(const ElasticField& field) {
   return max_displacement(field, parts);
 }
 
-std::vector<Reaction> support_reactions(const ElasticityProblem& problem, const NodeClasses& classes,
+std::vector<Reaction> support_reactions(const ElasticityProblem& problem, const GlobalNodes& global,
                                         const std::vector<SupportFrame>& frames,
                                         const Eigen::Matrix3Xd& forces) {
   const Discretization& d = problem.discretization;
@@ -93,7 +93,7 @@ std::vector<Reaction> support_reactions(const ElasticityProblem& problem, const 
     for (int i = 0; i < d.patches[p].size(); ++i) {
       const int node = d.first_node[p] + i;
       const SupportFrame& frame =
-          frames[static_cast<std::size_t>(classes.class_of[static_cast<std::size_t>(node)])];
+          frames[static_cast<std::size_t>(global.global_of[static_cast<std::size_t>(node)])];
       // The residual is a sum of forces along the supports' own directions, which are triangular in the axes.
       Eigen::Vector3d rest = forces.col(node);
       for (int k = frame.free; k < 3; ++k) {

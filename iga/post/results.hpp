@@ -16,7 +16,7 @@ Extremum max_displacement(const ElasticField& field, const std::vector<PatchPart
 
 /// Force and moment of every support on the part, from the residual K u - f of the fixed components.
 /// @param forces  internal forces minus loads per node, (3, nodes), N
-std::vector<Reaction> support_reactions(const ElasticityProblem& problem, const NodeClasses& classes,
+std::vector<Reaction> support_reactions(const ElasticityProblem& problem, const GlobalNodes& global,
                                         const std::vector<SupportFrame>& frames,
                                         const Eigen::Matrix3Xd& forces);
 

@@ -2,23 +2,25 @@
 
 #include <numeric>
 
+#include "geometry/base/stopwatch.hpp"
+#include "iga/assembly/assembly.hpp"
 #include "iga/distribution/shared_multipliers.hpp"
 
 namespace isopatch::iga {
 namespace {
 
 // Which block row each node has, and the frame of each row.
-void number_rows(const SolutionTask& task, AssembledSystem& result) {
-  const NodeClasses& classes = task.classes;
-  if (task.coupling == Coupling::elimination) {
-    result.numbering = {classes.class_of, classes.count()};
-    for (const SupportFrame& frame : task.frames) result.frame_of_row.push_back(&frame);
+void number_rows(const CoupledProblem& coupled, AssembledSystem& result) {
+  const GlobalNodes& global = coupled.global;
+  if (coupled.coupling == Coupling::elimination) {
+    result.numbering = {global.global_of, global.count()};
+    for (const SupportFrame& frame : coupled.frames) result.frame_of_row.push_back(&frame);
   } else {
-    result.numbering.rows = static_cast<int>(classes.class_of.size());
-    result.numbering.row_of_node.resize(classes.class_of.size());
+    result.numbering.rows = static_cast<int>(global.global_of.size());
+    result.numbering.row_of_node.resize(global.global_of.size());
     std::iota(result.numbering.row_of_node.begin(), result.numbering.row_of_node.end(), 0);
-    for (const int c : classes.class_of)
-      result.frame_of_row.push_back(&task.frames[static_cast<std::size_t>(c)]);
+    for (const int c : global.global_of)
+      result.frame_of_row.push_back(&coupled.frames[static_cast<std::size_t>(c)]);
   }
 }
 
@@ -40,25 +42,25 @@ Eigen::VectorXd load_of_rows(const Eigen::Matrix3Xd& load, const RowNumbering& n
 
 }  // namespace
 
-AssembledSystem assembled_system(const SolutionTask& task, const Progress& progress) {
+AssembledSystem assembled_system(const CoupledProblem& coupled, const Progress& progress) {
+  Stopwatch watch;
   AssembledSystem result;
-  number_rows(task, result);
-  const Discretization& d = task.problem.discretization;
-  const std::vector<PatchSpace> spaces = isoparametric_spaces(d);
-  const std::vector<PatchPart> parts = parts_of(task.distribution, spaces, task.processes.rank());
-  const LocalRows local = local_rows(result.numbering, d.first_node, task.distribution, task.processes);
+  number_rows(coupled, result);
+  const std::vector<int>& first_node = coupled.discretization().first_node;
+  const LocalRows local = local_rows(result.numbering, first_node, coupled.distribution, coupled.processes);
   solvers::LinearSystem& system = result.system;
   system.rows = local.rows;
-  system.stiffness =
-      assemble_stiffness(spaces, parts, task.problem.materials, local.numbering, task.points, progress);
-  system.load = local.rows.part(load_of_rows(task.load, result.numbering));
+  system.stiffness = assemble_stiffness(coupled.spaces, coupled.parts, coupled.problem->materials,
+                                        local.numbering, coupled.points, progress);
+  system.load = local.rows.part(load_of_rows(coupled.load, result.numbering));
   apply_supports(system, frames_of(local.rows, result.frame_of_row));
-  if (task.coupling == Coupling::lagrange) {
+  if (coupled.coupling == Coupling::lagrange) {
     SharedMultipliers multipliers =
-        shared_multipliers(task.multipliers, local, d.first_node, task.distribution);
+        shared_multipliers(coupled.multipliers, local, first_node, coupled.distribution);
     system.constraints = std::move(multipliers.matrix);
     system.multiplier_rows = std::move(multipliers.rows);
   }
+  system.assembly_seconds = watch.lap();
   return result;
 }
 

@@ -3,19 +3,21 @@
 #include <vector>
 
 #include "iga/assembly/assembly.hpp"
-#include "iga/solution/nodal_solution.hpp"
+#include "iga/solution/coupled_problem.hpp"
 
 namespace isopatch::iga {
 
-/// The equations of a task as `solvers::solve` takes them: of block row r the displacement is
-/// prescribed + axes * x in the frame `frame_of_row[r]`.
+/// The linear system of a coupled problem with its supports brought in, as `solvers::solve` takes it: the
+/// displacement of block row r is prescribed + axes * x in the frame `frame_of_row[r]`.
 struct AssembledSystem {
   solvers::LinearSystem system;                   ///< of this process
   RowNumbering numbering;                         ///< of the whole system
-  std::vector<const SupportFrame*> frame_of_row;  ///< of the whole system; the task's
+  std::vector<const SupportFrame*> frame_of_row;  ///< of the whole system; into the problem
 };
 
+/// Assembles the stiffness matrix, the load and, with multipliers, the constraints.
+/// @param coupled  must outlive the result
 /// @throws Error whatever assembly throws
-AssembledSystem assembled_system(const SolutionTask& task, const Progress& progress = {});
+AssembledSystem assembled_system(const CoupledProblem& coupled, const Progress& progress = {});
 
 }  // namespace isopatch::iga

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "geometry/base/progress.hpp"
-#include "iga/solution/nodal_solution.hpp"
+#include "iga/coupling/coupling_kind.hpp"
+#include "iga/problem/problem.hpp"
 #include "solvers/condition.hpp"
 
 namespace isopatch::iga {

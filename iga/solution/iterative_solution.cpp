@@ -1,11 +1,11 @@
 #include "iga/solution/iterative_solution.hpp"
 
+#include "geometry/base/stopwatch.hpp"
 #include "iga/assembly/assembly.hpp"
 #include "iga/multigrid/elasticity_multigrid.hpp"
 #include "iga/multigrid/level_operator.hpp"
 #include "solvers/block_product.hpp"
 #include "solvers/operator_system.hpp"
-#include "solvers/stopwatch.hpp"
 
 namespace isopatch::iga {
 namespace {
@@ -33,38 +33,38 @@ Eigen::VectorXd free_load(const Level& level, const LevelOperator& stiffness, co
 }
 
 // The values of all rows of the whole system at all nodes.
-Eigen::Matrix3Xd whole_at_nodes(const Level& level, const Eigen::VectorXd& of_classes) {
-  Eigen::Matrix3Xd result(3, static_cast<Eigen::Index>(level.class_of.size()));
+Eigen::Matrix3Xd whole_at_nodes(const Level& level, const Eigen::VectorXd& of_globals) {
+  Eigen::Matrix3Xd result(3, static_cast<Eigen::Index>(level.global_of.size()));
   for (Eigen::Index node = 0; node < result.cols(); ++node)
     result.col(node) =
-        of_classes.segment<3>(3 * static_cast<Eigen::Index>(level.class_of[static_cast<std::size_t>(node)]));
+        of_globals.segment<3>(3 * static_cast<Eigen::Index>(level.global_of[static_cast<std::size_t>(node)]));
   return result;
 }
 
-solvers::SymmetricBlockMatrix assembled(const Level& level, const SolutionTask& task,
+solvers::SymmetricBlockMatrix assembled(const Level& level, const CoupledProblem& coupled,
                                         const Progress& progress) {
   const RowNumbering numbering{level.row_of_node, level.rows.local_rows()};
-  solvers::SymmetricBlockMatrix matrix =
-      assemble_stiffness(level.spaces, level.parts, task.problem.materials, numbering, task.points, progress);
+  solvers::SymmetricBlockMatrix matrix = assemble_stiffness(
+      level.spaces, level.parts, coupled.problem->materials, numbering, coupled.points, progress);
   apply_supports(matrix, level.free, level.rows);
   return matrix;
 }
 
 }  // namespace
 
-NodalSolution solve_eliminated(const SolutionTask& task, const solvers::SolverOptions& options,
-                               solvers::Operator form, const Progress& progress) {
-  solvers::Stopwatch watch;
+DiscreteSolution solve_eliminated(const CoupledProblem& coupled, const solvers::SolverOptions& options,
+                                  solvers::Operator form, const Progress& progress) {
+  Stopwatch watch;
   const Level level =
-      finest_level(task.problem.discretization, task.classes, task.frames, task.distribution, task.processes);
-  const LevelOperator stiffness(level, task.problem.materials, task.points);
-  const Eigen::VectorXd prescribed = prescribed_rows(level, task.frames);
+      finest_level(coupled.spaces, coupled.global, coupled.frames, coupled.distribution, coupled.processes);
+  const LevelOperator stiffness(level, coupled.problem->materials, coupled.points);
+  const Eigen::VectorXd prescribed = prescribed_rows(level, coupled.frames);
   solvers::OperatorSystem system;
   system.rows = level.rows;
-  system.load = free_load(level, stiffness, task.load, prescribed);
+  system.load = free_load(level, stiffness, coupled.load, prescribed);
   solvers::SymmetricBlockMatrix matrix;
   if (form == solvers::Operator::assembled) {
-    matrix = assembled(level, task, progress);
+    matrix = assembled(level, coupled, progress);
     system.product = [&](const Eigen::VectorXd& x) {
       Eigen::VectorXd y = multiply(matrix, x);
       level.rows.sum(y);
@@ -73,22 +73,22 @@ NodalSolution solve_eliminated(const SolutionTask& task, const solvers::SolverOp
   } else {
     system.product = [&](const Eigen::VectorXd& x) { return stiffness.apply(x); };
   }
-  const double assembly_seconds = watch.lap();
-  const ElasticityMultigrid multigrid(task.problem, level, task.frames, task.distribution, task.processes,
-                                      system.product, {options.multigrid, task.points}, progress);
+  system.costs.assembly_seconds = watch.lap();
+  const ElasticityMultigrid multigrid(*coupled.problem, level, coupled.frames, coupled.distribution,
+                                      coupled.processes, system.product, {options.multigrid, coupled.points},
+                                      progress);
   system.preconditioner = [&](const Eigen::VectorXd& r) { return multigrid.apply(r); };
-  const double setup_seconds = watch.lap();
+  system.costs.setup_seconds = watch.lap();
+  system.costs.form = form;
+  system.costs.levels = multigrid.levels();
+  system.costs.bytes = multigrid.bytes();
+  if (form == solvers::Operator::assembled) {
+    system.costs.matrix_nonzeros = matrix.nonzeros();
+    system.costs.bytes += matrix.bytes();
+  }
   solvers::LinearSolution solved = solve_with_cg(system, options, progress);
-  NodalSolution result;
+  DiscreteSolution result;
   result.report = std::move(solved.report);
-  result.report.form = form;
-  result.report.assembly_seconds = assembly_seconds;
-  result.report.analysis_seconds = setup_seconds;
-  result.report.levels = multigrid.levels();
-  result.report.matrix_nonzeros = form == solvers::Operator::assembled ? matrix.nonzeros() : 0;
-  constexpr int vectors = 20;  // of PETSc, the multigrid's levels and operators
-  result.report.memory_bytes = (form == solvers::Operator::assembled ? matrix.bytes() : 0) +
-                               multigrid.bytes() + 8 * vectors * system.load.size();
   const Eigen::VectorXd of_rows = prescribed + level.free.to_space(std::move(solved.x));
   result.displacement = whole_at_nodes(level, level.rows.whole(of_rows));
   return result;

@@ -1,13 +1,14 @@
 #pragma once
 
-#include "iga/solution/nodal_solution.hpp"
+#include "iga/solution/coupled_problem.hpp"
+#include "iga/solution/discrete_solution.hpp"
 
 namespace isopatch::iga {
 
-/// Patches coupled by elimination: conjugate gradients with the multigrid.
+/// Solves with patches coupled by elimination: conjugate gradients with the multigrid.
 /// @throws Error whatever `solvers::solve_with_cg`, assembly and multigrid throw
 /// @cost   matrix-free about 40 vectors of unknowns, assembled the matrix as well
-NodalSolution solve_eliminated(const SolutionTask& task, const solvers::SolverOptions& options,
-                               solvers::Operator form, const Progress& progress);
+DiscreteSolution solve_eliminated(const CoupledProblem& coupled, const solvers::SolverOptions& options,
+                                  solvers::Operator form, const Progress& progress);
 
 }  // namespace isopatch::iga

@@ -19,27 +19,27 @@ using solvers::Preconditioner;
 // Iterations that stand in for factors have this many at most: what needs more does not converge.
 constexpr int most_iterations_instead = 500;
 
-NodalSolution solve_by(const SolverPlan& plan, const SolutionTask& task, solvers::SolverOptions options,
-                       const Progress& progress) {
+DiscreteSolution solve_by(const SolverPlan& plan, const CoupledProblem& coupled,
+                          solvers::SolverOptions options, const Progress& progress) {
   options.method = plan.method;
   options.preconditioner = plan.preconditioner;
   options.form = plan.form;
-  if (plan.method == Method::minres) return solve_with_multipliers(task, options, progress);
+  if (plan.method == Method::minres) return solve_with_multipliers(coupled, options, progress);
   if (plan.method == Method::cg && plan.preconditioner == Preconditioner::multigrid)
-    return solve_eliminated(task, options, plan.form, progress);
-  return solve_assembled(task, options, progress);
+    return solve_eliminated(coupled, options, plan.form, progress);
+  return solve_assembled(coupled, options, progress);
 }
 
 // Whether another method may succeed where one failed. Errors of one process alone end them all.
-bool may_go_on(const Error& error, const SolutionTask& task) {
+bool may_go_on(const Error& error, const CoupledProblem& coupled) {
   switch (error.code()) {
     case ErrorCode::not_converged:
       return true;
     case ErrorCode::singular_system:
-      return !has_too_few_points(task.problem.discretization, task.points);
+      return !has_too_few_points(coupled.discretization(), coupled.points);
     case ErrorCode::out_of_memory:
     case ErrorCode::internal:
-      return task.processes.count() == 1;
+      return coupled.processes.count() == 1;
     default:
       return false;
   }
@@ -57,7 +57,7 @@ std::string joined(const std::vector<std::string>& failures) {
 
 }  // namespace
 
-PlannedSolution solve_as_planned(const SolutionTask& task, const std::vector<SolverPlan>& plans,
+PlannedSolution solve_as_planned(const CoupledProblem& coupled, const std::vector<SolverPlan>& plans,
                                  const solvers::SolverOptions& options, const Progress& progress) {
   std::vector<std::string> failures;
   PlannedSolution result;
@@ -66,7 +66,7 @@ PlannedSolution solve_as_planned(const SolutionTask& task, const std::vector<Sol
     if (!failures.empty()) own.max_iterations = std::min(own.max_iterations, most_iterations_instead);
     try {
       result.predicted_bytes = std::max(result.predicted_bytes, plan.predicted_bytes);
-      result.solution = solve_by(plan, task, own, progress);
+      result.solution = solve_by(plan, coupled, own, progress);
       result.is_first = failures.empty();
       std::string& reason = result.solution.report.reason;
       const std::string remark = reason.empty() ? "" : "; " + reason;
@@ -74,9 +74,9 @@ PlannedSolution solve_as_planned(const SolutionTask& task, const std::vector<Sol
       return result;
     } catch (const Error& error) {
       failures.push_back(fmt::format("{} failed: {}", solvers::name(plan.method), error.what()));
-      if (may_go_on(error, task) && &plan != &plans.back()) continue;
+      if (may_go_on(error, coupled) && &plan != &plans.back()) continue;
       const std::string cause =
-          is_numerical(error.code()) ? "; " + likely_cause(task.problem, task.points) : "";
+          is_numerical(error.code()) ? "; " + likely_cause(*coupled.problem, coupled.points) : "";
       throw Error(error.code(),
                   (failures.size() == 1 ? std::string(error.what()) : joined(failures)) + cause);
     }

@@ -8,14 +8,14 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// Of every class, the processes that have a node of it, increasing.
-std::vector<std::vector<int>> processes_of_classes(const SolutionTask& task, const Level& level) {
-  const auto of_patch = processes_of_patches(task.distribution, static_cast<int>(level.spaces.size()));
-  std::vector<std::vector<int>> result(static_cast<std::size_t>(task.classes.count()));
+// Of every global node, the processes that have a node of it, increasing.
+std::vector<std::vector<int>> processes_of_globals(const CoupledProblem& coupled, const Level& level) {
+  const auto of_patch = processes_of_patches(coupled.distribution, static_cast<int>(level.spaces.size()));
+  std::vector<std::vector<int>> result(static_cast<std::size_t>(coupled.global.count()));
   for (std::size_t p = 0; p < of_patch.size(); ++p)
     for (int node = level.first_node[p]; node < level.first_node[p + 1]; ++node) {
       std::vector<int>& all =
-          result[static_cast<std::size_t>(level.class_of[static_cast<std::size_t>(node)])];
+          result[static_cast<std::size_t>(level.global_of[static_cast<std::size_t>(node)])];
       all.insert(all.end(), of_patch[p].begin(), of_patch[p].end());
     }
   for (std::vector<int>& all : result) {
@@ -25,17 +25,18 @@ std::vector<std::vector<int>> processes_of_classes(const SolutionTask& task, con
   return result;
 }
 
-// Nodes in the order of all patches, then ties class by class.
-solvers::SharedRows saddle_rows(const SolutionTask& task, const Level& level) {
-  const std::vector<int>& class_of = task.classes.class_of;
+// Nodes in the order of all patches, then ties global node by global node.
+solvers::SharedRows saddle_rows(const CoupledProblem& coupled, const Level& level) {
+  const std::vector<int>& global_of = coupled.global.global_of;
   if (!level.rows.is_distributed())
-    return solvers::SharedRows(static_cast<int>(2 * class_of.size()) - task.classes.count());
-  const auto of_class = processes_of_classes(task, level);
+    return solvers::SharedRows(static_cast<int>(2 * global_of.size()) - coupled.global.count());
+  const auto of_global = processes_of_globals(coupled, level);
   std::vector<std::vector<int>> of_row;
-  for (const int c : class_of) of_row.push_back(of_class[static_cast<std::size_t>(c)]);
-  for (int c = 0; c < task.classes.count(); ++c)
-    of_row.insert(of_row.end(), task.classes.of(c).size() - 1, of_class[static_cast<std::size_t>(c)]);
-  return solvers::SharedRows(of_row, task.processes);
+  for (const int c : global_of) of_row.push_back(of_global[static_cast<std::size_t>(c)]);
+  for (int c = 0; c < coupled.global.count(); ++c)
+    of_row.insert(of_row.end(), coupled.global.nodes_of(c).size() - 1,
+                  of_global[static_cast<std::size_t>(c)]);
+  return solvers::SharedRows(of_row, coupled.processes);
 }
 
 Eigen::Vector3d mean_of(const std::vector<Index>& nodes, const VectorXd& z) {
@@ -46,44 +47,44 @@ Eigen::Vector3d mean_of(const std::vector<Index>& nodes, const VectorXd& z) {
 
 }  // namespace
 
-SaddlePoint::SaddlePoint(const SolutionTask& task, const Level& level, const ElasticityMultigrid& multigrid,
-                         const std::vector<Eigen::Matrix3d>& diagonal)
-    : task_(&task),
+SaddlePoint::SaddlePoint(const CoupledProblem& coupled, const Level& level,
+                         const ElasticityMultigrid& multigrid, const std::vector<Eigen::Matrix3d>& diagonal)
+    : coupled_(&coupled),
       level_(&level),
       multigrid_(&multigrid),
-      stiffness_(level.spaces, level.parts, task.problem.materials, task.points),
-      rows_(saddle_rows(task, level)) {
+      stiffness_(level.spaces, level.parts, coupled.problem->materials, coupled.points),
+      rows_(saddle_rows(coupled, level)) {
   // Jumps cost some hundred times what they cost in a node's own stiffness: what is continuous hardly feels
   // them, and all eigenvalues of jumps and multipliers are near (1 +- sqrt 5) / 2. More would save
   // iterations, but the error that round-off leaves grows with the square root.
   constexpr double weight = 100;
-  const NodeClasses& classes = task.classes;
-  const auto nodes = static_cast<int>(classes.class_of.size());
+  const GlobalNodes& global = coupled.global;
+  const auto nodes = static_cast<int>(global.global_of.size());
   int ties = nodes;
-  for (int c = 0; c < classes.count(); ++c) {
+  for (int c = 0; c < global.count(); ++c) {
     first_tie_.push_back(ties);
-    ties += static_cast<int>(classes.of(c).size()) - 1;
+    ties += static_cast<int>(global.nodes_of(c).size()) - 1;
   }
   std::vector<Index> local(static_cast<std::size_t>(ties), -1);
   for (int row = 0; row < rows_.local_rows(); ++row)
     local[static_cast<std::size_t>(rows_.global_of_local()[static_cast<std::size_t>(row)])] = row;
-  std::vector<int> class_rows(static_cast<std::size_t>(classes.count()), -1);
+  std::vector<int> row_of_global(static_cast<std::size_t>(global.count()), -1);
   for (int row = 0; row < level.rows.local_rows(); ++row) {
     const int c = level.rows.global_of_local()[static_cast<std::size_t>(row)];
-    class_rows[static_cast<std::size_t>(c)] = row;
-    const auto members = classes.of(c);
+    row_of_global[static_cast<std::size_t>(c)] = row;
+    const auto members = global.nodes_of(c);
     if (members.size() < 2) continue;
-    TiedClass& tied = tied_.emplace_back();
+    TiedNodes& tied = tied_.emplace_back();
     for (const int node : members) tied.nodes.push_back(local[static_cast<std::size_t>(node)]);
     tied.first_tie = local[static_cast<std::size_t>(first_tie_[static_cast<std::size_t>(c)])];
-    tied.free = task.frames[static_cast<std::size_t>(c)].free;
+    tied.free = coupled.frames[static_cast<std::size_t>(c)].free;
     tied.jump_stiffness = weight * diagonal[static_cast<std::size_t>(row)].trace() /
                           (3.0 * static_cast<double>(members.size()));
   }
   for (int node = 0; node < nodes; ++node) {
     if (local[static_cast<std::size_t>(node)] < 0) continue;
-    const auto c = static_cast<std::size_t>(classes.class_of[static_cast<std::size_t>(node)]);
-    nodes_.push_back({node, class_rows[c], &task.frames[c]});
+    const auto c = static_cast<std::size_t>(global.global_of[static_cast<std::size_t>(node)]);
+    nodes_.push_back({node, row_of_global[c], &coupled.frames[c]});
   }
 }
 
@@ -100,13 +101,13 @@ VectorXd SaddlePoint::along_axes(const Eigen::Matrix3Xd& forces) const {
 }
 
 VectorXd SaddlePoint::product(const VectorXd& z) const {
-  Eigen::Matrix3Xd u = Eigen::Matrix3Xd::Zero(3, static_cast<Index>(task_->classes.class_of.size()));
+  Eigen::Matrix3Xd u = Eigen::Matrix3Xd::Zero(3, static_cast<Index>(coupled_->global.global_of.size()));
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const SupportFrame& f = *nodes_[i].frame;
     u.col(nodes_[i].node) = f.axes.leftCols(f.free) * z.segment(3 * static_cast<Index>(i), f.free);
   }
   VectorXd result = along_axes(stiffness_.apply(u));
-  for (const TiedClass& tied : tied_) {
+  for (const TiedNodes& tied : tied_) {
     const double g = tied.jump_stiffness;
     const Eigen::Vector3d mean = mean_of(tied.nodes, z);
     const Index first = 3 * tied.nodes[0];
@@ -126,13 +127,14 @@ VectorXd SaddlePoint::product(const VectorXd& z) const {
 VectorXd SaddlePoint::preconditioned(const VectorXd& r) const {
   VectorXd sum = VectorXd::Zero(3 * static_cast<Index>(level_->rows.local_rows()));
   for (std::size_t i = 0; i < nodes_.size(); ++i)
-    sum.segment<3>(3 * static_cast<Index>(nodes_[i].class_row)) += r.segment<3>(3 * static_cast<Index>(i));
+    sum.segment<3>(3 * static_cast<Index>(nodes_[i].row_of_global)) +=
+        r.segment<3>(3 * static_cast<Index>(i));
   const VectorXd continuous = multigrid_->apply(sum);
   VectorXd result = VectorXd::Zero(r.size());
   for (std::size_t i = 0; i < nodes_.size(); ++i)
     result.segment<3>(3 * static_cast<Index>(i)) =
-        continuous.segment<3>(3 * static_cast<Index>(nodes_[i].class_row));
-  for (const TiedClass& tied : tied_) {
+        continuous.segment<3>(3 * static_cast<Index>(nodes_[i].row_of_global));
+  for (const TiedNodes& tied : tied_) {
     const Eigen::Vector3d mean = mean_of(tied.nodes, r);
     for (const Index node : tied.nodes)
       result.segment<3>(3 * node) += (r.segment<3>(3 * node) - mean) / tied.jump_stiffness;
@@ -141,8 +143,8 @@ VectorXd SaddlePoint::preconditioned(const VectorXd& r) const {
   return result;
 }
 
-// out += g (B B^T)^-1 in on the ties of one class: (I + 1 1^T)^-1 = I - 1 1^T / nodes.
-void SaddlePoint::add_tie_inverse(const TiedClass& tied, const VectorXd& in, VectorXd& out) const {
+// out += g (B B^T)^-1 in on the ties of one global node: (I + 1 1^T)^-1 = I - 1 1^T / nodes.
+void SaddlePoint::add_tie_inverse(const TiedNodes& tied, const VectorXd& in, VectorXd& out) const {
   const auto count = static_cast<Index>(tied.nodes.size()) - 1;
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (Index i = 0; i < count; ++i) mean += in.segment<3>(3 * (tied.first_tie + i));
@@ -154,23 +156,22 @@ void SaddlePoint::add_tie_inverse(const TiedClass& tied, const VectorXd& in, Vec
 
 VectorXd SaddlePoint::load() const {
   VectorXd result = VectorXd::Zero(3 * static_cast<Index>(rows_.local_rows()));
-  Eigen::Matrix3Xd prescribed = Eigen::Matrix3Xd::Zero(3, task_->load.cols());
+  Eigen::Matrix3Xd prescribed = Eigen::Matrix3Xd::Zero(3, coupled_->load.cols());
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const auto& [node, row, frame] = nodes_[i];
     prescribed.col(node) = frame->prescribed;
     // Every process has the loads of all nodes.
     result.segment(3 * static_cast<Index>(i), frame->free) =
-        frame->axes.leftCols(frame->free).transpose() * task_->load.col(node);
+        frame->axes.leftCols(frame->free).transpose() * coupled_->load.col(node);
   }
   return result - along_axes(stiffness_.apply(prescribed));
 }
 
 Eigen::Matrix3Xd SaddlePoint::displacement(const VectorXd& z) const {
   const VectorXd whole = rows_.whole(z);
-  Eigen::Matrix3Xd u(3, static_cast<Index>(task_->classes.class_of.size()));
+  Eigen::Matrix3Xd u(3, static_cast<Index>(coupled_->global.global_of.size()));
   for (Index node = 0; node < u.cols(); ++node) {
-    const SupportFrame& f =
-        task_->frames[static_cast<std::size_t>(task_->classes.class_of[static_cast<std::size_t>(node)])];
+    const SupportFrame& f = coupled_->frame_of(static_cast<int>(node));
     u.col(node) = f.prescribed + f.axes.leftCols(f.free) * whole.segment(3 * node, f.free);
   }
   return u;
@@ -179,19 +180,19 @@ Eigen::Matrix3Xd SaddlePoint::displacement(const VectorXd& z) const {
 VectorXd SaddlePoint::multipliers(const VectorXd& z) const {
   VectorXd forces = z;
   VectorXd jumps = VectorXd::Zero(z.size());
-  for (const TiedClass& tied : tied_) {
+  for (const TiedNodes& tied : tied_) {
     for (std::size_t i = 1; i < tied.nodes.size(); ++i)
       jumps.segment<3>(3 * (tied.first_tie + static_cast<Index>(i) - 1)) =
           z.segment<3>(3 * tied.nodes[0]) - z.segment<3>(3 * tied.nodes[i]);
     add_tie_inverse(tied, jumps, forces);
   }
   const VectorXd whole = rows_.whole(forces);
-  VectorXd result(static_cast<Index>(task_->multipliers.size()));
-  for (std::size_t r = 0; r < task_->multipliers.size(); ++r) {
-    const MultiplierRow& row = task_->multipliers[r];
-    const auto members = task_->classes.of(row.node_class);
+  VectorXd result(static_cast<Index>(coupled_->multipliers.size()));
+  for (std::size_t r = 0; r < coupled_->multipliers.size(); ++r) {
+    const MultiplierRow& row = coupled_->multipliers[r];
+    const auto members = coupled_->global.nodes_of(row.global_node);
     const Index place = std::find(members.begin(), members.end(), row.second) - members.begin();
-    const Index tie = first_tie_[static_cast<std::size_t>(row.node_class)] + place - 1;
+    const Index tie = first_tie_[static_cast<std::size_t>(row.global_node)] + place - 1;
     result[static_cast<Index>(r)] = whole[3 * tie + row.axis];
   }
   return result;

@@ -4,25 +4,25 @@
 
 #include "iga/multigrid/elasticity_multigrid.hpp"
 #include "iga/operator/stiffness_operator.hpp"
-#include "iga/solution/nodal_solution.hpp"
+#include "iga/solution/coupled_problem.hpp"
 
 namespace isopatch::iga {
 
 /// The saddle point of patches that multipliers tie, without a matrix, spread over processes.
 ///
-/// Block rows: the nodes, three components each along the frame of the node's class; then one for every node
-/// but the first of each class, the forces that tie it to the first, along the same frame. A process keeps
-/// all nodes and ties of every class of which it has a node: whatever couples patches is local then, and only
-/// the forces of elements are summed over processes.
+/// Block rows: the nodes, three components each along the frame of its global node; then one for every node
+/// but the first of each global node, the forces that tie it to the first, along the same frame. A process
+/// keeps all nodes and ties of every global node of which it has one: whatever couples patches is local then,
+/// and only the forces of elements are summed over processes.
 ///
-/// K + g Q stands for K, with Q the projection onto jumps and g a stiffness per class: it is positive
+/// K + g Q stands for K, with Q the projection onto jumps and g a stiffness per global node: it is positive
 /// definite where K is singular on floating patches, and the solution is the same.
 class SaddlePoint {
  public:
-  /// @param level      the finest one, of the classes; must outlive this, as must all others
+  /// @param level      the finest one; must outlive this, as must all others
   /// @param multigrid  for what is continuous
   /// @param diagonal   of the level's rows, the 3 x 3 diagonal blocks of the stiffness
-  SaddlePoint(const SolutionTask& task, const Level& level, const ElasticityMultigrid& multigrid,
+  SaddlePoint(const CoupledProblem& coupled, const Level& level, const ElasticityMultigrid& multigrid,
               const std::vector<Eigen::Matrix3d>& diagonal);
 
   const solvers::SharedRows& rows() const { return rows_; }
@@ -45,28 +45,28 @@ class SaddlePoint {
 
  private:
   // Nodes that are one point of the body, with their places among the rows.
-  struct TiedClass {
+  struct TiedNodes {
     std::vector<Eigen::Index> nodes;  // local rows, first the one that the others are tied to
     Eigen::Index first_tie = 0;       // local row
     int free = 3;                     // components that supports leave
     double jump_stiffness = 0;        // N/m
   };
   struct Node {
-    int node = 0;       // of all patches
-    int class_row = 0;  // of the level
+    int node = 0;           // of all patches
+    int row_of_global = 0;  // of the level
     const SupportFrame* frame = nullptr;
   };
-  void add_tie_inverse(const TiedClass& tied, const Eigen::VectorXd& in, Eigen::VectorXd& out) const;
+  void add_tie_inverse(const TiedNodes& tied, const Eigen::VectorXd& in, Eigen::VectorXd& out) const;
   Eigen::VectorXd along_axes(const Eigen::Matrix3Xd& forces) const;
 
-  const SolutionTask* task_;
+  const CoupledProblem* coupled_;
   const Level* level_;
   const ElasticityMultigrid* multigrid_;
   StiffnessOperator stiffness_;
   solvers::SharedRows rows_;
-  std::vector<int> first_tie_;  // per class, row of the whole system
+  std::vector<int> first_tie_;  // per global node, row of the whole system
   std::vector<Node> nodes_;     // of the first local rows
-  std::vector<TiedClass> tied_;
+  std::vector<TiedNodes> tied_;
 };
 
 }  // namespace isopatch::iga

@@ -9,7 +9,7 @@ namespace {
 
 // Measured, in bytes a node of the solution space.
 constexpr double geometry_of_node = 100;     // a patch and what knot insertion holds beside it
-constexpr double nodal_of_node = 350;        // classes, frames, loads, displacements
+constexpr double nodal_of_node = 350;        // global nodes, frames, loads, displacements
 constexpr double multigrid_of_node = 1000;   // 550 to 650, and what results take afterwards
 constexpr double multipliers_of_node = 300;  // minimal residuals keep more vectors, of every node
 constexpr double system_of_row = 300;

@@ -2,8 +2,9 @@
 
 #include <cstdint>
 
+#include "iga/coupling/coupling_kind.hpp"
 #include "iga/distribution/distribution.hpp"
-#include "iga/solution/nodal_solution.hpp"
+#include "iga/material/material.hpp"
 #include "iga/spaces/matching_spaces.hpp"
 #include "solvers/factor_forecast.hpp"
 
@@ -21,7 +22,7 @@ struct SizeForecast {
   bool is_nearly_incompressible = false;  ///< one of the materials: iterations grow
   solvers::FactorForecast factor;         ///< of the whole system
   double geometry_bytes = 0;              ///< control points of the solution space, while they are made
-  double nodal_bytes = 0;                 ///< node classes, frames, loads and results
+  double nodal_bytes = 0;                 ///< global nodes, frames, loads and results
   double matrix_bytes = 0;
   double system_bytes = 0;     ///< vectors and numberings beside the matrix
   double multigrid_bytes = 0;  ///< iterations with the multigrid, without a matrix

@@ -2,40 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
-#include <numeric>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/stopwatch.hpp"
 #include "iga/coupling/idle_loads.hpp"
 #include "iga/coupling/rigid_motions.hpp"
-#include "iga/distribution/distribution.hpp"
 #include "iga/post/face_stresses.hpp"
 #include "iga/post/internal_forces.hpp"
 #include "iga/post/results.hpp"
-#include "iga/problem/loads.hpp"
+#include "iga/solution/coupled_problem.hpp"
 #include "iga/solution/planned_solution.hpp"
 
 namespace isopatch::iga {
 namespace {
-
-class Stopwatch {
- public:
-  explicit Stopwatch(std::vector<PhaseTime>& times) : times_(times) {}
-  // Ends a phase: the time since the last one goes to its name.
-  void lap(const char* phase) { lap(phase, 0, ""); }
-  // The same, `seconds` of it spent on another phase.
-  void lap(const char* phase, double seconds, const char* other) {
-    const auto now = std::chrono::steady_clock::now();
-    if (*other) times_.push_back({other, seconds});
-    times_.push_back({phase, std::chrono::duration<double>(now - last_).count() - seconds});
-    last_ = now;
-  }
-
- private:
-  std::vector<PhaseTime>& times_;
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 void check(const ElasticityProblem& problem, const ElasticityOptions& options) {
   if (options.quadrature_points < 0 || options.quadrature_points > 20)
@@ -49,36 +29,32 @@ void check(const ElasticityProblem& problem, const ElasticityOptions& options) {
   for (const Material& material : problem.materials) validate(material);
 }
 
-ProblemSize problem_size(const Discretization& d, const NodeClasses& classes,
-                         const std::vector<SupportFrame>& frames, std::size_t multipliers_free,
-                         Coupling coupling) {
+ProblemSize problem_size(const CoupledProblem& coupled) {
   ProblemSize size;
-  size.elements = d.element_count();
-  size.control_points = d.node_count();
+  size.elements = coupled.discretization().element_count();
+  size.control_points = coupled.discretization().node_count();
   size.dofs_uncoupled = 3 * size.control_points;
-  size.dofs_eliminated = 3 * std::int64_t{classes.count()};
+  size.dofs_eliminated = 3 * std::int64_t{coupled.global.count()};
   size.multipliers = size.dofs_uncoupled - size.dofs_eliminated;
-  size.multipliers_free = static_cast<std::int64_t>(multipliers_free);
+  size.multipliers_free = static_cast<std::int64_t>(coupled.multipliers.size());
   std::int64_t free = 0;
-  const bool merged = coupling == Coupling::elimination;
-  for (int c = 0; c < classes.count(); ++c)
-    free += frames[static_cast<std::size_t>(c)].free *
-            (merged ? 1 : static_cast<std::int64_t>(classes.of(c).size()));
+  const bool merged = coupled.coupling == Coupling::elimination;
+  for (int g = 0; g < coupled.global.count(); ++g)
+    free += coupled.frames[static_cast<std::size_t>(g)].free *
+            (merged ? 1 : static_cast<std::int64_t>(coupled.global.nodes_of(g).size()));
   size.dofs = merged ? size.dofs_eliminated : size.dofs_uncoupled + size.multipliers;
   size.dofs_free = merged ? free : free + size.multipliers_free;
   return size;
 }
 
-std::vector<Multiplier> multipliers_in_space(const std::vector<MultiplierRow>& rows,
-                                             const std::vector<SupportFrame>& frames,
-                                             const Eigen::VectorXd& values) {
+std::vector<Multiplier> multipliers_in_space(const CoupledProblem& coupled, const Eigen::VectorXd& values) {
   std::vector<Multiplier> result;
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    const MultiplierRow& row = rows[r];
+  for (std::size_t r = 0; r < coupled.multipliers.size(); ++r) {
+    const MultiplierRow& row = coupled.multipliers[r];
     if (result.empty() || result.back().second_node != row.second)
       result.push_back({row.first, row.second, Eigen::Vector3d::Zero()});
     result.back().force += values[static_cast<Eigen::Index>(r)] *
-                           frames[static_cast<std::size_t>(row.node_class)].axes.col(row.axis);
+                           coupled.frames[static_cast<std::size_t>(row.global_node)].axes.col(row.axis);
   }
   return result;
 }
@@ -91,12 +67,49 @@ ElasticField field_of(const ElasticityProblem& problem, const Eigen::Matrix3Xd& 
   return field;
 }
 
-PlannedSolution solved(const SolutionTask& task, const solvers::SolverOptions& options,
+PlannedSolution solved(const CoupledProblem& coupled, const solvers::SolverOptions& options,
                        const Progress& progress) {
-  const SizeForecast size = forecast_size(task.problem.discretization, task.problem.materials, task.coupling,
-                                          task.processes.count());
-  const std::vector<SolverPlan> plans = solver_plans(size, options, available_bytes(options, task.processes));
-  return solve_as_planned(task, plans, options, progress);
+  const SizeForecast size = forecast_size(coupled.discretization(), coupled.problem->materials,
+                                          coupled.coupling, coupled.processes.count());
+  const std::vector<SolverPlan> plans =
+      solver_plans(size, options, available_bytes(options, coupled.processes));
+  return solve_as_planned(coupled, plans, options, progress);
+}
+
+// Prescribed displacements do work through the reactions, free ones through the loads. J
+double external_work(const CoupledProblem& coupled, const Eigen::Matrix3Xd& displacement,
+                     const Eigen::Matrix3Xd& unbalanced) {
+  double work = coupled.load.cwiseProduct(displacement).sum();
+  for (Eigen::Index node = 0; node < displacement.cols(); ++node)
+    work += unbalanced.col(node).dot(coupled.frame_of(static_cast<int>(node)).prescribed);
+  return 0.5 * work;
+}
+
+// Multipliers, and what follows from the stresses of `solution.field`.
+void add_results(const CoupledProblem& coupled, const DiscreteSolution& discrete,
+                 ElasticitySolution& solution, const Progress& progress) {
+  const ElasticityProblem& problem = *coupled.problem;
+  const InternalForces internal =
+      summed(internal_forces(problem.discretization, problem.materials, discrete.displacement, coupled.parts,
+                             coupled.points, progress),
+             coupled.processes);
+  const Eigen::Matrix3Xd unbalanced = internal.forces - coupled.load;
+  solution.multipliers = multipliers_in_space(
+      coupled, coupled.coupling == Coupling::lagrange
+                   ? discrete.multipliers
+                   : recovered_multipliers(coupled.multipliers, coupled.global, coupled.frames, -unbalanced));
+  ElasticityResults& results = solution.results;
+  results.max_displacement = largest(max_displacement(solution.field, coupled.parts), coupled.processes);
+  const FaceStresses on_faces = summed(stresses_on_faces(solution.field, coupled.parts), coupled.processes);
+  results.max_von_mises = larger(internal.max_von_mises, on_faces.max_von_mises);
+  results.max_strain = internal.max_strain;
+  results.left_out = together(internal.left_out, on_faces.left_out);
+  results.unresolved = internal.unresolved;
+  results.idle_loads = idle_loads(problem, coupled.global, coupled.frames);
+  results.internal_energy = internal.energy;
+  results.reactions = support_reactions(problem, coupled.global, coupled.frames, unbalanced);
+  results.total_load = coupled.load.rowwise().sum();
+  results.external_work = external_work(coupled, discrete.displacement, unbalanced);
 }
 
 // What a method that stands in for another one gives must hold by itself: the energy of the stresses is the
@@ -116,69 +129,28 @@ ElasticitySolution solve_elasticity(const ElasticityProblem& problem, const Elas
                                     const Progress& progress) {
   check(problem, options);
   ElasticitySolution solution;
-  Stopwatch watch(solution.timings);
-  const Discretization& d = problem.discretization;
+  Stopwatch watch;
+  const auto coupled =
+      coupled_problem(problem, options.coupling, options.quadrature_points, options.processes);
+  require_supported(problem.discretization, coupled.global, coupled.frames);
+  solution.size = problem_size(coupled);
+  solution.timings.push_back({"coupling and loads", watch.lap()});
 
-  const NodeClasses classes = node_classes(d);
-  const std::vector<SupportFrame> frames = support_frames(problem, classes);
-  require_supported(d, classes, frames);
-  const Eigen::Matrix3Xd load = load_vector(problem, options.quadrature_points);
-  const std::vector<MultiplierRow> rows = multiplier_rows(classes, frames);
-  solution.size = problem_size(d, classes, frames, rows.size(), options.coupling);
-  watch.lap("coupling and loads");
-
-  const std::vector<PatchSpace> spaces = isoparametric_spaces(d);
-  const solvers::Processes& processes = options.processes;
-  const Distribution distribution = distribute(spaces, processes.count());
-  const std::vector<PatchPart> parts = parts_of(distribution, spaces, processes.rank());
-  const SolutionTask task{problem,
-                          classes,
-                          frames,
-                          rows,
-                          load,
-                          distribution,
-                          processes,
-                          options.coupling,
-                          options.quadrature_points};
-  const PlannedSolution planned = solved(task, options.solver, progress);
-  const NodalSolution& nodal = planned.solution;
+  const PlannedSolution planned = solved(coupled, options.solver, progress);
+  const DiscreteSolution& discrete = planned.solution;
   solution.predicted_bytes = static_cast<std::int64_t>(planned.predicted_bytes);
-  solution.solver = nodal.report;
-  watch.lap("solve", nodal.report.assembly_seconds, "assembly");
-  const Eigen::Matrix3Xd& displacement = nodal.displacement;
-  if (!displacement.allFinite())
+  solution.solver = discrete.report;
+  const double assembly_seconds = discrete.report.assembly_seconds;
+  solution.timings.push_back({"assembly", assembly_seconds});
+  solution.timings.push_back({"solve", watch.lap() - assembly_seconds});
+  if (!discrete.displacement.allFinite())
     throw Error(ErrorCode::singular_system,
                 "the displacements are not finite numbers: the equations have no solution; look at the "
                 "supports and at the materials' constants");
-  solution.field = field_of(problem, displacement);
-
-  const InternalForces internal =
-      summed(internal_forces(d, problem.materials, displacement, parts, options.quadrature_points, progress),
-             processes);
-  const Eigen::Matrix3Xd unbalanced = internal.forces - load;
-  const Eigen::VectorXd multipliers = options.coupling == Coupling::lagrange
-                                          ? nodal.multipliers
-                                          : recovered_multipliers(rows, classes, frames, -unbalanced);
-  solution.multipliers = multipliers_in_space(rows, frames, multipliers);
-  ElasticityResults& results = solution.results;
-  results.max_displacement = largest(max_displacement(solution.field, parts), processes);
-  const FaceStresses on_faces = summed(stresses_on_faces(solution.field, parts), processes);
-  results.max_von_mises = larger(internal.max_von_mises, on_faces.max_von_mises);
-  results.max_strain = internal.max_strain;
-  results.left_out = together(internal.left_out, on_faces.left_out);
-  results.unresolved = internal.unresolved;
-  results.idle_loads = idle_loads(problem, classes, frames);
-  results.internal_energy = internal.energy;
-  results.reactions = support_reactions(problem, classes, frames, unbalanced);
-  results.total_load = load.rowwise().sum();
-  // Prescribed displacements do work through the reactions, free ones through the loads.
-  double work = load.cwiseProduct(displacement).sum();
-  for (Eigen::Index node = 0; node < displacement.cols(); ++node)
-    work += unbalanced.col(node).dot(
-        frames[static_cast<std::size_t>(classes.class_of[static_cast<std::size_t>(node)])].prescribed);
-  results.external_work = 0.5 * work;
-  if (!planned.is_first) require_balance(results, nodal.report);
-  watch.lap("results");
+  solution.field = field_of(problem, discrete.displacement);
+  add_results(coupled, discrete, solution, progress);
+  if (!planned.is_first) require_balance(solution.results, discrete.report);
+  solution.timings.push_back({"results", watch.lap()});
   return solution;
 }
 

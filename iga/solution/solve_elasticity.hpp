@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "geometry/base/progress.hpp"
+#include "iga/coupling/coupling_kind.hpp"
 #include "iga/post/elasticity_results.hpp"
 #include "iga/post/stress_points.hpp"
 #include "iga/problem/problem.hpp"
 #include "iga/problem/unresolved_energy.hpp"
-#include "iga/solution/nodal_solution.hpp"
 #include "iga/spaces/elastic_field.hpp"
 #include "solvers/processes.hpp"
 #include "solvers/solve.hpp"
@@ -33,7 +33,7 @@ struct ProblemSize {
   std::int64_t elements = 0;
   std::int64_t control_points = 0;   ///< summed over the patches
   std::int64_t dofs_uncoupled = 0;   ///< 3 control_points
-  std::int64_t dofs_eliminated = 0;  ///< 3 times the classes of coincident control points
+  std::int64_t dofs_eliminated = 0;  ///< 3 times the global nodes
   std::int64_t multipliers = 0;      ///< dofs_uncoupled - dofs_eliminated: rows that tie the patches
   std::int64_t multipliers_free =
       0;  ///< of these, the rows that remain: those in components that supports fix are dropped

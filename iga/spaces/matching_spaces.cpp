@@ -62,15 +62,15 @@ KnotVector with_knots_of(const KnotVector& target, const KnotVector& source, boo
   return missing.empty() ? target : geometry::with_knots(target, missing);
 }
 
-void raise_degrees(const std::vector<int>& classes, DirectionKnots& knots) {
+void raise_degrees(const std::vector<int>& groups, DirectionKnots& knots) {
   std::vector<int> degree(knots.size(), 0);
   for (std::size_t i = 0; i < knots.size(); ++i) {
-    int& of_class = degree[static_cast<std::size_t>(classes[i])];
-    of_class = std::max(of_class, knots[i].degree());
+    int& of_group = degree[static_cast<std::size_t>(groups[i])];
+    of_group = std::max(of_group, knots[i].degree());
   }
   for (std::size_t i = 0; i < knots.size(); ++i)
     knots[i] = geometry::with_degree_raised(knots[i],
-                                            degree[static_cast<std::size_t>(classes[i])] - knots[i].degree());
+                                            degree[static_cast<std::size_t>(groups[i])] - knots[i].degree());
 }
 
 // Calls visit(local index on the first face, local index on the second) for all points of two matching faces.
@@ -102,9 +102,9 @@ std::vector<int> tied_directions(const geometry::MultiPatch& model) {
   for (const Interface& interface : model.interfaces())
     for (const TiedPair& pair : tied_pairs(interface))
       directions.unite(static_cast<int>(pair.first), static_cast<int>(pair.second));
-  std::vector<int> classes;
-  for (int i = 0; i < 3 * model.patch_count(); ++i) classes.push_back(directions.find(i));
-  return classes;
+  std::vector<int> groups;
+  for (int i = 0; i < 3 * model.patch_count(); ++i) groups.push_back(directions.find(i));
+  return groups;
 }
 
 DirectionKnots matched(const geometry::MultiPatch& model, DirectionKnots knots) {

@@ -9,7 +9,7 @@ namespace isopatch::iga {
 /// One knot vector per direction and patch: entry 3 * patch + direction.
 using DirectionKnots = std::vector<geometry::KnotVector>;
 
-/// Class of each direction (entry 3 * patch + direction), equal for directions that interfaces tie together.
+/// Group of each direction (entry 3 * patch + direction), equal for directions that interfaces tie together.
 /// Classes are named by their smallest member.
 std::vector<int> tied_directions(const geometry::MultiPatch& model);
 

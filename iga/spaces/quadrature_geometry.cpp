@@ -8,12 +8,12 @@
 
 #include "geometry/base/error.hpp"
 #include "geometry/splines/basis.hpp"
-#include "iga/internal/registers.hpp"
+#include "iga/internal/native_lanes.hpp"
 
 namespace isopatch::iga {
 namespace {
 
-using Lane = Eigen::Array<double, register_size, 1>;
+using Lane = Eigen::Array<double, native_lane_count, 1>;
 using Lanes = Eigen::Array<double, 8, 1>;
 
 Eigen::Map<const Lane, Eigen::Unaligned> at(const double* from) {
@@ -41,7 +41,7 @@ inline Derived derived(const double* from, std::ptrdiff_t width, int fields, con
 
 // With 1 as the value at those places of the last block where there is no point.
 inline Derived filled(Derived spline, int used) {
-  for (int lane = used; lane < register_size; ++lane) spline[0][lane] = 1;
+  for (int lane = used; lane < native_lane_count; ++lane) spline[0][lane] = 1;
   return spline;
 }
 
@@ -66,13 +66,13 @@ inline PointMap map_at(const std::array<Derived, 3>& x, int used) {
       map.cofactors[3 * d + c] = x[c1][d1] * x[c2][d2] - x[c1][d2] * x[c2][d1];
     }
   map.determinant = x[0][1] * map.cofactors[0] + x[1][1] * map.cofactors[1] + x[2][1] * map.cofactors[2];
-  for (int lane = used; lane < register_size; ++lane) map.determinant[lane] = 1;
+  for (int lane = used; lane < native_lane_count; ++lane) map.determinant[lane] = 1;
   return map;
 }
 
 inline void write_scaled(const PointMap& map, const Lane& scale, double* to) {
   for (int k = 0; k < 9; ++k)
-    Eigen::Map<Lane, Eigen::Unaligned>(to + k * register_size) =
+    Eigen::Map<Lane, Eigen::Unaligned>(to + k * native_lane_count) =
         scale * map.cofactors[static_cast<std::size_t>(k)];
 }
 
@@ -82,13 +82,13 @@ inline void write_rational(const PointMap& map, const Lane& weight, const Derive
   write_scaled(map, scale, to);
   const std::array<Lane, 9>& g = map.cofactors;
   for (std::size_t c = 0; c < 3; ++c)
-    Eigen::Map<Lane, Eigen::Unaligned>(to + (9 + static_cast<int>(c)) * register_size) =
+    Eigen::Map<Lane, Eigen::Unaligned>(to + (9 + static_cast<int>(c)) * native_lane_count) =
         -scale * inverse * (g[c] * total[1] + g[3 + c] * total[2] + g[6 + c] * total[3]);
 }
 
 }  // namespace
 
-const int QuadratureGeometry::block_size = register_size;
+const int QuadratureGeometry::block_size = native_lane_count;
 
 QuadratureGeometry::QuadratureGeometry(const PatchSpace& space, int points) : space_(&space) {
   for (int d = 0; d < 3; ++d) {

@@ -63,14 +63,14 @@ std::vector<int> parts_per_span(const geometry::MultiPatch& model, const Directi
           std::max(parts[i], static_cast<int>(std::min(1e4, std::ceil(longest / options.max_size - 1e-9))));
     }
   }
-  const std::vector<int> classes = tied_directions(model);
+  const std::vector<int> groups = tied_directions(model);
   std::vector<int> most(parts.size(), 1);
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    int& of_class = most[static_cast<std::size_t>(classes[i])];
-    of_class = std::max(of_class, parts[i]);
+    int& of_group = most[static_cast<std::size_t>(groups[i])];
+    of_group = std::max(of_group, parts[i]);
   }
   for (std::size_t i = 0; i < parts.size(); ++i)
-    parts[i] = most[static_cast<std::size_t>(classes[i])] << options.refine;
+    parts[i] = most[static_cast<std::size_t>(groups[i])] << options.refine;
   return parts;
 }
 

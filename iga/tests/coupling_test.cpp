@@ -20,16 +20,16 @@ using geometry::MultiPatch;
 using testing::boundary;
 using testing::problem;
 
-// Largest distance between control points of one class, relative to the model.
-double spread(const Discretization& d, const NodeClasses& classes) {
+// Largest distance between control points of one global node, relative to the model.
+double spread(const Discretization& d, const GlobalNodes& global) {
   std::vector<Eigen::Vector3d> places;
   for (const auto& patch : d.patches)
     for (int i = 0; i < patch.size(); ++i) places.push_back(patch.control_points().col(i));
   double result = 0;
-  for (int c = 0; c < classes.count(); ++c)
-    for (const int node : classes.of(c))
+  for (int c = 0; c < global.count(); ++c)
+    for (const int node : global.nodes_of(c))
       result = isopatch::larger(result, (places[static_cast<std::size_t>(node)] -
-                                         places[static_cast<std::size_t>(classes.of(c)[0])])
+                                         places[static_cast<std::size_t>(global.nodes_of(c)[0])])
                                             .norm());
   return result / d.model.size();
 }
@@ -41,25 +41,25 @@ int grid_nodes(const std::array<int, 3>& patches, int functions) {
   return count;
 }
 
-TEST(NodeClasses, MakeOneGridOfPatchesInRandomOrientations) {
+TEST(GlobalNodes, MakeOneGridOfPatchesInRandomOrientations) {
   for (const unsigned seed : {1u, 2u, 3u, 4u, 5u}) {
     const MultiPatch model = geometry::connect(geometry::box_model(
         {.patches = {2, 3, 2}, .distortion = 0.3, .curvature = 0.2, .orientation_seed = seed}));
     const Discretization d = discretize(model, {.refine = 1});
-    const NodeClasses classes = node_classes(d);
-    EXPECT_EQ(classes.count(), grid_nodes({2, 3, 2}, 4));
-    EXPECT_LT(spread(d, classes), 1e-13);
+    const GlobalNodes global = global_nodes(d);
+    EXPECT_EQ(global.count(), grid_nodes({2, 3, 2}, 4));
+    EXPECT_LT(spread(d, global), 1e-13);
   }
 }
 
-TEST(NodeClasses, ClosesARing) {
+TEST(GlobalNodes, ClosesARing) {
   const MultiPatch model = geometry::connect(geometry::cylinder_model({.angle = Angle::degrees(360)}));
   const Discretization d = discretize(model);
   EXPECT_EQ(model.interfaces().size(), 4u);
-  EXPECT_EQ(node_classes(d).count(), 2 * 2 * 8);
+  EXPECT_EQ(global_nodes(d).count(), 2 * 2 * 8);
 }
 
-TEST(NodeClasses, MergeTheControlPointsOfACollapsedFace) {
+TEST(GlobalNodes, MergeTheControlPointsOfACollapsedFace) {
   // A wedge: the west side of a cube is pulled together to its edge along z.
   geometry::NurbsVolume cube;
   Eigen::Matrix3Xd points = cube.control_points();
@@ -68,8 +68,8 @@ TEST(NodeClasses, MergeTheControlPointsOfACollapsedFace) {
   const MultiPatch model = geometry::connect({{geometry::NurbsVolume(cube.knots(), points)}, {}, {}});
   ASSERT_EQ(model.degenerate_faces().size(), 1u);
   const Discretization d = discretize(model, {.degree = {2, 2, 2}});
-  EXPECT_EQ(node_classes(d).count(), 27 - 2 * 3);
-  EXPECT_LT(spread(d, node_classes(d)), 1e-15);
+  EXPECT_EQ(global_nodes(d).count(), 27 - 2 * 3);
+  EXPECT_LT(spread(d, global_nodes(d)), 1e-15);
 }
 
 TEST(Discretization, MatchesDegreesAndKnotsOfNeighboursAcrossOrientations) {
@@ -82,8 +82,8 @@ TEST(Discretization, MatchesDegreesAndKnotsOfNeighboursAcrossOrientations) {
   const Discretization d = discretize(model);
   // All three patches get the first one's space across y: 7 functions; the others stay linear.
   EXPECT_EQ(d.node_count(), 3 * 7 * 2 * 2);
-  EXPECT_EQ(node_classes(d).count(), 4 * 7 * 2);
-  EXPECT_LT(spread(d, node_classes(d)), 1e-14);
+  EXPECT_EQ(global_nodes(d).count(), 4 * 7 * 2);
+  EXPECT_LT(spread(d, global_nodes(d)), 1e-14);
 }
 
 TEST(Discretization, RefinesAsAsked) {
@@ -102,15 +102,15 @@ TEST(MultiplierRows, AreIndependentAndTieExactlyWhatEliminationMerges) {
   p.supports = {
       {"x0", boundary(model, "x0"), PlaneSupport{}},
       {"inner", boundary(model, "inner"), PrescribedDisplacement{{std::nullopt, 0.0, std::nullopt}}}};
-  const NodeClasses classes = node_classes(p.discretization);
-  const std::vector<SupportFrame> frames = support_frames(p, classes);
-  const auto rows = multiplier_rows(classes, frames);
+  const GlobalNodes global = global_nodes(p.discretization);
+  const std::vector<SupportFrame> frames = support_frames(p, global);
+  const auto rows = multiplier_rows(global, frames);
   const Eigen::MatrixXd b = multiplier_matrix(rows, p.discretization.node_count());
   EXPECT_EQ(Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(b).rank(), b.rows());
   std::int64_t free_rows = 0;
-  for (int c = 0; c < classes.count(); ++c)
+  for (int c = 0; c < global.count(); ++c)
     free_rows +=
-        (static_cast<std::int64_t>(classes.of(c).size()) - 1) * frames[static_cast<std::size_t>(c)].free;
+        (static_cast<std::int64_t>(global.nodes_of(c).size()) - 1) * frames[static_cast<std::size_t>(c)].free;
   EXPECT_EQ(b.rows(), free_rows);
 }
 
@@ -127,10 +127,10 @@ TEST(SupportFrames, KeepOneDirectionWhereTwoObliquePlanesMeet) {
   p.supports = {{"start", boundary(model, "start"), PlaneSupport{}},
                 {"end", boundary(model, "end"), PlaneSupport{1e-3}},
                 {"bottom", boundary(model, "bottom"), PlaneSupport{}}};
-  const NodeClasses classes = node_classes(p.discretization);
+  const GlobalNodes global = global_nodes(p.discretization);
   const Eigen::Vector3d normal(-std::sin(50 * M_PI / 180), std::cos(50 * M_PI / 180), 0);
   std::map<int, int> counts;
-  for (const SupportFrame& frame : support_frames(p, classes)) {
+  for (const SupportFrame& frame : support_frames(p, global)) {
     ++counts[frame.free];
     EXPECT_LT((frame.axes.transpose() * frame.axes - Eigen::Matrix3d::Identity()).norm(), 1e-14);
     EXPECT_NEAR((frame.axes.leftCols(frame.free).transpose() * frame.prescribed).norm(), 0, 1e-18);
@@ -150,7 +150,7 @@ TEST(SupportFrames, RefuseARollerOnACurvedFace) {
   ElasticityProblem p = problem(model, {}, isotropic(1, 0.3));
   p.supports = {{"bore", boundary(model, "inner"), PlaneSupport{}}};
   try {
-    support_frames(p, node_classes(p.discretization));
+    support_frames(p, global_nodes(p.discretization));
     FAIL();
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), ::testing::HasSubstr("is not plane"));

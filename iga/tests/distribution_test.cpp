@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "iga/coupling/node_classes.hpp"
+#include "iga/coupling/global_nodes.hpp"
 #include "iga/tests/small_models.hpp"
 
 namespace isopatch::iga {

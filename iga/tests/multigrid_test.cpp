@@ -39,12 +39,12 @@ ElasticityProblem held_box(const DiscretizationOptions& options) {
 
 struct Levels {
   explicit Levels(const ElasticityProblem& p)
-      : classes(node_classes(p.discretization)),
-        frames(support_frames(p, classes)),
+      : global(global_nodes(p.discretization)),
+        frames(support_frames(p, global)),
         distribution(distribute(isoparametric_spaces(p.discretization), 1)),
-        fine(finest_level(p.discretization, classes, frames, distribution, {})),
+        fine(finest_level(isoparametric_spaces(p.discretization), global, frames, distribution, {})),
         coarse(coarser_level(p.discretization.model, fine, fine, frames, distribution, {}).value()) {}
-  NodeClasses classes;
+  GlobalNodes global;
   std::vector<SupportFrame> frames;
   Distribution distribution;
   Level fine;

@@ -36,8 +36,8 @@ geometry::MultiPatch box(const std::array<int, 3>& patches, const Eigen::Vector3
 
 RowNumbering numbering(const Discretization& d, Coupling coupling) {
   if (coupling == Coupling::elimination) {
-    const NodeClasses classes = node_classes(d);
-    return {classes.class_of, classes.count()};
+    const GlobalNodes global = global_nodes(d);
+    return {global.global_of, global.count()};
   }
   RowNumbering nodes{std::vector<int>(static_cast<std::size_t>(d.node_count())), d.node_count()};
   std::iota(nodes.row_of_node.begin(), nodes.row_of_node.end(), 0);
@@ -56,7 +56,7 @@ void expect_exact_counts(const geometry::MultiPatch& model, const Discretization
     EXPECT_EQ(found.rows, rows.rows);
     EXPECT_EQ(found.blocks, stiffness_size(spaces, whole_patches(spaces), rows).blocks) << name(coupling);
     EXPECT_EQ(found.multipliers,
-              coupling == Coupling::lagrange ? 3 * (d.node_count() - node_classes(d).count()) : 0);
+              coupling == Coupling::lagrange ? 3 * (d.node_count() - global_nodes(d).count()) : 0);
     EXPECT_EQ(std::accumulate(found.groups.rows.begin(), found.groups.rows.end(), std::int64_t{0}),
               3 * found.rows + found.multipliers);
   }

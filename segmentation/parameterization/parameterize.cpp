@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <map>
 
+#include "geometry/base/stopwatch.hpp"
 #include "geometry/brep/solid_error.hpp"
 #include "geometry/quadrature.hpp"
 #include "segmentation/parameterization/edge_pace.hpp"
@@ -15,8 +15,6 @@
 
 namespace isopatch::segmentation {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 void refuse_partial_contacts(const HexComplex& complex) {
   if (complex.partial_contacts.empty()) return;
@@ -322,14 +320,14 @@ Parameterization parameterize(const HexComplex& complex, const ParameterizationO
                               const Progress& progress) {
   validate(options);
   refuse_partial_contacts(complex);
-  const auto start = Clock::now();
+  const Stopwatch watch;
   Parameterization result = options.method == ParameterizationMethod::paper
                                 ? paper_method(complex)
                                 : shared_method(complex, options, progress);
   result.report.size = complex.size;
   result.report.tolerance = options.fit.tolerance * complex.size;
   result.report.names = options.names;
-  result.report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  result.report.seconds = watch.seconds();
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <exception>
 
+#include "solvers/block_size.hpp"
 #include "solvers/internal/petsc_shell.hpp"
 
 namespace isopatch::solvers {
@@ -11,19 +12,19 @@ namespace {
 
 Eigen::VectorXd to_owned(const SharedRows& rows, const Eigen::VectorXd& local) {
   if (!rows.is_distributed()) return local;
-  Eigen::VectorXd owned(3 * static_cast<Eigen::Index>(rows.owned().size()));
+  Eigen::VectorXd owned(block_size * static_cast<Eigen::Index>(rows.owned().size()));
   for (std::size_t k = 0; k < rows.owned().size(); ++k)
-    owned.segment<3>(3 * static_cast<Eigen::Index>(k)) =
-        local.segment<3>(3 * static_cast<Eigen::Index>(rows.owned()[k]));
+    owned.segment<block_size>(block_size * static_cast<Eigen::Index>(k)) =
+        local.segment<block_size>(block_size * static_cast<Eigen::Index>(rows.owned()[k]));
   return owned;
 }
 
 Eigen::VectorXd to_local(const SharedRows& rows, const Eigen::VectorXd& owned) {
   if (!rows.is_distributed()) return owned;
-  Eigen::VectorXd local = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(rows.local_rows()));
+  Eigen::VectorXd local = Eigen::VectorXd::Zero(block_size * static_cast<Eigen::Index>(rows.local_rows()));
   for (std::size_t k = 0; k < rows.owned().size(); ++k)
-    local.segment<3>(3 * static_cast<Eigen::Index>(rows.owned()[k])) =
-        owned.segment<3>(3 * static_cast<Eigen::Index>(k));
+    local.segment<block_size>(block_size * static_cast<Eigen::Index>(rows.owned()[k])) =
+        owned.segment<block_size>(block_size * static_cast<Eigen::Index>(k));
   rows.sum(local);
   return local;
 }
@@ -93,8 +94,8 @@ KrylovSolution iterate(const SharedRows& rows, const LinearOperator& product,
   check(KSPMonitorSet(ksp, after_iteration, &monitor, nullptr), "listen to the iterations");
   KrylovSolution solution;
   Eigen::VectorXd x_owned = Eigen::VectorXd::Zero(b_owned.size());
-  const petsc::Vector b = petsc::view(PETSC_COMM_WORLD, b_owned, 3);
-  const petsc::Vector x = petsc::view(PETSC_COMM_WORLD, x_owned, 3);
+  const petsc::Vector b = petsc::view(PETSC_COMM_WORLD, b_owned, block_size);
+  const petsc::Vector x = petsc::view(PETSC_COMM_WORLD, x_owned, block_size);
   const PetscErrorCode code = KSPSolve(ksp, b.get(), x.get());
   if (monitor.thrown) std::rethrow_exception(monitor.thrown);
   check(code, "iterate");

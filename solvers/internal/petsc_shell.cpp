@@ -2,6 +2,8 @@
 
 #include <exception>
 
+#include "solvers/block_size.hpp"
+
 namespace isopatch::solvers::petsc {
 namespace {
 

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <malloc.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -16,6 +15,7 @@
 #include "app/results/write_fields.hpp"
 #include "app/run/run_study.hpp"
 #include "geometry/base/atomic_writer.hpp"
+#include "geometry/base/stopwatch.hpp"
 #include "iga/coupling/rigid_motions.hpp"
 #include "iga/coupling/supported_system.hpp"
 #include "iga/output/result_file.hpp"
@@ -47,10 +47,10 @@ class Phases {
     ::malloc_trim(0);
     std::ofstream("/proc/self/clear_refs") << "5";  // the high-water mark starts anew
     const double before = memory("VmRSS");
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     auto result = work();
     Measured m;
-    m.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    m.seconds = watch.seconds();
     m.peak = memory("VmHWM") - before;
     ::malloc_trim(0);
     m.held = memory("VmRSS") - before;
@@ -74,10 +74,10 @@ Phases measure(const std::string& path, const std::vector<std::string>& override
   discretization = {model, {}, {0}};
   const iga::ElasticityProblem& problem = built.problem;
   const iga::Discretization& d = problem.discretization;
-  const auto classes = phase("node classes", [&] { return iga::node_classes(d); });
-  phase.dofs = 3.0 * classes.count();
-  const auto frames = phase("support frames", [&] { return iga::support_frames(problem, classes); });
-  phase("rigid motions", [&] { return iga::free_bodies(d, classes, frames); });
+  const auto global = phase("global nodes", [&] { return iga::global_nodes(d); });
+  phase.dofs = 3.0 * global.count();
+  const auto frames = phase("support frames", [&] { return iga::support_frames(problem, global); });
+  phase("rigid motions", [&] { return iga::free_bodies(d, global, frames); });
   const auto load = phase("surface loads", [&] { return iga::load_vector(problem); });
   {
     iga::ElasticityProblem heavy{d, problem.materials, {}, {}, {}};
@@ -86,7 +86,7 @@ Phases measure(const std::string& path, const std::vector<std::string>& override
     heavy.volume_loads = iga::gravity("weight", all, {0, 0, -9.81}, problem.materials);
     phase("body force", [&] { return iga::load_vector(heavy); });
   }
-  const auto rows = phase("multiplier rows", [&] { return iga::multiplier_rows(classes, frames); });
+  const auto rows = phase("multiplier rows", [&] { return iga::multiplier_rows(global, frames); });
 
   Eigen::Matrix3Xd displacement(3, d.node_count());
   for (int p = 0; p < d.patch_count(); ++p) {
@@ -105,9 +105,9 @@ Phases measure(const std::string& path, const std::vector<std::string>& override
       phase("internal forces", [&] { return iga::internal_forces(d, problem.materials, displacement); });
   const Eigen::Matrix3Xd unbalanced = internal.forces - load;
   phase("recovered multipliers",
-        [&] { return iga::recovered_multipliers(rows, classes, frames, unbalanced); });
+        [&] { return iga::recovered_multipliers(rows, global, frames, unbalanced); });
   phase("largest displacement", [&] { return iga::max_displacement(run.solution.field); });
-  phase("reactions", [&] { return iga::support_reactions(problem, classes, frames, unbalanced); });
+  phase("reactions", [&] { return iga::support_reactions(problem, global, frames, unbalanced); });
   study.output.directory = directory;
   phase("fields", [&] {
     app::write_fields(run.solution.field, d.model, {}, study.output.field_options, directory);

@@ -1,4 +1,4 @@
-// How many conditions tie the patches: counted by isopatch from its classes of nodes, and here as the rank of
+// How many conditions tie the patches: counted by isopatch from its global nodes, and here as the rank of
 // all coincidences of control points, found by distance and with all their redundancy.
 
 #include <fmt/format.h>

@@ -9,13 +9,8 @@
 namespace isopatch::verification {
 
 solvers::LinearSystem system_of(const iga::ElasticityProblem& problem, iga::Coupling coupling) {
-  const iga::NodeClasses classes = iga::node_classes(problem.discretization);
-  const std::vector<iga::SupportFrame> frames = iga::support_frames(problem, classes);
-  const std::vector<iga::MultiplierRow> rows = iga::multiplier_rows(classes, frames);
-  const Eigen::Matrix3Xd load = Eigen::Matrix3Xd::Zero(3, problem.discretization.node_count());
-  const solvers::Processes alone;
-  const iga::Distribution whole = iga::distribute(iga::isoparametric_spaces(problem.discretization), 1);
-  return iga::assembled_system({problem, classes, frames, rows, load, whole, alone, coupling}).system;
+  const iga::CoupledProblem coupled = iga::coupled_problem(problem, coupling);
+  return iga::assembled_system(coupled).system;
 }
 
 Eigen::MatrixXd dense(const solvers::SymmetricBlockMatrix& matrix) {

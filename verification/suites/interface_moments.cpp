@@ -49,11 +49,11 @@ void add_moments(const iga::Discretization& d, const geometry::PatchFace& face, 
 // Largest difference of two columns at nodes that no support holds, relative to the largest of the second.
 double difference_where_free(const iga::ElasticityProblem& problem, const Eigen::Matrix3Xd& found,
                              const Eigen::Matrix3Xd& expected) {
-  const iga::NodeClasses classes = iga::node_classes(problem.discretization);
-  const std::vector<iga::SupportFrame> frames = iga::support_frames(problem, classes);
+  const iga::GlobalNodes global = iga::global_nodes(problem.discretization);
+  const std::vector<iga::SupportFrame> frames = iga::support_frames(problem, global);
   double apart = 0;
-  for (std::size_t node = 0; node < classes.class_of.size(); ++node)
-    if (frames[static_cast<std::size_t>(classes.class_of[node])].free == 3)
+  for (std::size_t node = 0; node < global.global_of.size(); ++node)
+    if (frames[static_cast<std::size_t>(global.global_of[node])].free == 3)
       apart = larger(apart, (found - expected).col(static_cast<Eigen::Index>(node)).norm());
   return apart / expected.colwise().norm().maxCoeff<Eigen::PropagateNaN>();
 }

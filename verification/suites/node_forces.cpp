@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "geometry/base/larger.hpp"
-#include "iga/coupling/node_classes.hpp"
+#include "iga/coupling/global_nodes.hpp"
 #include "iga/coupling/support_frames.hpp"
 
 namespace isopatch::verification {
@@ -55,15 +55,15 @@ Resultant resultant(const iga::ElasticityProblem& problem, const Eigen::Matrix3X
 
 std::vector<int> untouched_patches(const iga::ElasticityProblem& problem) {
   const iga::Discretization& d = problem.discretization;
-  const iga::NodeClasses classes = iga::node_classes(d);
-  const std::vector<iga::SupportFrame> frames = iga::support_frames(problem, classes);
+  const iga::GlobalNodes global = iga::global_nodes(d);
+  const std::vector<iga::SupportFrame> frames = iga::support_frames(problem, global);
   std::vector<int> result;
   for (int patch = 0; patch < d.patch_count(); ++patch) {
     const auto p = static_cast<std::size_t>(patch);
     bool free = true;
     for (int node = d.first_node[p]; node < d.first_node[p + 1]; ++node)
       free = free &&
-             frames[static_cast<std::size_t>(classes.class_of[static_cast<std::size_t>(node)])].free == 3;
+             frames[static_cast<std::size_t>(global.global_of[static_cast<std::size_t>(node)])].free == 3;
     if (free) result.push_back(patch);
   }
   return result;
@@ -91,14 +91,15 @@ std::vector<Cut> cuts_of(const iga::ElasticityProblem& problem) {
 }
 
 double largest_jump(const iga::ElasticityProblem& problem, const iga::ElasticitySolution& solution) {
-  const iga::NodeClasses classes = iga::node_classes(problem.discretization);
+  const iga::GlobalNodes global = iga::global_nodes(problem.discretization);
   Eigen::Matrix3Xd u(3, problem.discretization.node_count());
   for (std::size_t p = 0; p < solution.field.displacement.size(); ++p)
     u.middleCols(problem.discretization.first_node[p], solution.field.displacement[p].cols()) =
         solution.field.displacement[p];
   double jump = 0;
-  for (int c = 0; c < classes.count(); ++c)
-    for (const int node : classes.of(c)) jump = larger(jump, (u.col(node) - u.col(classes.of(c)[0])).norm());
+  for (int c = 0; c < global.count(); ++c)
+    for (const int node : global.nodes_of(c))
+      jump = larger(jump, (u.col(node) - u.col(global.nodes_of(c)[0])).norm());
   return jump / u.colwise().norm().maxCoeff<Eigen::PropagateNaN>();
 }
 

@@ -34,7 +34,8 @@ struct Cut {
 };
 std::vector<Cut> cuts_of(const iga::ElasticityProblem& problem);
 
-/// Largest difference of displacements between nodes of one class, relative to the largest displacement.
+/// Largest difference of displacements between nodes of one global node, relative to the largest
+/// displacement.
 double largest_jump(const iga::ElasticityProblem& problem, const iga::ElasticitySolution& solution);
 
 /// Largest difference of two lists for the same pairs of nodes, relative to the largest force of the first;

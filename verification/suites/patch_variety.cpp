@@ -10,7 +10,7 @@
 #include "geometry/models/box.hpp"
 #include "geometry/models/reorient.hpp"
 #include "geometry/splines/refine.hpp"
-#include "iga/coupling/node_classes.hpp"
+#include "iga/coupling/global_nodes.hpp"
 #include "iga/solution/solve_elasticity.hpp"
 #include "verification/claims/expect.hpp"
 #include "verification/suites/linear_field.hpp"
@@ -110,7 +110,7 @@ TEST(PatchTests, CollapsedFace) {
                  ReferenceKind::exact,
                  "control points at different places",
                  static_cast<double>(distinct_places(d)),
-                 static_cast<double>(iga::node_classes(d).count()),
+                 static_cast<double>(iga::global_nodes(d).count()),
                  0,
                  {}});
   }

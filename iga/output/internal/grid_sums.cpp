@@ -17,11 +17,11 @@ void GridSums::plane(int combination, Plane& out) const {
   parallel_ranges(rows, [&](std::int64_t row, int) {
     const std::size_t begin = static_cast<std::size_t>(row) * static_cast<std::size_t>(length);
     for (std::size_t at = begin; at < begin + static_cast<std::size_t>(length); ++at) {
-      Packet<8> value = Packet<8>::Zero(), third = Packet<8>::Zero();
+      FieldLanes<8> value = FieldLanes<8>::Zero(), third = FieldLanes<8>::Zero();
       for (Eigen::Index a = 0; a < line.values.cols(); ++a) {
         const std::size_t i = at + count * (from + static_cast<std::size_t>(a));
         const double w = weights[i];
-        Packet<8> coefficient;
+        FieldLanes<8> coefficient;
         coefficient << w * x[3 * i], w * x[3 * i + 1], w * x[3 * i + 2], w, w * u[3 * i], w * u[3 * i + 1],
             w * u[3 * i + 2], 0.0;
         value += line.values(combination, a) * coefficient;
@@ -37,7 +37,7 @@ void GridSums::row(int combination, const Plane& plane, Row& out) const {
   const GridLine& line = lines_[1];
   const auto length = static_cast<std::size_t>(patch_.size(0));
   const auto from = static_cast<std::size_t>(line.first[static_cast<std::size_t>(combination)]);
-  for (auto* packets : {&out.value, &out.second, &out.third}) packets->assign(length, Packet<8>::Zero());
+  for (auto* lanes : {&out.value, &out.second, &out.third}) lanes->assign(length, FieldLanes<8>::Zero());
   for (Eigen::Index a = 0; a < line.values.cols(); ++a) {
     const double value = line.values(combination, a), derivative = line.derivatives(combination, a);
     const std::size_t begin = length * (from + static_cast<std::size_t>(a));

@@ -10,7 +10,7 @@
 namespace isopatch::iga {
 
 /// Geometry and displacement of a patch on a grid, plane by plane of direction 3, row by row, point by point:
-/// packets (x w, y w, z w, w, u w, v w, w w, 0) of numerators and their derivatives. Nothing is ever in
+/// eight fields (x w, y w, z w, w, u w, v w, w w, 0) of numerators and their derivatives. Nothing is ever in
 /// memory but two planes of the patch's coefficients.
 class GridSums {
  public:
@@ -23,27 +23,27 @@ class GridSums {
   const GridLine& line(std::size_t d) const { return lines_[d]; }
   std::array<int, 3> sizes() const { return {lines_[0].size(), lines_[1].size(), lines_[2].size()}; }
 
-  /// Direction 3 summed: a packet for each pair of functions of directions 1 and 2.
+  /// Direction 3 summed: eight fields for each pair of functions of directions 1 and 2.
   struct Plane {
-    std::vector<Packet<8>> value, third;
+    std::vector<FieldLanes<8>> value, third;
   };
   /// @param combination  of direction 3
   /// @cost  O(degree) per coefficient of the plane; in parallel
   void plane(int combination, Plane& out) const;
 
-  /// Direction 2 summed as well: a packet for each function of direction 1.
+  /// Direction 2 summed as well: eight fields for each function of direction 1.
   struct Row {
-    std::vector<Packet<8>> value, second, third;
+    std::vector<FieldLanes<8>> value, second, third;
   };
   void row(int combination, const Plane& plane, Row& out) const;
 
   struct Point {
-    Packet<8> value, first, second, third;
+    FieldLanes<8> value, first, second, third;
   };
   Point point(int combination, const Row& row) const {
     const GridLine& line = lines_[0];
     const auto from = static_cast<std::size_t>(line.first[static_cast<std::size_t>(combination)]);
-    Point p{Packet<8>::Zero(), Packet<8>::Zero(), Packet<8>::Zero(), Packet<8>::Zero()};
+    Point p{FieldLanes<8>::Zero(), FieldLanes<8>::Zero(), FieldLanes<8>::Zero(), FieldLanes<8>::Zero()};
     for (Eigen::Index a = 0; a < line.values.cols(); ++a) {
       const double value = line.values(combination, a);
       const auto i = from + static_cast<std::size_t>(a);

@@ -90,7 +90,7 @@ ISOPATCH_TENSORS(8);
 #undef ISOPATCH_TENSORS
 
 void gather(const ElementTensors& tensors, std::int64_t element, const Eigen::Matrix3Xd& columns,
-            const Eigen::VectorXd& weights, std::vector<Packet<4>>& out) {
+            const Eigen::VectorXd& weights, std::vector<FieldLanes<4>>& out) {
   out.resize(static_cast<std::size_t>(tensors.function_count()));
   const double* x = columns.data();
   const double* weight = weights.data();
@@ -101,7 +101,7 @@ void gather(const ElementTensors& tensors, std::int64_t element, const Eigen::Ma
 }
 
 void gather(const ElementTensors& tensors, std::int64_t element, const geometry::NurbsVolume& patch,
-            const double* displacement, std::vector<Packet<8>>& out) {
+            const double* displacement, std::vector<FieldLanes<8>>& out) {
   out.resize(static_cast<std::size_t>(tensors.function_count()));
   const double* x = patch.control_points().data();
   const double* weight = patch.weights().data();

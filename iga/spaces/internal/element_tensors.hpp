@@ -75,12 +75,12 @@ class ElementTensors {
   std::array<Eigen::Index, 3> points_;
 };
 
-/// Numbers of points and weights of a patch as packets (x w, y w, z w, w), and of two sets of columns as
+/// Numbers of points and weights of a patch as fields (x w, y w, z w, w), and of two sets of columns as
 /// (x w, y w, z w, w, u w, v w, w w, 0).
 void gather(const ElementTensors& tensors, std::int64_t element, const Eigen::Matrix3Xd& columns,
-            const Eigen::VectorXd& weights, std::vector<Packet<4>>& out);
+            const Eigen::VectorXd& weights, std::vector<FieldLanes<4>>& out);
 /// @param displacement  of the patch's functions: 3 numbers each
 void gather(const ElementTensors& tensors, std::int64_t element, const geometry::NurbsVolume& patch,
-            const double* displacement, std::vector<Packet<8>>& out);
+            const double* displacement, std::vector<FieldLanes<8>>& out);
 
 }  // namespace isopatch::iga

@@ -1,4 +1,4 @@
-#include "iga/coupling/node_classes.hpp"
+#include "iga/coupling/global_nodes.hpp"
 
 #include <numeric>
 
@@ -34,11 +34,11 @@ void unite_collapsed(const geometry::MultiPatch& model, int patch, const std::ar
 
 }  // namespace
 
-NodeClasses node_classes(const Discretization& d) {
-  return node_classes(d.model, sizes_of(d.patches));
+GlobalNodes global_nodes(const Discretization& d) {
+  return global_nodes(d.model, sizes_of(d.patches));
 }
 
-NodeClasses node_classes(const geometry::MultiPatch& model, const std::vector<std::array<int, 3>>& sizes) {
+GlobalNodes global_nodes(const geometry::MultiPatch& model, const std::vector<std::array<int, 3>>& sizes) {
   std::vector<int> first_node = {0};
   for (const auto& n : sizes) first_node.push_back(first_node.back() + n[0] * n[1] * n[2]);
   UnionFind nodes(first_node.back());
@@ -51,22 +51,22 @@ NodeClasses node_classes(const geometry::MultiPatch& model, const std::vector<st
     unite_collapsed(model, patch, sizes[static_cast<std::size_t>(patch)],
                     first_node[static_cast<std::size_t>(patch)], nodes);
 
-  NodeClasses result;
-  result.class_of.resize(static_cast<std::size_t>(first_node.back()));
+  GlobalNodes result;
+  result.global_of.resize(static_cast<std::size_t>(first_node.back()));
   int count = 0;
   for (int node = 0; node < first_node.back(); ++node) {
     const int root = nodes.find(node);
-    result.class_of[static_cast<std::size_t>(node)] =
-        root == node ? count++ : result.class_of[static_cast<std::size_t>(root)];
+    result.global_of[static_cast<std::size_t>(node)] =
+        root == node ? count++ : result.global_of[static_cast<std::size_t>(root)];
   }
   result.first_member.assign(static_cast<std::size_t>(count) + 1, 0);
-  for (const int c : result.class_of) ++result.first_member[static_cast<std::size_t>(c) + 1];
+  for (const int c : result.global_of) ++result.first_member[static_cast<std::size_t>(c) + 1];
   std::partial_sum(result.first_member.begin(), result.first_member.end(), result.first_member.begin());
-  result.members.resize(result.class_of.size());
+  result.members.resize(result.global_of.size());
   std::vector<int> next = result.first_member;
   for (int node = 0; node < first_node.back(); ++node)
     result.members[static_cast<std::size_t>(
-        next[static_cast<std::size_t>(result.class_of[static_cast<std::size_t>(node)])]++)] = node;
+        next[static_cast<std::size_t>(result.global_of[static_cast<std::size_t>(node)])]++)] = node;
   return result;
 }
 

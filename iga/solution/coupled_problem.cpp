@@ -1,0 +1,24 @@
+#include "iga/solution/coupled_problem.hpp"
+
+#include "iga/problem/loads.hpp"
+
+namespace isopatch::iga {
+
+CoupledProblem coupled_problem(const ElasticityProblem& problem, Coupling coupling, int points,
+                               const solvers::Processes& processes) {
+  CoupledProblem result;
+  result.problem = &problem;
+  result.coupling = coupling;
+  result.points = points;
+  result.processes = processes;
+  result.global = global_nodes(problem.discretization);
+  result.frames = support_frames(problem, result.global);
+  result.multipliers = multiplier_rows(result.global, result.frames);
+  result.load = load_vector(problem, points);
+  result.spaces = isoparametric_spaces(problem.discretization);
+  result.distribution = distribute(result.spaces, processes.count());
+  result.parts = parts_of(result.distribution, result.spaces, processes.rank());
+  return result;
+}
+
+}  // namespace isopatch::iga
