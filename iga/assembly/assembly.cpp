@@ -15,7 +15,8 @@ namespace {
 
 using solvers::SymmetricBlockMatrix;
 
-// Storage for one task of each thread and for the geometry at the points of some layers.
+// Storage for one task of each thread and for the geometry at the points of
+// some layers.
 struct Buffers {
   std::vector<StiffnessSweep> sweeps =
       std::vector<StiffnessSweep>(static_cast<std::size_t>(omp_get_max_threads()));
@@ -25,8 +26,9 @@ struct Buffers {
   std::size_t most_bytes = 0;  // of points
 };
 
-// Tasks of some layers: one for each function of direction 3, and where these are few or lines long, several
-// along direction 1. The number of threads has no say, so that sums do not depend on it.
+// Tasks of some layers: one for each function of w, and where these are few or
+// lines long, several along u. They do not depend on the number of threads, so
+// neither do the sums.
 std::vector<StiffnessTask> tasks_of(const StiffnessTables& tables, int layer_begin, int layer_end) {
   constexpr int wanted = 64;
   constexpr int needed = 8;
@@ -34,35 +36,35 @@ std::vector<StiffnessTask> tasks_of(const StiffnessTables& tables, int layer_beg
   for (const Overlap& overlap : tables.overlaps[2]) planes += overlap.empty() ? 0 : 1;
   const int functions = tables.sizes[0];
   const int span = tables.degrees[0] + 1;
-  // The contraction of direction 3 is done twice where two bands meet: long bands, unless there are too few
-  // tasks.
+  // The contraction of w is done twice where two bands meet: long bands, unless
+  // there are too few tasks.
   const int bands = std::max({1, std::min(wanted / planes, functions / (8 * span)),
                               std::min(needed / planes, functions / (2 * span))});
   std::vector<StiffnessTask> tasks;
-  for (int third = 0; third < tables.sizes[2]; ++third) {
-    if (tables.overlap(2, third).empty()) continue;
+  for (int a_w = 0; a_w < tables.sizes[2]; ++a_w) {
+    if (tables.overlap(2, a_w).empty()) continue;
     for (int band = 0; band < bands; ++band)
       tasks.push_back(
-          {third, functions * band / bands, functions * (band + 1) / bands, layer_begin, layer_end});
+          {a_w, functions * band / bands, functions * (band + 1) / bands, layer_begin, layer_end});
   }
   return tasks;
 }
 
 void evaluate_points(const QuadratureGeometry& geometry, const StiffnessTables& tables, int patch,
                      int layer_begin, int layer_end, PointData& data, Buffers& buffers) {
-  constexpr int thirds_per_task = 64;
-  const int seconds = tables.points[1];
+  constexpr int w_per_task = 64;
+  const int points_v = tables.points[1];
   data.layer_begin = layer_begin;
-  const int strips = (data.thirds + thirds_per_task - 1) / thirds_per_task;
-  const int first_third = tables.points[2] * tables.first_layer;
-  parallel_ranges(static_cast<std::int64_t>(strips) * seconds * (layer_end - layer_begin),
+  const int strips = (data.points_w + w_per_task - 1) / w_per_task;
+  const int first_w = tables.points[2] * tables.first_layer;
+  parallel_ranges(static_cast<std::int64_t>(strips) * points_v * (layer_end - layer_begin),
                   [&](std::int64_t task, int) {
-                    const int second = static_cast<int>(task / strips);
-                    const int begin = static_cast<int>(task % strips) * thirds_per_task;
-                    const int end = std::min(data.thirds, begin + thirds_per_task);
-                    double* const out = buffers.points.data() + (data.block(second, 0, begin) - data.values);
-                    geometry.evaluate(layer_begin * seconds + second, first_third + begin, first_third + end,
-                                      out, data.thirds, patch);
+                    const int v = static_cast<int>(task / strips);
+                    const int begin = static_cast<int>(task % strips) * w_per_task;
+                    const int end = std::min(data.points_w, begin + w_per_task);
+                    double* const out = buffers.points.data() + (data.block(v, 0, begin) - data.values);
+                    geometry.evaluate(layer_begin * points_v + v, first_w + begin, first_w + end, out,
+                                      data.points_w, patch);
                   });
 }
 
@@ -81,11 +83,11 @@ void assemble_part(const PartAt& at, int points, Buffers& buffers, SymmetricBloc
   const PatchRows rows = patch_rows(tables, at.row_of_node);
   PointData data;
   data.blocks = geometry.blocks();
-  data.thirds = tables.points[2] * (tables.last_layer - tables.first_layer);
+  data.points_w = tables.points[2] * (tables.last_layer - tables.first_layer);
   data.components = geometry.components();
   const std::size_t per_layer = sizeof(double) * static_cast<std::size_t>(tables.points[1]) *
                                 static_cast<std::size_t>(data.blocks) *
-                                static_cast<std::size_t>(data.thirds) *
+                                static_cast<std::size_t>(data.points_w) *
                                 static_cast<std::size_t>(data.components * QuadratureGeometry::block_size);
   const int layers = tables.elements(1);
   constexpr std::size_t cache = std::size_t{4} << 20;  // that the points of some layers should stay in, bytes
@@ -98,7 +100,8 @@ void assemble_part(const PartAt& at, int points, Buffers& buffers, SymmetricBloc
       per_layer / sizeof(double) * static_cast<std::size_t>((layers + chunks - 1) / chunks);
   if (buffers.points.size() < size) buffers.points = solvers::ZeroedVector<double>(size);
   data.values = buffers.points.data();
-  const double* const weights = at.space->is_rational() ? at.space->weights.data() : nullptr;
+  const PatchIntegrand integrand{tables, rows, *at.material,
+                                 at.space->is_rational() ? at.space->weights.data() : nullptr};
   for (int chunk = 0; chunk < chunks; ++chunk) {
     const int begin = static_cast<int>(static_cast<std::int64_t>(layers) * chunk / chunks);
     const int end = static_cast<int>(static_cast<std::int64_t>(layers) * (chunk + 1) / chunks);
@@ -110,8 +113,7 @@ void assemble_part(const PartAt& at, int points, Buffers& buffers, SymmetricBloc
       CollectedBlocks& collected = buffers.collected[static_cast<std::size_t>(task)];
       BlockTargets& targets = buffers.targets[static_cast<std::size_t>(thread)];
       targets.prepare(here, tables, rows, matrix, collected);
-      buffers.sweeps[static_cast<std::size_t>(thread)].run(here, tables, data, *at.material, weights, rows,
-                                                           targets, collected, matrix);
+      buffers.sweeps[static_cast<std::size_t>(thread)].run(here, integrand, data, targets, collected, matrix);
     });
     const int shares = omp_get_max_threads();
     parallel_for(shares, [&](std::int64_t share, int) {

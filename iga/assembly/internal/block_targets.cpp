@@ -9,13 +9,14 @@ namespace {
 using solvers::SymmetricBlockMatrix;
 
 // Position of a column in its row, looked for at `guess` and beside it first.
-std::int32_t position(const SymmetricBlockMatrix& matrix, int row, int column, std::int32_t guess) {
+std::uint32_t position(const SymmetricBlockMatrix& matrix, int row, int column, std::uint32_t guess) {
   const std::int64_t begin = matrix.row_start[static_cast<std::size_t>(row)];
   const auto size = static_cast<std::int32_t>(matrix.row_start[static_cast<std::size_t>(row) + 1] - begin);
   const int* const columns = matrix.columns.data() + begin;
-  for (const std::int32_t at : {guess, guess - 1, guess + 1})
-    if (at >= 0 && at < size && columns[at] == column) return at;
-  return static_cast<std::int32_t>(std::lower_bound(columns, columns + size, column) - columns);
+  const auto middle = static_cast<std::int32_t>(guess);
+  for (const std::int32_t at : {middle, middle - 1, middle + 1})
+    if (at >= 0 && at < size && columns[at] == column) return static_cast<std::uint32_t>(at);
+  return static_cast<std::uint32_t>(std::lower_bound(columns, columns + size, column) - columns);
 }
 
 int widest(const std::vector<Overlap>& overlaps) {
@@ -48,88 +49,89 @@ void BlockTargets::prepare(const StiffnessTask& task, const StiffnessTables& tab
                            const SymmetricBlockMatrix& matrix, CollectedBlocks& collected) {
   task_ = task;
   tables_ = &tables;
-  second_begin_ = tables.first[1][static_cast<std::size_t>(task.layer_begin)];
-  const int second_end =
-      tables.first[1][static_cast<std::size_t>(task.layer_end - 1)] + tables.degrees[1] + 1;
-  seconds_ = second_end - second_begin_;
-  thirds_ = tables.overlap(2, task.third).high - task.third + 1;
-  width_second_ = widest(tables.overlaps[1]);
-  width_first_ = widest(tables.overlaps[0]);
-  const std::size_t size = static_cast<std::size_t>(task.first_end - task.first_begin) *
-                           static_cast<std::size_t>(seconds_ * thirds_ * width_second_ * (width_first_ + 1));
+  v_begin_ = tables.first[1][static_cast<std::size_t>(task.layer_begin)];
+  const int v_end = tables.first[1][static_cast<std::size_t>(task.layer_end - 1)] + tables.degrees[1] + 1;
+  count_v_ = v_end - v_begin_;
+  count_w_ = tables.overlap(2, task.a_w).high - task.a_w + 1;
+  width_v_ = widest(tables.overlaps[1]);
+  width_u_ = widest(tables.overlaps[0]);
+  const std::size_t size = static_cast<std::size_t>(task.u_end - task.u_begin) *
+                           static_cast<std::size_t>(count_v_ * count_w_ * width_v_ * width_u_);
   if (targets_.size() < size) targets_.resize(size);
   collected.clear();
   const auto node = [&](int i, int j, int k) { return i + tables.sizes[0] * (j + tables.sizes[1] * k); };
   // A line begins about where the same line of the function before does.
-  std::vector<std::int32_t> guesses(static_cast<std::size_t>(seconds_ * thirds_ * width_second_), 0);
-  for (int i = task.first_begin; i < task.first_end; ++i) {
-    const Overlap& first = tables.overlap(0, i);
-    std::int32_t* guess = guesses.data();
-    for (int j = second_begin_; j < second_end; ++j) {
-      const Overlap& second = tables.overlap(1, j);
-      for (int k = task.third; k < task.third + thirds_; ++k)
-        for (int l = std::max(second.low, second_begin_); l <= std::min(second.high, second_end - 1);
-             ++l, ++guess)
-          *guess = fill({node(i, j, task.third), node(first.low, l, k), first.count(), k == task.third},
-                        *guess, rows, matrix, collected, targets_.data() + line_start(i, j, l, k));
+  std::vector<std::uint32_t> guesses(static_cast<std::size_t>(count_v_ * count_w_ * width_v_), 0);
+  for (int i = task.u_begin; i < task.u_end; ++i) {
+    const Overlap& u = tables.overlap(0, i);
+    std::uint32_t* guess = guesses.data();
+    for (int j = v_begin_; j < v_end; ++j) {
+      const Overlap& v = tables.overlap(1, j);
+      for (int k = task.a_w; k < task.a_w + count_w_; ++k)
+        for (int l = std::max(v.low, v_begin_); l <= std::min(v.high, v_end - 1); ++l, ++guess)
+          *guess = fill({node(i, j, task.a_w), node(u.low, l, k), u.count(), k == task.a_w}, *guess, rows,
+                        matrix, collected, targets_.data() + line_start(i, j, l, k));
     }
   }
   collected.zero();
 }
 
-// The targets of a line of pairs; returns the position of its first block in a's row, or the guess.
-std::int32_t BlockTargets::fill(const Line& line, std::int32_t guess, const PatchRows& rows,
-                                const SymmetricBlockMatrix& matrix, CollectedBlocks& collected,
-                                std::int32_t* to) const {
+// The targets of a line of pairs; returns the position of its first block in
+// a's row, or the guess.
+std::uint32_t BlockTargets::fill(const Line& line, std::uint32_t guess, const PatchRows& rows,
+                                 const SymmetricBlockMatrix& matrix, CollectedBlocks& collected,
+                                 Target* to) const {
+  using Where = Target::Where;
   const int row_a = rows.row_of_node[line.a];
   const int* const rows_b = rows.row_of_node + line.b;
   const bool shared = rows.shared[static_cast<std::size_t>(line.a)] != 0;
-  to[0] = 0;
-  ++to;
   if (!shared && rows_b[0] >= row_a) {
     const std::int64_t begin = matrix.row_start[static_cast<std::size_t>(row_a)];
     const std::int64_t end = matrix.row_start[static_cast<std::size_t>(row_a) + 1];
-    const std::int32_t first = position(matrix, row_a, rows_b[0], guess);
-    bool in_a_row = begin + first + line.count <= end;
-    for (int m = 1; in_a_row && m < line.count; ++m)
-      in_a_row = matrix.columns[static_cast<std::size_t>(begin + first + m)] == rows_b[m];
-    if (in_a_row) {
-      to[-1] = 1;
-      to[0] = first;
+    const std::uint32_t first = position(matrix, row_a, rows_b[0], guess);
+    bool is_run = begin + first + line.count <= end;
+    for (int m = 1; is_run && m < line.count; ++m)
+      is_run = matrix.columns[static_cast<std::size_t>(begin + first + m)] == rows_b[m];
+    if (is_run) {
+      to[0] = {Where::run, first};
       return first;
     }
   }
-  std::int32_t first = -1;
+  bool found = false;
+  std::uint32_t first = guess;
   for (int m = 0; m < line.count; ++m) {
     const int row_b = rows_b[m];
     if (line.comes_twice && row_a > row_b) {
-      to[m] = nowhere;
+      to[m] = {Where::nowhere, 0};
     } else if (shared || row_a > row_b) {
-      to[m] = -2 - collected.append(row_a, row_b, !line.comes_twice);
+      const int number = collected.append(row_a, row_b, !line.comes_twice);
+      to[m] = {Where::collected, static_cast<std::uint32_t>(number)};
     } else {
-      to[m] = position(matrix, row_a, row_b, guess);
-      if (first < 0) first = to[m];
-      guess = to[m] + 1;
+      const std::uint32_t at = position(matrix, row_a, row_b, guess);
+      to[m] = {Where::a_row, at};
+      if (!found) first = at;
+      found = true;
+      guess = at + 1;
     }
   }
-  return first < 0 ? guess : first;
+  return found ? first : guess;
 }
 
 void CollectedBlocks::flush(int share, int shares, SymmetricBlockMatrix& matrix) const {
-  std::int32_t guess = 0;
-  for (std::size_t n = 0; n < pairs_.size(); ++n) {
-    const auto& [row_a, row_b, both] = pairs_[n];
+  constexpr int n = solvers::block_size;
+  std::uint32_t guess = 0;
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    const auto& [row_a, row_b, both] = pairs_[k];
     const int row = std::min(row_a, row_b);
     if (row / 64 % shares != share) continue;
     guess = position(matrix, row, std::max(row_a, row_b), guess);
-    const double* const from = &values_[9 * n];
-    double* const to =
-        &matrix
-             .values[static_cast<std::size_t>(9 * (matrix.row_start[static_cast<std::size_t>(row)] + guess))];
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) {
-        if (row_a <= row_b) to[3 * i + j] += from[3 * i + j];
-        if (row_a > row_b || (row_a == row_b && both)) to[3 * i + j] += from[3 * j + i];
+    const double* const from = &values_[solvers::block_entries * k];
+    const std::int64_t at = matrix.row_start[static_cast<std::size_t>(row)] + guess;
+    double* const to = &matrix.values[static_cast<std::size_t>(solvers::block_entries * at)];
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) {
+        if (row_a <= row_b) to[n * i + j] += from[n * i + j];
+        if (row_a > row_b || (row_a == row_b && both)) to[n * i + j] += from[n * j + i];
       }
   }
 }

@@ -2,100 +2,101 @@
 
 #include <algorithm>
 
-#include "iga/internal/registers.hpp"
+#include "iga/internal/native_lanes.hpp"
 #include "iga/internal/square_transpose.hpp"
 
 namespace isopatch::iga {
 namespace {
 
-constexpr int kinds = 9;         // of sums after direction 3
-constexpr int result_kinds = 4;  // after direction 1
-constexpr int block_entries = 9;
+constexpr int kinds = 9;         // of sums S after w
+constexpr int result_kinds = 4;  // of sums R after u
+using solvers::block_entries;
 constexpr std::size_t ring_bytes = std::size_t{512} << 10;  // must stay in the second cache
 
-// The nine sums over the points of direction 3 of x_i y_j, turned into a block of the stiffness.
+// S_ij = sum over the points of w of x_i y_j, turned into lambda S_ij + mu S_ji
+// + mu delta_ij S_kk.
 inline void sum_block(const double* x, const double* y, int points, const Material& material, double* out) {
-  constexpr int step = block_entries * register_size;
-  Register sums[3][3] = {};
+  constexpr int step = block_entries * native_lane_count;
+  NativeLanes sums[3][3] = {};
   for (int q = 0; q < points; ++q, x += step, y += step) {
-    const Register y0 = load(y), y1 = load(y + register_size), y2 = load(y + 2 * register_size);
+    const NativeLanes y0 = load(y), y1 = load(y + native_lane_count), y2 = load(y + 2 * native_lane_count);
 #pragma GCC unroll 3
     for (int i = 0; i < 3; ++i) {
-      const Register xi = load(x + i * register_size);
+      const NativeLanes xi = load(x + i * native_lane_count);
       sums[i][0] += xi * y0;
       sums[i][1] += xi * y1;
       sums[i][2] += xi * y2;
     }
   }
-  const Register shear = material.mu * (sums[0][0] + sums[1][1] + sums[2][2]);
+  const NativeLanes shear = material.mu * (sums[0][0] + sums[1][1] + sums[2][2]);
 #pragma GCC unroll 3
   for (int i = 0; i < 3; ++i)
 #pragma GCC unroll 3
     for (int j = 0; j < 3; ++j) {
-      Register block = material.lambda * sums[i][j] + material.mu * sums[j][i];
+      NativeLanes block = material.lambda * sums[i][j] + material.mu * sums[j][i];
       if (i == j) block += shear;
-      store(out + (3 * i + j) * register_size, block);
+      store(out + (3 * i + j) * native_lane_count, block);
     }
 }
 
-// [s][i]: s = 0 is the parameter of direction 3, which the factors differentiate, with what multiplies the
-// function itself; s = 1, 2 the parameters of directions 1 and 2.
+// [s][i]: s = 0 is the parameter of w, which the factors differentiate, with
+// what multiplies the function itself; s = 1, 2 the parameters of directions 1
+// and 2.
 template <bool Rational>
 inline void scale_point(const double* from, double value, double derivative, double* to) {
 #pragma GCC unroll 3
   for (int i = 0; i < 3; ++i) {
-    Register last = derivative * load(from + (6 + i) * register_size);
-    if constexpr (Rational) last += value * load(from + (9 + i) * register_size);
-    store(to + i * register_size, last);
-    store(to + (3 + i) * register_size, value * load(from + i * register_size));
-    store(to + (6 + i) * register_size, value * load(from + (3 + i) * register_size));
+    NativeLanes last = derivative * load(from + (6 + i) * native_lane_count);
+    if constexpr (Rational) last += value * load(from + (9 + i) * native_lane_count);
+    store(to + i * native_lane_count, last);
+    store(to + (3 + i) * native_lane_count, value * load(from + i * native_lane_count));
+    store(to + (6 + i) * native_lane_count, value * load(from + (3 + i) * native_lane_count));
   }
 }
 
 inline __attribute__((always_inline)) void add_block(const double* from, double factor, double* to) {
-  constexpr int whole = block_entries / register_size * register_size;
+  constexpr int whole = block_entries / native_lane_count * native_lane_count;
 #pragma GCC unroll 4
-  for (int k = 0; k < whole; k += register_size) store(to + k, load(to + k) + factor * load(from + k));
+  for (int k = 0; k < whole; k += native_lane_count) store(to + k, load(to + k) + factor * load(from + k));
 #pragma GCC unroll 1
   for (int k = whole; k < block_entries; ++k) to[k] += factor * from[k];
 }
 
 }  // namespace
 
-const double* PointData::block(int second, int block, int third) const {
-  return values + ((static_cast<std::ptrdiff_t>(second) * blocks + block) * thirds + third) * components *
-                      register_size;
+const double* PointData::block(int v, int block, int w) const {
+  return values +
+         ((static_cast<std::ptrdiff_t>(v) * blocks + block) * points_w + w) * components * native_lane_count;
 }
 
-void StiffnessSweep::run(const StiffnessTask& task, const StiffnessTables& tables, const PointData& points,
-                         const Material& material, const double* weights, const PatchRows& rows,
+void StiffnessSweep::run(const StiffnessTask& task, const PatchIntegrand& patch, const PointData& points,
                          const BlockTargets& targets, CollectedBlocks& collected,
                          solvers::SymmetricBlockMatrix& matrix) {
+  const StiffnessTables& tables = patch.tables;
   tables_ = &tables;
+  patch_ = &patch;
   points_ = &points;
-  material_ = material;
-  weights_ = weights;
   task_ = task;
-  const int high = tables.overlap(2, task.third).high;
-  const int count = high - task.third + 1;
+  const int high = tables.overlap(2, task.a_w).high;
+  const int count = high - task.a_w + 1;
   const std::size_t bytes_per_b =
       sizeof(double) * kinds * block_entries *
       static_cast<std::size_t>(tables.points[1] *
-                               (tables.most_elements * tables.points[0] + 2 * register_size));
+                               (tables.most_elements * tables.points[0] + 2 * native_lane_count));
   const int most = std::max(1, static_cast<int>(ring_bytes / bytes_per_b));
   const int groups = (count + most - 1) / most;
-  for (int group = 0, begin = task.third; group < groups; ++group) {
+  for (int group = 0, begin = task.a_w; group < groups; ++group) {
     group_ = {begin, begin + (high + 1 - begin + groups - group - 1) / (groups - group)};
     begin = group_.end;
     choose_sizes();
     for (int layer = task.layer_begin; layer < task.layer_end; ++layer) {
-      int block = tables.overlap(0, task.first_begin).first_element * tables.points[0] / register_size;
-      for (int a = task.first_begin; a < task.first_end; ++a) {
+      int block = tables.overlap(0, task.u_begin).first_element * tables.points[0] / native_lane_count;
+      for (int a = task.u_begin; a < task.u_end; ++a) {
         const int needed = (tables.overlap(0, a).last_element + 1) * tables.points[0];
-        for (; block * register_size < needed; ++block) contract_third(block, layer);
-        contract_first(a);
-        contract_second(a, layer);
-        add(a, layer, rows, targets, collected, matrix);
+        for (; block * native_lane_count < needed; ++block) contract_w(block, layer);
+        contract_u(a);
+        contract_v(a, layer);
+        add(a, layer, targets, collected, matrix);
       }
     }
   }
@@ -105,79 +106,80 @@ void StiffnessSweep::choose_sizes() {
   const StiffnessTables& t = *tables_;
   per_point_ = block_entries * (group_.end - group_.begin);
   line_ = padded(t.points[1] * per_point_);
-  ring_blocks_ = (t.most_elements * t.points[0] + 2 * register_size - 2) / register_size + 1;
+  ring_blocks_ = (t.most_elements * t.points[0] + 2 * native_lane_count - 2) / native_lane_count + 1;
   pair_step_ = padded(per_point_);
-  const int thirds = t.points[2] * (t.last_layer - t.first_layer);
+  const int points_w = t.points[2] * (t.last_layer - t.first_layer);
   const auto grow = [](std::vector<double>& buffer, int size) {
     if (static_cast<int>(buffer.size()) < size) buffer.resize(static_cast<std::size_t>(size));
   };
-  grow(first_operand_, thirds * block_entries * register_size);
-  grow(second_operand_, thirds * block_entries * register_size);
-  grow(sums_, kinds * per_point_ * register_size);
-  grow(ring_, ring_blocks_ * register_size * kinds * line_);
+  grow(operand_a_, points_w * block_entries * native_lane_count);
+  grow(operand_b_, points_w * block_entries * native_lane_count);
+  grow(sums_, kinds * per_point_ * native_lane_count);
+  grow(ring_, ring_blocks_ * native_lane_count * kinds * line_);
   int widest = 0;
   for (const Overlap& overlap : t.overlaps[0]) widest = std::max(widest, overlap.count());
-  grow(line_sums_, widest * result_kinds * line_ + register_size);
+  grow(line_sums_, widest * result_kinds * line_ + native_lane_count);
   grow(blocks_, (t.degrees[1] + 1) * (t.degrees[1] + 1) * widest * pair_step_);
-  first_products_ = SmallProducts(t.degrees[0] + 1, line_);
-  second_products_ = SmallProducts((t.degrees[1] + 1) * (t.degrees[1] + 1), per_point_);
+  products_u_ = SmallProducts(t.degrees[0] + 1, line_);
+  products_v_ = SmallProducts((t.degrees[1] + 1) * (t.degrees[1] + 1), per_point_);
   choose_offsets();
 }
 
 void StiffnessSweep::choose_offsets() {
   const StiffnessTables& t = *tables_;
-  first_offsets_.clear();
+  offsets_u_.clear();
   for (int e = 0; e < t.elements(0); ++e)
-    for (const StiffnessTables::Term& term : t.first_terms) {
-      const int point = (e * t.points[0] + term.point) % (ring_blocks_ * register_size);
-      first_offsets_.push_back((point * kinds + term.kind) * line_);
+    for (const StiffnessTables::Term& term : t.terms_u) {
+      const int point = (e * t.points[0] + term.point) % (ring_blocks_ * native_lane_count);
+      offsets_u_.push_back((point * kinds + term.kind) * line_);
     }
-  second_offsets_.clear();
+  offsets_v_.clear();
   for (int kind = 0; kind < result_kinds; ++kind)
-    for (int q = 0; q < t.points[1]; ++q) second_offsets_.push_back(kind * line_ + q * per_point_);
+    for (int q = 0; q < t.points[1]; ++q) offsets_v_.push_back(kind * line_ + q * per_point_);
 }
 
-// Points of direction 3 in the common support of a and b, from the part's first layer on.
-StiffnessSweep::Range StiffnessSweep::third_points(int b) const {
+// Points of w in the common support of a and b, from the part's first layer on.
+StiffnessSweep::Range StiffnessSweep::points_w(int b) const {
   const StiffnessTables& t = *tables_;
   const int begin = t.overlap(2, b).first_element;
-  const int end = t.overlap(2, task_.third).last_element + 1;
+  const int end = t.overlap(2, task_.a_w).last_element + 1;
   return {t.points[2] * (begin - t.first_layer), t.points[2] * (end - t.first_layer)};
 }
 
-void StiffnessSweep::contract_third(int block, int layer) {
+void StiffnessSweep::contract_w(int block, int layer) {
   const StiffnessTables& t = *tables_;
   const int per_lane = kinds * line_;
   double* const slot =
-      ring_.data() + static_cast<std::ptrdiff_t>(block % ring_blocks_) * register_size * per_lane;
+      ring_.data() + static_cast<std::ptrdiff_t>(block % ring_blocks_) * native_lane_count * per_lane;
   for (int q = 0; q < t.points[1]; ++q) {
-    contract_third_at(points_->block((layer - points_->layer_begin) * t.points[1] + q, block, 0));
-    double* lanes[register_size];
-    for (int lane = 0; lane < register_size; ++lane) lanes[lane] = slot + lane * per_lane + q * per_point_;
+    contract_w_at(points_->block((layer - points_->layer_begin) * t.points[1] + q, block, 0));
+    double* lanes[native_lane_count];
+    for (int lane = 0; lane < native_lane_count; ++lane)
+      lanes[lane] = slot + lane * per_lane + q * per_point_;
     for (int kind = 0; kind < kinds; ++kind) {
       const double* const from =
-          sums_.data() + static_cast<std::ptrdiff_t>(kind) * per_point_ * register_size;
-      for (int entry = 0; entry < per_point_; entry += register_size) {
+          sums_.data() + static_cast<std::ptrdiff_t>(kind) * per_point_ * native_lane_count;
+      for (int entry = 0; entry < per_point_; entry += native_lane_count) {
         // The last square overlaps the one before it.
-        const int start = std::min(entry, per_point_ - register_size);
-        transpose(from + start * register_size, lanes, kind * line_ + start);
+        const int start = std::min(entry, per_point_ - native_lane_count);
+        transpose(from + start * native_lane_count, lanes, kind * line_ + start);
       }
     }
   }
 }
 
-// The numbers of one register of points of direction 1 along direction 3, times a function and its
-// derivative.
+// X of function a, or Y of function b: the numbers of a register of points of
+// u, at the points `range` of w, times the function and its derivative.
 void StiffnessSweep::scale_points(const double* from, int function, const Range& range, double* to) const {
   const StiffnessTables& t = *tables_;
   const int own_begin = t.points[2] * (t.overlap(2, function).first_element - t.first_layer);
   const double* factors =
-      t.third_factors[static_cast<std::size_t>(function)].data() + 2 * (range.begin - own_begin);
-  const int step = points_->components * register_size;
+      t.factors_w[static_cast<std::size_t>(function)].data() + 2 * (range.begin - own_begin);
+  const int step = points_->components * native_lane_count;
   from += static_cast<std::ptrdiff_t>(range.begin) * step;
   const bool rational = points_->components != block_entries;
   for (int q = range.begin; q < range.end;
-       ++q, factors += 2, from += step, to += block_entries * register_size) {
+       ++q, factors += 2, from += step, to += block_entries * native_lane_count) {
     if (rational)
       scale_point<true>(from, factors[0], factors[1], to);
     else
@@ -185,40 +187,42 @@ void StiffnessSweep::scale_points(const double* from, int function, const Range&
   }
 }
 
-// One register of points of direction 1, at one point of direction 2.
-void StiffnessSweep::contract_third_at(const double* from) {
-  constexpr int operand_step = block_entries * register_size;
-  const Range own = third_points(task_.third);
-  scale_points(from, task_.third, own, first_operand_.data());
+// One register of points of u, at one point of v.
+void StiffnessSweep::contract_w_at(const double* from) {
+  constexpr int operand_step = block_entries * native_lane_count;
+  const Range own = points_w(task_.a_w);
+  scale_points(from, task_.a_w, own, operand_a_.data());
   double* out = sums_.data();
   for (int b = group_.begin; b < group_.end; ++b, out += operand_step) {
-    const Range common = third_points(b);
-    if (b != task_.third) scale_points(from, b, common, second_operand_.data());
-    const double* const x = first_operand_.data() + (common.begin - own.begin) * operand_step;
-    const double* const y = b == task_.third ? x : second_operand_.data();
+    const Range common = points_w(b);
+    if (b != task_.a_w) scale_points(from, b, common, operand_b_.data());
+    const double* const x = operand_a_.data() + (common.begin - own.begin) * operand_step;
+    const double* const y = b == task_.a_w ? x : operand_b_.data();
     for (int s = 0; s < 3; ++s)
-      for (int u = 0; u < 3; ++u)
-        sum_block(x + 3 * s * register_size, y + 3 * u * register_size, common.end - common.begin, material_,
-                  out + static_cast<std::ptrdiff_t>(3 * s + u) * per_point_ * register_size);
+      for (int r = 0; r < 3; ++r)
+        sum_block(x + 3 * s * native_lane_count, y + 3 * r * native_lane_count, common.end - common.begin,
+                  patch_->material,
+                  out + static_cast<std::ptrdiff_t>(3 * s + r) * per_point_ * native_lane_count);
   }
 }
 
-void StiffnessSweep::contract_first(int a) {
+void StiffnessSweep::contract_u(int a) {
   const StiffnessTables& t = *tables_;
   const Overlap& overlap = t.overlap(0, a);
   const int step = result_kinds * line_;
   const int count = t.degrees[0] + 1;
-  const int terms = static_cast<int>(t.first_terms.size());
-  // The sums of the first element's functions are set, the others start from zero.
+  const int terms = static_cast<int>(t.terms_u.size());
+  // The sums of the first element's functions are set, the others start from
+  // zero.
   std::fill_n(line_sums_.begin() + count * step, (overlap.count() - count) * step, 0.0);
   for (int e = overlap.first_element; e <= overlap.last_element; ++e) {
     const int first = t.first[0][static_cast<std::size_t>(e)];
-    const double* const factors = t.first_factors[static_cast<std::size_t>(e)].data() +
+    const double* const factors = t.factors_u[static_cast<std::size_t>(e)].data() +
                                   static_cast<std::ptrdiff_t>(a - first) * terms * count;
-    const int* const offsets = first_offsets_.data() + static_cast<std::ptrdiff_t>(e) * terms;
+    const int* const offsets = offsets_u_.data() + static_cast<std::ptrdiff_t>(e) * terms;
     for (int kind = 0; kind < result_kinds; ++kind) {
-      const int begin = t.first_kind_begin[static_cast<std::size_t>(kind)];
-      const int end = t.first_kind_begin[static_cast<std::size_t>(kind) + 1];
+      const int begin = t.kind_begin_u[static_cast<std::size_t>(kind)];
+      const int end = t.kind_begin_u[static_cast<std::size_t>(kind) + 1];
       const SmallProducts::Operands operands = {
           factors + begin * count,
           offsets + begin,
@@ -227,51 +231,53 @@ void StiffnessSweep::contract_first(int a) {
           line_sums_.data() + (first - overlap.low) * step + kind * line_,
           step};
       if (e == overlap.first_element)
-        first_products_.multiply(operands);
+        products_u_.multiply(operands);
       else
-        first_products_.multiply_add(operands);
+        products_u_.multiply_add(operands);
     }
   }
 }
 
-void StiffnessSweep::contract_second(int a, int layer) {
+void StiffnessSweep::contract_v(int a, int layer) {
   const StiffnessTables& t = *tables_;
   const int width = t.overlap(0, a).count();
-  const double* const factors = t.second_factors[static_cast<std::size_t>(layer)].data();
+  const double* const factors = t.factors_v[static_cast<std::size_t>(layer)].data();
   for (int b = 0; b < width; ++b)
-    second_products_.multiply({factors, second_offsets_.data(), static_cast<int>(second_offsets_.size()),
-                               line_sums_.data() + static_cast<std::ptrdiff_t>(b) * result_kinds * line_,
-                               blocks_.data() + static_cast<std::ptrdiff_t>(b) * pair_step_,
-                               width * pair_step_});
+    products_v_.multiply({factors, offsets_v_.data(), static_cast<int>(offsets_v_.size()),
+                          line_sums_.data() + static_cast<std::ptrdiff_t>(b) * result_kinds * line_,
+                          blocks_.data() + static_cast<std::ptrdiff_t>(b) * pair_step_, width * pair_step_});
 }
 
-void StiffnessSweep::add(int a, int layer, const PatchRows& rows, const BlockTargets& targets,
-                         CollectedBlocks& collected, solvers::SymmetricBlockMatrix& matrix) {
+void StiffnessSweep::add(int a, int layer, const BlockTargets& targets, CollectedBlocks& collected,
+                         solvers::SymmetricBlockMatrix& matrix) const {
+  using Where = Target::Where;
   const StiffnessTables& t = *tables_;
   const Overlap& overlap = t.overlap(0, a);
   const int width = overlap.count();
-  const int first_second = t.first[1][static_cast<std::size_t>(layer)];
+  const int first_v = t.first[1][static_cast<std::size_t>(layer)];
   const int count = t.degrees[1] + 1;
+  const double* const weights = patch_->weights;
   const auto node = [&](int i, int j, int k) { return i + t.sizes[0] * (j + t.sizes[1] * k); };
   const double* pair = blocks_.data();
   for (int j = 0; j < count; ++j) {
-    const int own = node(a, first_second + j, task_.third);
+    const int own = node(a, first_v + j, task_.a_w);
     const auto row_start = [&](int of) {
-      return 9 * matrix.row_start[static_cast<std::size_t>(rows.row_of_node[of])];
+      return block_entries * matrix.row_start[static_cast<std::size_t>(patch_->rows.row_of_node[of])];
     };
-    // The next function's row comes into the cache meanwhile; its blocks lie about as far behind.
-    const std::ptrdiff_t ahead = a + 1 < task_.first_end ? row_start(own + 1) - row_start(own) : 0;
+    // The next function's row comes into the cache meanwhile; its blocks lie
+    // about as far behind.
+    const std::ptrdiff_t ahead = a + 1 < task_.u_end ? row_start(own + 1) - row_start(own) : 0;
     double* const row = matrix.values.data() + row_start(own);
     for (int l = 0; l < count; ++l, pair += static_cast<std::ptrdiff_t>(width) * pair_step_) {
       for (int k = group_.begin; k < group_.end; ++k) {
-        const auto line = targets.line(a, first_second + j, first_second + l, k);
+        const Target* const target = targets.line(a, first_v + j, first_v + l, k);
         const double* from = pair + block_entries * (k - group_.begin);
-        const int other = node(overlap.low, first_second + l, k);
+        const int other = node(overlap.low, first_v + l, k);
         const auto factor = [&](int m) {
-          return weights_ == nullptr ? 1.0 : weights_[own] * weights_[other + m];
+          return weights == nullptr ? 1.0 : weights[own] * weights[other + m];
         };
-        if (line.in_a_row) {
-          double* to = row + 9 * static_cast<std::ptrdiff_t>(line.targets[0]);
+        if (target->where == Where::run) {
+          double* to = row + block_entries * static_cast<std::ptrdiff_t>(target->at);
           for (int m = 0; m < width; ++m, from += pair_step_, to += block_entries) {
             __builtin_prefetch(to + ahead, 1);
             add_block(from, factor(m), to);
@@ -279,11 +285,10 @@ void StiffnessSweep::add(int a, int layer, const PatchRows& rows, const BlockTar
           continue;
         }
         for (int m = 0; m < width; ++m, from += pair_step_) {
-          const std::int32_t target = line.targets[m];
-          if (target == BlockTargets::nowhere) continue;
-          double* const to = target >= 0 ? row + 9 * static_cast<std::ptrdiff_t>(target)
-                                         : collected.values() + 9 * static_cast<std::ptrdiff_t>(-2 - target);
-          add_block(from, factor(m), to);
+          if (target[m].where == Where::nowhere) continue;
+          const auto at = static_cast<std::ptrdiff_t>(target[m].at);
+          add_block(from, factor(m),
+                    target[m].where == Where::a_row ? row + block_entries * at : collected.block(at));
         }
       }
     }

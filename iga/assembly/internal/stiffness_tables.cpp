@@ -9,7 +9,7 @@ double factor(const DirectionTable::Element& element, int point, int function, b
   return derivative ? element.derivatives(point, function) : element.values(point, function);
 }
 
-// Kinds of sums after direction 3, by the kind of result of direction 1; see StiffnessTables.
+// Kinds of sums after w, by the kind of result of u; see StiffnessTables.
 constexpr std::array<std::array<int, 4>, 4> sums_of_kind = {
     {{0, 1, 3, 4}, {2, 5, -1, -1}, {6, 7, -1, -1}, {8, -1, -1, -1}}};
 
@@ -30,22 +30,22 @@ StiffnessTables::StiffnessTables(const PatchSpace& space, const PatchPart& part,
     most_elements = std::max(most_elements, overlap.last_element - overlap.first_element + 1);
 
   for (std::size_t kind = 0; kind < 4; ++kind) {
-    first_kind_begin[kind] = static_cast<int>(first_terms.size());
+    kind_begin_u[kind] = static_cast<int>(terms_u.size());
     for (int point = 0; point < points[0]; ++point)
       for (const int sum : sums_of_kind[kind])
-        if (sum >= 0) first_terms.push_back({point, sum});
+        if (sum >= 0) terms_u.push_back({point, sum});
   }
-  first_kind_begin[4] = static_cast<int>(first_terms.size());
+  kind_begin_u[4] = static_cast<int>(terms_u.size());
   for (const DirectionTable::Element& element : geometry.table(0).elements) {
-    std::vector<double>& factors = first_factors.emplace_back();
+    std::vector<double>& factors = factors_u.emplace_back();
     for (int a = 0; a <= degrees[0]; ++a)
-      for (const auto& [point, kind] : first_terms)
+      for (const auto& [point, kind] : terms_u)
         for (int b = 0; b <= degrees[0]; ++b)
           factors.push_back(factor(element, point, a, kind / 3 == 1) *
                             factor(element, point, b, kind % 3 == 1));
   }
   for (const DirectionTable::Element& element : geometry.table(1).elements) {
-    std::vector<double>& factors = second_factors.emplace_back();
+    std::vector<double>& factors = factors_v.emplace_back();
     for (int kind = 0; kind < 4; ++kind)
       for (int point = 0; point < points[1]; ++point)
         for (int a = 0; a <= degrees[1]; ++a)
@@ -54,7 +54,7 @@ StiffnessTables::StiffnessTables(const PatchSpace& space, const PatchPart& part,
                               factor(element, point, b, kind % 2 == 1));
   }
   for (int function = 0; function < sizes[2]; ++function) {
-    std::vector<double>& factors = third_factors.emplace_back();
+    std::vector<double>& factors = factors_w.emplace_back();
     const Overlap& overlap = overlaps[2][static_cast<std::size_t>(function)];
     for (int e = overlap.first_element; e <= overlap.last_element; ++e) {
       const DirectionTable::Element& element = geometry.table(2).elements[static_cast<std::size_t>(e)];
