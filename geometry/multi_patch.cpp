@@ -12,6 +12,7 @@
 #include "geometry/conformity.hpp"
 #include "geometry/interface_search.hpp"
 #include "geometry/measures.hpp"
+#include "geometry/scaled_jacobian.hpp"
 #include "geometry/splines/refine.hpp"
 
 namespace isopatch::geometry {
@@ -20,15 +21,10 @@ namespace {
 /// Below this share of the columns' lengths the sign of det J at one point says nothing.
 constexpr double unclear_sign = 1e-3;
 
-double scaled_determinant(const Eigen::Matrix3d& jacobian) {
-  const double lengths = jacobian.colwise().norm().prod();
-  return lengths > 0 ? jacobian.determinant() / lengths : 0;
-}
-
 // By the sign of det J at the middle; where that is not clear, by its sum over a grid.
 bool is_left_handed(const NurbsVolume& patch) {
   const Parameter<3> range = patch.high() - patch.low();
-  const double middle = scaled_determinant(patch.jacobian(patch.low() + 0.5 * range));
+  const double middle = scaled_jacobian(patch.jacobian(patch.low() + 0.5 * range));
   if (std::abs(middle) > unclear_sign) return middle < 0;
   constexpr int n = 5;
   double sum = 0;

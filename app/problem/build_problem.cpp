@@ -4,6 +4,7 @@
 
 #include "app/base/engineering_units.hpp"
 #include "app/base/place_outside.hpp"
+#include "app/base/place_tolerance.hpp"
 #include "app/problem/edge_selection.hpp"
 #include "app/problem/loose_bodies.hpp"
 #include "app/problem/plausibility.hpp"
@@ -136,7 +137,7 @@ LocatedProbe locate_probe(const ProbeInput& probe, const iga::ElasticityProblem&
     undeformed.displacement.emplace_back(Eigen::Matrix3Xd::Zero(3, patch.size()));
   undeformed.materials = problem.materials;
   const iga::Location location = iga::locate(undeformed, *probe.point);
-  if (location.distance > 1e-4 * model.size())
+  if (location.distance > place_tolerance * model.size())
     throw error_at(probe.place, outside_text(model, *probe.point, location));
   return {probe.name, location.patch, location.parameter};
 }

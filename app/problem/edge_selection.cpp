@@ -6,6 +6,7 @@
 #include <array>
 
 #include "app/base/engineering_units.hpp"
+#include "app/base/place_tolerance.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -57,7 +58,7 @@ std::vector<iga::SupportedEdge> edges_of(const std::vector<PatchFace>& faces) {
 
 std::vector<iga::SupportedEdge> select_edges(const MultiPatch& model, const std::vector<PatchFace>& faces,
                                              const FaceConditions& conditions, const Place& place) {
-  const double tolerance = conditions.tolerance.value_or(1e-4 * model.size());
+  const double tolerance = conditions.tolerance.value_or(place_tolerance * model.size());
   std::vector<std::pair<double, iga::SupportedEdge>> candidates;
   std::vector<iga::SupportedEdge> result;
   for (const iga::SupportedEdge& held : edges_of(faces)) {

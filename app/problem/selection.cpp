@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "app/base/engineering_units.hpp"
+#include "app/base/place_tolerance.hpp"
 #include "app/problem/face_name.hpp"
 #include "geometry/base/nearest_name.hpp"
 #include "geometry/measures.hpp"
@@ -57,7 +57,7 @@ std::vector<PatchFace> named_faces(const MultiPatch& model, const std::string& t
 struct Deviation {
   PatchFace face;
   double distance = 0;  ///< m
-  double angle = 0;     ///< rad
+  Angle angle = {};
 };
 
 Deviation deviation(const MultiPatch& model, const PatchFace& face, const FaceConditions& where) {
@@ -66,7 +66,7 @@ Deviation deviation(const MultiPatch& model, const PatchFace& face, const FaceCo
   const auto surface = geometry::face_surface(patch, face.side);
   const auto low = surface.low();
   const auto range = (surface.high() - low).eval();
-  Deviation result{face, 0, 0};
+  Deviation result{face, 0, {}};
   for (int j = 0; j < samples; ++j)
     for (int i = 0; i < samples; ++i) {
       const geometry::Parameter<2> ends(i / (samples - 1.0), j / (samples - 1.0));
@@ -77,7 +77,8 @@ Deviation deviation(const MultiPatch& model, const PatchFace& face, const FaceCo
       const geometry::Parameter<2> inside((i + 0.5) / samples, (j + 0.5) / samples);
       const auto normal = geometry::outward_normal(patch, face.side, low + range.cwiseProduct(inside));
       result.angle =
-          std::max(result.angle, std::atan2(normal.cross(*where.normal).norm(), normal.dot(*where.normal)));
+          std::max(result.angle,
+                   Angle::radians(std::atan2(normal.cross(*where.normal).norm(), normal.dot(*where.normal))));
     }
   return result;
 }
@@ -85,7 +86,8 @@ Deviation deviation(const MultiPatch& model, const PatchFace& face, const FaceCo
 Error nothing_found(const MultiPatch& model, const FaceSelection& selection,
                     std::vector<Deviation> candidates, double tolerance) {
   const auto score = [&](const Deviation& d) {
-    return d.distance / tolerance + (selection.where->normal ? d.angle / selection.where->angle : 0);
+    return d.distance / tolerance +
+           (selection.where->normal ? d.angle.radians() / selection.where->angle.radians() : 0);
   };
   std::sort(candidates.begin(), candidates.end(),
             [&](const auto& a, const auto& b) { return score(a) < score(b); });
@@ -94,7 +96,7 @@ Error nothing_found(const MultiPatch& model, const FaceSelection& selection,
     nearest += fmt::format("{}{} (up to {} away", i ? ", " : "", model.label(candidates[i].face),
                            with_unit(candidates[i].distance, "m"));
     if (selection.where->normal)
-      nearest += fmt::format(", normal {:.1f} deg off", candidates[i].angle * 180 / std::numbers::pi);
+      nearest += fmt::format(", normal {:.1f} deg off", candidates[i].angle.degrees());
     nearest += ")";
   }
   return error_at(
@@ -138,7 +140,7 @@ SelectedFaces select_faces(const MultiPatch& model, const FaceSelection& selecti
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   if (!selection.where) return {faces};
-  const double tolerance = selection.where->tolerance.value_or(1e-4 * model.size());
+  const double tolerance = selection.where->tolerance.value_or(place_tolerance * model.size());
   SelectedFaces result;
   result.tolerance = tolerance;
   std::vector<Deviation> candidates;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/base/place_outside.hpp"
+#include "app/base/place_tolerance.hpp"
 #include "app/base/units.hpp"
 #include "geometry/base/error.hpp"
 
@@ -42,7 +43,7 @@ StoredValues probe(const iga::StoredResult& result, const StoredProbe& where) {
   const int count = model.patch_count();
   if (where.point) {
     const iga::Location location = iga::locate(result.field, *where.point);
-    if (location.distance > 1e-4 * model.size())
+    if (location.distance > place_tolerance * model.size())
       throw Error(ErrorCode::invalid_argument, outside_text(model, *where.point, location));
     return {location.patch, model.to_input(PatchId(location.patch), location.parameter),
             iga::evaluate(result.field, location.patch, location.parameter)};

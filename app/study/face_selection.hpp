@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/study/config_value.hpp"
+#include "geometry/base/angle.hpp"
 
 namespace isopatch::app {
 
@@ -36,8 +37,8 @@ struct FaceConditions {
   std::optional<SphereCondition> sphere = {};
   std::optional<BoxCondition> box = {};
   std::optional<Eigen::Vector3d> normal = {};  ///< the outward normal, within `angle`
-  double angle = 0.08726646259971647;          ///< rad; 5 degrees
-  std::optional<double> tolerance = {};        ///< m; none: 1e-4 of the model's size
+  Angle angle = Angle::degrees(5);
+  std::optional<double> tolerance = {};  ///< m; none: 1e-4 of the model's size
 };
 
 /// Boundary faces by names, by geometry, or by both (the faces named that also fulfil the conditions).

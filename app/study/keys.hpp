@@ -11,6 +11,7 @@
 
 #include "app/base/units.hpp"
 #include "app/study/config_value.hpp"
+#include "geometry/base/angle.hpp"
 
 namespace isopatch::app {
 
@@ -112,6 +113,15 @@ Key<S> quantity_key(const std::string& name, std::optional<double> S::*member, c
   return {{name, type_name(dimension), range.text(), "", std::move(meaning)},
           [=](S& target, const ConfigValue& value) {
             target.*member = read_quantity(value, name, dimension, range);
+          }};
+}
+
+template <class S>
+Key<S> quantity_key(const std::string& name, Angle S::*member, const Range& range, std::string meaning) {
+  return {{name, type_name(dimensions::angle), range.text(), format_default((S{}.*member).radians()),
+           std::move(meaning)},
+          [=](S& target, const ConfigValue& value) {
+            target.*member = Angle::radians(read_quantity(value, name, dimensions::angle, range));
           }};
 }
 

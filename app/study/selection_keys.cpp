@@ -130,7 +130,7 @@ const Keys<FaceConditions>& where_keys() {
     result.push_back(custom_key<C>(
         "normal", "3 numbers, or \"x\", \"-x\", \"y\", ...", "Faces whose outward normal points this way.",
         [](C& target, const ConfigValue& value) { target.normal = read_direction(value, "normal"); }));
-    result.push_back(quantity_key<C>("angle", &C::angle, dim::angle, {0, 3.15, false, true},
+    result.push_back(quantity_key<C>("angle", &C::angle, {0, 3.15, false, true},
                                      "How far a normal may turn away from `normal`.")
                          .with_default("\"5 deg\""));
     result.push_back(tolerance_key());

@@ -133,7 +133,7 @@ hdf5 = false
   EXPECT_EQ(where.sphere->radius, 2);
   EXPECT_EQ(where.box->max, Eigen::Vector3d(1, 1, 1));
   EXPECT_EQ(*where.normal, Eigen::Vector3d(1, 0, 0));
-  EXPECT_NEAR(where.angle, 0.17453292519943295, 1e-15);
+  EXPECT_NEAR(where.angle.degrees(), 10, 1e-13);
   EXPECT_EQ(where.tolerance, 1e-4);
   const auto& prescribed = std::get<iga::PrescribedDisplacement>(study.supports[0].condition);
   EXPECT_EQ(prescribed.value[0], 0.001);

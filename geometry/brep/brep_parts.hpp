@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/base/angle.hpp"
 #include "geometry/base/ids.hpp"
 #include "geometry/brep/edge_use.hpp"
 
@@ -53,7 +54,7 @@ struct Carrier {
   Eigen::Vector3d axis;      ///< unit; normal of a plane
   double radius = 0;         ///< m; of a cone at its origin; large one of a torus
   double second_radius = 0;  ///< m; small one of a torus
-  double half_angle = 0;     ///< rad; of a cone, the radius grows along the axis by its tangent
+  Angle half_angle = {};     ///< of a cone, the radius grows along the axis by its tangent
 };
 
 /// A rectangle of surface parameters: u in [low(0), high(0)], v in [low(1), high(1)].

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "geometry/base/error.hpp"
-#include "iga/assembly/internal/stiffness_sweep.hpp"
+#include "iga/assembly/internal/stiffness_integrator.hpp"
 #include "iga/internal/parallel_for.hpp"
 #include "iga/spaces/quadrature_geometry.hpp"
 
@@ -18,10 +18,10 @@ using solvers::SymmetricBlockMatrix;
 // Storage for one task of each thread and for the geometry at the points of
 // some layers.
 struct Buffers {
-  std::vector<StiffnessSweep> sweeps =
-      std::vector<StiffnessSweep>(static_cast<std::size_t>(omp_get_max_threads()));
-  std::vector<BlockTargets> targets = std::vector<BlockTargets>(sweeps.size());  // one a thread
-  std::vector<CollectedBlocks> collected;                                        // one a task
+  std::vector<StiffnessIntegrator> integrators =
+      std::vector<StiffnessIntegrator>(static_cast<std::size_t>(omp_get_max_threads()));
+  std::vector<BlockTargets> targets = std::vector<BlockTargets>(integrators.size());  // one a thread
+  std::vector<CollectedBlocks> collected;                                             // one a task
   solvers::ZeroedVector<double> points;
   std::size_t most_bytes = 0;  // of points
 };
@@ -68,15 +68,15 @@ void evaluate_points(const QuadratureGeometry& geometry, const StiffnessTables& 
                   });
 }
 
-struct PartAt {
+struct PatchAt {
   const PatchSpace* space;
-  PatchPart part;
+  PatchLayers part;
   const int* row_of_node;
   const Material* material;
 };
 
 template <class Report>
-void assemble_part(const PartAt& at, int points, Buffers& buffers, SymmetricBlockMatrix& matrix,
+void assemble_part(const PatchAt& at, int points, Buffers& buffers, SymmetricBlockMatrix& matrix,
                    Report report) {
   const QuadratureGeometry geometry(*at.space, points);
   const StiffnessTables tables(*at.space, at.part, geometry);
@@ -113,7 +113,8 @@ void assemble_part(const PartAt& at, int points, Buffers& buffers, SymmetricBloc
       CollectedBlocks& collected = buffers.collected[static_cast<std::size_t>(task)];
       BlockTargets& targets = buffers.targets[static_cast<std::size_t>(thread)];
       targets.prepare(here, tables, rows, matrix, collected);
-      buffers.sweeps[static_cast<std::size_t>(thread)].run(here, integrand, data, targets, collected, matrix);
+      buffers.integrators[static_cast<std::size_t>(thread)].run(here, integrand, data, targets, collected,
+                                                                matrix);
     });
     const int shares = omp_get_max_threads();
     parallel_for(shares, [&](std::int64_t share, int) {
@@ -127,7 +128,7 @@ void assemble_part(const PartAt& at, int points, Buffers& buffers, SymmetricBloc
 }  // namespace
 
 SymmetricBlockMatrix assemble_stiffness(const std::vector<PatchSpace>& spaces,
-                                        const std::vector<PatchPart>& parts,
+                                        const std::vector<PatchLayers>& parts,
                                         const std::vector<Material>& materials, const RowNumbering& numbering,
                                         int points, const Progress& progress) {
   constexpr std::size_t least_bytes = std::size_t{64} << 20;

@@ -37,7 +37,7 @@ namespace isopatch::iga {
 /// analysis, CMAME 2019; the order of the
 ///         contractions and the symmetry in direction 3 are ours
 solvers::SymmetricBlockMatrix assemble_stiffness(const std::vector<PatchSpace>& spaces,
-                                                 const std::vector<PatchPart>& parts,
+                                                 const std::vector<PatchLayers>& parts,
                                                  const std::vector<Material>& materials,
                                                  const RowNumbering& numbering, int points = 0,
                                                  const Progress& progress = {});

@@ -27,7 +27,7 @@ void make_pages(solvers::ZeroedVector<double>& values) {
 }  // namespace
 
 solvers::SymmetricBlockMatrix stiffness_pattern(const std::vector<PatchSpace>& spaces,
-                                                const std::vector<PatchPart>& parts,
+                                                const std::vector<PatchLayers>& parts,
                                                 const RowNumbering& numbering) {
   const RowGraph graph(spaces, parts, numbering);
   const int rows = graph.rows();
@@ -66,7 +66,7 @@ solvers::SymmetricBlockMatrix stiffness_pattern(const std::vector<PatchSpace>& s
   return matrix;
 }
 
-StiffnessSize stiffness_size(const std::vector<PatchSpace>& spaces, const std::vector<PatchPart>& parts,
+StiffnessSize stiffness_size(const std::vector<PatchSpace>& spaces, const std::vector<PatchLayers>& parts,
                              const RowNumbering& numbering) {
   const RowGraph graph(spaces, parts, numbering);
   const int rows = graph.rows();

@@ -16,7 +16,7 @@ namespace isopatch::iga {
 /// @cost   O(blocks) where the numbering follows the patches, else O(blocks log
 /// degree)
 solvers::SymmetricBlockMatrix stiffness_pattern(const std::vector<PatchSpace>& spaces,
-                                                const std::vector<PatchPart>& parts,
+                                                const std::vector<PatchLayers>& parts,
                                                 const RowNumbering& numbering);
 
 /// What a stiffness matrix will take.
@@ -34,7 +34,7 @@ struct StiffnessSize {
 /// @throws Error as stiffness_pattern
 /// @cost   O(nodes), and O((2 degree + 1)^3) per node that shares its row, or
 /// whose patch has two nodes in one row
-StiffnessSize stiffness_size(const std::vector<PatchSpace>& spaces, const std::vector<PatchPart>& parts,
+StiffnessSize stiffness_size(const std::vector<PatchSpace>& spaces, const std::vector<PatchLayers>& parts,
                              const RowNumbering& numbering);
 
 }  // namespace isopatch::iga

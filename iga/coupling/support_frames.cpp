@@ -19,16 +19,16 @@ using geometry::PatchFace;
 struct Condition {
   Eigen::Vector3d direction;  // of unit length
   double value = 0;
-  double uncertainty = 0;  // of the direction, rad: conditions that differ by less are the same
+  Angle uncertainty = {};  // of the direction: conditions that differ by less are the same
 };
 
 // Planes of published models are flat to about 1e-8 of their size.
-constexpr double least_uncertainty = 1e-5;
+constexpr Angle least_uncertainty = Angle::radians(1e-5);
 
 // The outward normal of a plane face, and how far its points' own disagreement may turn it.
 struct PlaneNormal {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-  double uncertainty = least_uncertainty;
+  Angle uncertainty = least_uncertainty;
 };
 
 std::string point_text(const Eigen::Vector3d& x) {
@@ -42,10 +42,11 @@ void impose(SupportFrame& frame, const Condition& condition, int support, const 
   for (int k = frame.free; k < 3; ++k) rest -= frame.axes.col(k) * frame.axes.col(k).dot(condition.direction);
   const double value_there = condition.direction.dot(frame.prescribed);
   frame.uncertainty = std::max(frame.uncertainty, condition.uncertainty);
-  if (frame.free == 0 || rest.norm() < frame.uncertainty) {
+  if (frame.free == 0 || rest.norm() < frame.uncertainty.radians()) {
     const double scale = std::max(
         {std::abs(condition.value), frame.prescribed.norm(), 1e-6 * problem.discretization.model.size()});
-    if (std::abs(condition.value - value_there) <= std::max(1e-6, frame.uncertainty) * scale) return;
+    if (std::abs(condition.value - value_there) <= std::max(1e-6, frame.uncertainty.radians()) * scale)
+      return;
     int other = support;
     for (int k = frame.free; k < 3; ++k)
       if (std::abs(frame.axes.col(k).dot(condition.direction)) > 0.5)
@@ -106,7 +107,7 @@ PlaneNormal plane_normal(const geometry::MultiPatch& model, PatchFace face, cons
   const Eigen::VectorXd across = (points.colwise() - centre).transpose() * eigen.eigenvectors().col(1);
   const double width = across.maxCoeff() - across.minCoeff();
   const double off = std::max(off_plane, model.tolerance().same_point * model.size());
-  return {normal, std::clamp(4 * off / width, least_uncertainty, 1e-2)};
+  return {normal, std::clamp(Angle::radians(4 * off / width), least_uncertainty, Angle::radians(1e-2))};
 }
 
 Eigen::Vector3d control_point(const Discretization& d, int node) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "geometry/base/angle.hpp"
 #include "iga/coupling/global_nodes.hpp"
 #include "iga/problem/problem.hpp"
 
@@ -20,7 +21,7 @@ struct SupportFrame {
   /// from the last one down.
   std::array<Eigen::Vector3d, 3> direction = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
                                               Eigen::Vector3d::Zero()};
-  double uncertainty = 0;                     ///< of the directions, rad
+  Angle uncertainty = {};                     ///< of the directions
   std::array<int, 3> support = {-1, -1, -1};  ///< per column: the support that fixes it, or -1
 };
 

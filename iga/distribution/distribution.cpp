@@ -113,9 +113,9 @@ Distribution distribute(const std::vector<PatchSpace>& spaces, int processes) {
   return *best;
 }
 
-std::vector<PatchPart> parts_of(const Distribution& distribution, const std::vector<PatchSpace>& spaces,
-                                int process) {
-  std::vector<PatchPart> parts;
+std::vector<PatchLayers> layers_of(const Distribution& distribution, const std::vector<PatchSpace>& spaces,
+                                   int process) {
+  std::vector<PatchLayers> parts;
   for (const PatchShare& share : distribution[static_cast<std::size_t>(process)]) {
     const int layers = spaces[static_cast<std::size_t>(share.patch)].knots[2].element_count();
     parts.push_back({share.patch, static_cast<int>(std::lround(share.begin * layers)),

@@ -28,8 +28,8 @@ using Distribution = std::vector<std::vector<PatchShare>>;
 Distribution distribute(const std::vector<PatchSpace>& spaces, int processes);
 
 /// What a process integrates of spaces on the same patches, those of `distribute` or coarser ones.
-std::vector<PatchPart> parts_of(const Distribution& distribution, const std::vector<PatchSpace>& spaces,
-                                int process);
+std::vector<PatchLayers> layers_of(const Distribution& distribution, const std::vector<PatchSpace>& spaces,
+                                   int process);
 
 /// Of every patch: the processes that have a share of it, increasing; the primary one first.
 std::vector<std::vector<int>> processes_of_patches(const Distribution& distribution, int patches);

@@ -24,7 +24,7 @@ void number_rows(Level& level, const std::vector<int>& global_of,
   for (const int c : level.rows.global_of_local())
     frame_of_row.push_back(frame_of_global[static_cast<std::size_t>(c)]);
   level.free = FreeDirections(frame_of_row);
-  level.parts = parts_of(distribution, level.spaces, processes.rank());
+  level.parts = layers_of(distribution, level.spaces, processes.rank());
   for (const auto& sharing : processes_of_patches(distribution, static_cast<int>(level.spaces.size())))
     level.is_primary.push_back(sharing.front() == processes.rank());
 }

@@ -19,9 +19,9 @@ struct Level {
   std::vector<int> row_of_node;    ///< local block row of every node, -1 where another process has it
   std::vector<int> global_of;      ///< of every node, in the whole system
   solvers::SharedRows rows;
-  std::vector<PatchPart> parts;  ///< what this process integrates
-  std::vector<bool> is_primary;  ///< per patch: whether this is the process that acts for it
-  FreeDirections free;           ///< of the local rows
+  std::vector<PatchLayers> parts;  ///< what this process integrates
+  std::vector<bool> is_primary;    ///< per patch: whether this is the process that acts for it
+  FreeDirections free;             ///< of the local rows
 };
 
 /// The solution space as a level.

@@ -55,7 +55,7 @@ LevelTransfer::LevelTransfer(const Level& coarse, const Level& fine) : coarse_(&
 Eigen::VectorXd LevelTransfer::to_finer(const Eigen::VectorXd& x) const {
   const Eigen::VectorXd coarse = coarse_->free.to_space(x);
   Eigen::VectorXd fine = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(fine_->rows.local_rows()));
-  for (const PatchPart& part : fine_->parts) {
+  for (const PatchLayers& part : fine_->parts) {
     const auto p = static_cast<std::size_t>(part.patch);
     const bool rational = coarse_->spaces[p].is_rational();
     Eigen::VectorXd start = gathered(*coarse_, part.patch, coarse);
@@ -74,7 +74,7 @@ Eigen::VectorXd LevelTransfer::from_finer(const Eigen::VectorXd& force) const {
   Eigen::VectorXd fine = fine_->free.to_space(force);
   for (Eigen::Index row = 0; row < share_.size(); ++row) fine.segment<3>(3 * row) *= share_[row];
   Eigen::VectorXd coarse = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(coarse_->rows.local_rows()));
-  for (const PatchPart& part : fine_->parts) {
+  for (const PatchLayers& part : fine_->parts) {
     const auto p = static_cast<std::size_t>(part.patch);
     if (!fine_->is_primary[p]) continue;
     const bool rational = coarse_->spaces[p].is_rational();

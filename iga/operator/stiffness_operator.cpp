@@ -13,7 +13,7 @@
 namespace isopatch::iga {
 namespace {
 
-void check(const std::vector<PatchSpace>& spaces, const std::vector<PatchPart>& parts,
+void check(const std::vector<PatchSpace>& spaces, const std::vector<PatchLayers>& parts,
            const std::vector<Material>& materials, int points) {
   const auto reject = [](const std::string& what) { throw Error(ErrorCode::invalid_argument, what); };
   if (materials.size() != spaces.size())
@@ -24,7 +24,7 @@ void check(const std::vector<PatchSpace>& spaces, const std::vector<PatchPart>& 
     if (spaces[p].is_rational() && spaces[p].weights.size() != spaces[p].size())
       reject(fmt::format("patch {} has {} functions and {} weights", p, spaces[p].size(),
                          spaces[p].weights.size()));
-  for (const PatchPart& part : parts) {
+  for (const PatchLayers& part : parts) {
     if (part.patch < 0 || part.patch >= static_cast<int>(spaces.size()))
       reject(fmt::format("a part belongs to patch {} of {}", part.patch, spaces.size()));
     const int layers = spaces[static_cast<std::size_t>(part.patch)].knots[2].element_count();
@@ -38,7 +38,7 @@ void check(const std::vector<PatchSpace>& spaces, const std::vector<PatchPart>& 
 // added in the order of the boxes.
 struct Task {
   int patch;
-  SweepBox box;
+  ElementBox box;
   BoxFunctions functions;
   std::ptrdiff_t start;  // of its functions among those of all boxes
 };
@@ -76,9 +76,9 @@ struct StiffnessOperator::State {
   std::vector<Plane> planes;                                  // of all patches
   std::ptrdiff_t functions = 0;                               // of all boxes
 
-  void add_tasks(int patch, const std::vector<SweepBox>& boxes) {
+  void add_tasks(int patch, const std::vector<ElementBox>& boxes) {
     const auto p = static_cast<std::size_t>(patch);
-    for (const SweepBox& box : boxes) {
+    for (const ElementBox& box : boxes) {
       tasks.push_back({patch, box, kernels[p]->functions_of(box), functions});
       functions += tasks.back().functions.count();
     }
@@ -112,24 +112,24 @@ struct StiffnessOperator::State {
   }
 };
 
-StiffnessOperator::StiffnessOperator(const std::vector<PatchSpace>& spaces, std::vector<PatchPart> parts,
+StiffnessOperator::StiffnessOperator(const std::vector<PatchSpace>& spaces, std::vector<PatchLayers> parts,
                                      std::vector<Material> materials, int points) {
   check(spaces, parts, materials, points);
   auto state = std::make_shared<State>();
   state->materials = std::move(materials);
-  std::vector<std::vector<SweepBox>> boxes(spaces.size());
+  std::vector<std::vector<ElementBox>> boxes(spaces.size());
   state->kernels.resize(spaces.size());
   for (const PatchSpace& space : spaces) {
     state->sizes.push_back(space.sizes());
     state->first_node.push_back(state->first_node.back() + space.size());
   }
-  for (const PatchPart& part : parts) {
+  for (const PatchLayers& part : parts) {
     const auto patch = static_cast<std::size_t>(part.patch);
     if (part.first_layer == part.last_layer) continue;
     if (!state->kernels[patch])
       state->kernels[patch] =
           std::make_unique<PatchOperator>(part.patch, spaces[patch], state->materials[patch], points);
-    const std::vector<SweepBox> more = state->kernels[patch]->boxes(part.first_layer, part.last_layer);
+    const std::vector<ElementBox> more = state->kernels[patch]->boxes(part.first_layer, part.last_layer);
     boxes[patch].insert(boxes[patch].end(), more.begin(), more.end());
   }
   for (std::size_t p = 0; p < spaces.size(); ++p) state->add_tasks(static_cast<int>(p), boxes[p]);
@@ -140,16 +140,16 @@ Eigen::Matrix3Xd StiffnessOperator::apply(const Eigen::Matrix3Xd& displacement) 
   if (displacement.cols() != node_count())
     throw Error(ErrorCode::invalid_argument, fmt::format("the displacement has {} nodes, the operator {}",
                                                          displacement.cols(), node_count()));
-  return state_->sum_of_boxes<3>([&](const PatchOperator& kernel, std::int64_t first, const SweepBox& box,
+  return state_->sum_of_boxes<3>([&](const PatchOperator& kernel, std::int64_t first, const ElementBox& box,
                                      double* forces, PatchOperatorScratch& scratch) {
     kernel.add_forces(box, displacement.data() + 3 * first, forces, scratch);
   });
 }
 
 std::vector<Eigen::Matrix3d> StiffnessOperator::diagonal_blocks() const {
-  const Eigen::Matrix<double, 6, Eigen::Dynamic> sums =
-      state_->sum_of_boxes<6>([](const PatchOperator& kernel, std::int64_t, const SweepBox& box, double* own,
-                                 PatchOperatorScratch& scratch) { kernel.add_squares(box, own, scratch); });
+  const Eigen::Matrix<double, 6, Eigen::Dynamic> sums = state_->sum_of_boxes<6>(
+      [](const PatchOperator& kernel, std::int64_t, const ElementBox& box, double* own,
+         PatchOperatorScratch& scratch) { kernel.add_squares(box, own, scratch); });
   std::vector<Eigen::Matrix3d> blocks(static_cast<std::size_t>(node_count()));
   for (std::size_t p = 0; p + 1 < state_->first_node.size(); ++p) {
     const Material& material = state_->materials[p];

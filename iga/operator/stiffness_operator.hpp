@@ -25,7 +25,7 @@ class StiffnessOperator {
   /// @param materials  one per patch
   /// @param points     Gauss points per element of the functions' knots and direction; 0: degree + 1
   /// @throws Error invalid_argument  counts that do not fit, a part outside its patch, points outside 0 .. 64
-  StiffnessOperator(const std::vector<PatchSpace>& spaces, std::vector<PatchPart> parts,
+  StiffnessOperator(const std::vector<PatchSpace>& spaces, std::vector<PatchLayers> parts,
                     std::vector<Material> materials, int points = 0);
 
   /// K u per node, before any coupling of patches; 0 for nodes outside the parts.

@@ -31,7 +31,7 @@ std::array<geometry::QuadratureRule, 3> points_on(const NurbsVolume& patch, Side
 }
 
 // The elements of a part that touch a side, in increasing order.
-std::vector<std::int64_t> elements_at(const NurbsVolume& patch, const PatchPart& part, Side side) {
+std::vector<std::int64_t> elements_at(const NurbsVolume& patch, const PatchLayers& part, Side side) {
   std::array<int, 3> begin = {0, 0, part.first_layer};
   std::array<int, 3> end = {patch.knots(0).element_count(), patch.knots(1).element_count(), part.last_layer};
   const auto d = static_cast<std::size_t>(direction(side));
@@ -102,11 +102,11 @@ FaceStresses together(const FaceStresses& a, const FaceStresses& b) {
 
 }  // namespace
 
-FaceStresses stresses_on_faces(const ElasticField& field, const std::vector<PatchPart>& parts) {
+FaceStresses stresses_on_faces(const ElasticField& field, const std::vector<PatchLayers>& parts) {
   FaceStresses result;
   result.max_von_mises.value = -1;
   std::vector<TensorBuffers<8>> buffers(static_cast<std::size_t>(omp_get_max_threads()));
-  for (const PatchPart& part : parts)
+  for (const PatchLayers& part : parts)
     for (const Side side : geometry::all_sides) {
       const NurbsVolume& patch = field.patches[static_cast<std::size_t>(part.patch)];
       const std::vector<std::int64_t> elements = elements_at(patch, part, side);
@@ -122,7 +122,7 @@ FaceStresses stresses_on_faces(const ElasticField& field, const std::vector<Patc
 }
 
 FaceStresses stresses_on_faces(const ElasticField& field) {
-  std::vector<PatchPart> parts;
+  std::vector<PatchLayers> parts;
   for (std::size_t p = 0; p < field.patches.size(); ++p)
     parts.push_back({static_cast<int>(p), 0, field.patches[p].knots(2).element_count()});
   return stresses_on_faces(field, parts);

@@ -19,7 +19,7 @@ struct FaceStresses {
 /// @param parts  whose elements are looked at
 /// @throws Error singular_system  a stress that is no finite number
 /// @cost  O(degree^4) per element at a face
-FaceStresses stresses_on_faces(const ElasticField& field, const std::vector<PatchPart>& parts);
+FaceStresses stresses_on_faces(const ElasticField& field, const std::vector<PatchLayers>& parts);
 /// Of all patches.
 FaceStresses stresses_on_faces(const ElasticField& field);
 

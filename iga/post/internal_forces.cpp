@@ -84,7 +84,9 @@ class PatchForces {
     const auto q = static_cast<std::size_t>(point);
     const RationalPoint place = rational_point(scratch.fields, q);
     const double jacobian = place.derivatives.determinant();
-    if (!(jacobian > 0)) refuse_folded(d_, index_, jacobian, tensors_.parameter(element, point), place.value);
+    if (!(jacobian > 0))
+      refuse_folded(index_, patch_, d_.model.was_reversed(PatchId(index_)),
+                    tensors_.parameter(element, point));
     const Eigen::Matrix3d inverse = place.derivatives.inverse();
     const Eigen::Matrix3d gradient = rational_point(scratch.fields, q, 4).derivatives * inverse;
     const Eigen::Matrix3d sigma = stress_of_gradient(gradient, material_);
@@ -127,7 +129,7 @@ struct ElementRange {
   std::int64_t count;
 };
 
-ElementRange elements_of(const Discretization& d, const PatchPart& part) {
+ElementRange elements_of(const Discretization& d, const PatchLayers& part) {
   const geometry::NurbsVolume& patch = d.patches[static_cast<std::size_t>(part.patch)];
   const std::int64_t layer = std::int64_t{patch.knots(0).element_count()} * patch.knots(1).element_count();
   return {layer * part.first_layer, layer * (part.last_layer - part.first_layer)};
@@ -136,14 +138,14 @@ ElementRange elements_of(const Discretization& d, const PatchPart& part) {
 }  // namespace
 
 InternalForces internal_forces(const Discretization& d, const std::vector<Material>& materials,
-                               const Eigen::Matrix3Xd& displacement, const std::vector<PatchPart>& parts,
+                               const Eigen::Matrix3Xd& displacement, const std::vector<PatchLayers>& parts,
                                int points, const Progress& progress) {
   InternalForces result;
   result.forces = Eigen::Matrix3Xd::Zero(3, d.node_count());
   result.max_von_mises.value = result.max_strain.value = -1;
   std::int64_t total = 0, done = 0;
-  for (const PatchPart& part : parts) total += elements_of(d, part).count;
-  for (const PatchPart& part : parts) {
+  for (const PatchLayers& part : parts) total += elements_of(d, part).count;
+  for (const PatchLayers& part : parts) {
     const int p = part.patch;
     const auto patch = static_cast<std::size_t>(p);
     const PatchForces of_patch(d, p, materials[patch], displacement, d.points_of(p, points));

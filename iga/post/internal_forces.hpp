@@ -31,7 +31,7 @@ InternalForces internal_forces(const Discretization& discretization, const std::
 
 /// The share of some parts: forces and energy are additive. Without elements, a value of -1 in no patch.
 InternalForces internal_forces(const Discretization& discretization, const std::vector<Material>& materials,
-                               const Eigen::Matrix3Xd& displacement, const std::vector<PatchPart>& parts,
+                               const Eigen::Matrix3Xd& displacement, const std::vector<PatchLayers>& parts,
                                int points = 0, const Progress& progress = {});
 
 /// The shares of all processes together, on all of them.

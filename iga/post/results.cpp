@@ -43,12 +43,12 @@ Longest longest_in(const ElementTensors& tensors, const geometry::NurbsVolume& p
 
 }  // namespace
 
-Extremum max_displacement(const ElasticField& field, const std::vector<PatchPart>& parts) {
+Extremum max_displacement(const ElasticField& field, const std::vector<PatchLayers>& parts) {
   constexpr std::int64_t per_task = 64;
   Extremum result;
   result.value = -1;
   std::vector<TensorBuffers<4>> buffers(static_cast<std::size_t>(omp_get_max_threads()));
-  for (const PatchPart& part : parts) {
+  for (const PatchLayers& part : parts) {
     if (part.first_layer == part.last_layer) continue;
     const auto p = static_cast<std::size_t>(part.patch);
     const geometry::NurbsVolume& patch = field.patches[p];
@@ -75,7 +75,7 @@ Extremum max_displacement(const ElasticField& field, const std::vector<PatchPart
 }
 
 Extremum max_displacement(const ElasticField& field) {
-  std::vector<PatchPart> parts;
+  std::vector<PatchLayers> parts;
   for (std::size_t p = 0; p < field.patches.size(); ++p)
     parts.push_back({static_cast<int>(p), 0, field.patches[p].knots(2).element_count()});
   return max_displacement(field, parts);

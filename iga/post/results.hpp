@@ -12,7 +12,7 @@ namespace isopatch::iga {
 /// @cost  O((degree + 1)^4) per element; no memory that grows with the elements
 Extremum max_displacement(const ElasticField& field);
 /// The same over the elements of some parts; a value of -1 in no patch if there are none.
-Extremum max_displacement(const ElasticField& field, const std::vector<PatchPart>& parts);
+Extremum max_displacement(const ElasticField& field, const std::vector<PatchLayers>& parts);
 
 /// Force and moment of every support on the part, from the residual K u - f of the fixed components.
 /// @param forces  internal forces minus loads per node, (3, nodes), N

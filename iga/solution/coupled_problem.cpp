@@ -17,7 +17,7 @@ CoupledProblem coupled_problem(const ElasticityProblem& problem, Coupling coupli
   result.load = load_vector(problem, points);
   result.spaces = isoparametric_spaces(problem.discretization);
   result.distribution = distribute(result.spaces, processes.count());
-  result.parts = parts_of(result.distribution, result.spaces, processes.rank());
+  result.parts = layers_of(result.distribution, result.spaces, processes.rank());
   return result;
 }
 

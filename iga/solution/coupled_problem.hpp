@@ -27,7 +27,7 @@ struct CoupledProblem {
   Eigen::Matrix3Xd load;  ///< per node, (3, nodes), N
   std::vector<PatchSpace> spaces;
   Distribution distribution;
-  std::vector<PatchPart> parts;  ///< what this process integrates
+  std::vector<PatchLayers> parts;  ///< what this process integrates
 
   const Discretization& discretization() const { return problem->discretization; }
   const SupportFrame& frame_of(int node) const {

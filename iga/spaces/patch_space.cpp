@@ -13,8 +13,8 @@ std::vector<PatchSpace> isoparametric_spaces(const Discretization& discretizatio
   return spaces;
 }
 
-std::vector<PatchPart> whole_patches(const std::vector<PatchSpace>& spaces) {
-  std::vector<PatchPart> parts;
+std::vector<PatchLayers> whole_patches(const std::vector<PatchSpace>& spaces) {
+  std::vector<PatchLayers> parts;
   for (std::size_t p = 0; p < spaces.size(); ++p)
     parts.push_back({static_cast<int>(p), 0, spaces[p].knots[2].element_count()});
   return parts;

@@ -33,7 +33,7 @@ struct PatchSpace {
 
 /// The elements of one patch whose third knot span is one of first_layer .. last_layer - 1: a whole patch, or
 /// the share of it that one process integrates.
-struct PatchPart {
+struct PatchLayers {
   int patch = 0;
   int first_layer = 0;
   int last_layer = 0;
@@ -43,6 +43,6 @@ struct PatchPart {
 std::vector<PatchSpace> isoparametric_spaces(const Discretization& discretization);
 
 /// Every patch as a whole.
-std::vector<PatchPart> whole_patches(const std::vector<PatchSpace>& spaces);
+std::vector<PatchLayers> whole_patches(const std::vector<PatchSpace>& spaces);
 
 }  // namespace isopatch::iga

@@ -1,14 +1,10 @@
 #include "iga/spaces/quadrature_geometry.hpp"
 
-#include <fmt/format.h>
-
-#include <Eigen/LU>
 #include <algorithm>
-#include <limits>
 
-#include "geometry/base/error.hpp"
 #include "geometry/splines/basis.hpp"
 #include "iga/internal/native_lanes.hpp"
+#include "iga/spaces/internal/folded_patch.hpp"
 
 namespace isopatch::iga {
 namespace {
@@ -248,31 +244,15 @@ void QuadratureGeometry::evaluate(int second, int begin, int end, double* out, i
         write_scaled(map, (weight / map.determinant).sqrt(), to);
     }
   }
-  if (folded) require_positive(second, begin, end, patch);
+  if (folded) refuse_fold(second, begin, end, patch);
 }
 
-void QuadratureGeometry::require_positive(int second, int begin, int end, int patch) const {
-  const geometry::NurbsVolume& volume = *space_->geometry;
-  double smallest = std::numeric_limits<double>::infinity();
-  geometry::Parameter<3> worst;
-  for (int k = begin; k < end; ++k) {
-    for (const double first : nodes_[0]) {
-      const geometry::Parameter<3> here(first, nodes_[1][static_cast<std::size_t>(second)],
-                                        nodes_[2][static_cast<std::size_t>(k)]);
-      const double determinant = volume.jacobian(here).determinant();
-      if (determinant < smallest) {
-        smallest = determinant;
-        worst = here;
-      }
-    }
-  }
-  const Eigen::Vector3d place = volume.point(worst);
-  if (space_->reversed) worst[0] = volume.knots(0).first() + (volume.knots(0).last() - worst[0]);
-  throw Error(
-      ErrorCode::fold_over,
-      fmt::format("patch {} is folded: det J = {:.3g} m^3 at the Gauss point with parameter ({:.6g}, {:.6g}, "
-                  "{:.6g}), place ({:.6g}, {:.6g}, {:.6g}) m; mend the patch's inner control points there",
-                  patch, smallest, worst[0], worst[1], worst[2], place[0], place[1], place[2]));
+void QuadratureGeometry::refuse_fold(int second, int begin, int end, int patch) const {
+  const auto at_w = nodes_[2].begin();
+  const std::array<std::vector<double>, 3> grid = {
+      nodes_[0], std::vector<double>(1, nodes_[1][static_cast<std::size_t>(second)]),
+      std::vector<double>(at_w + begin, at_w + end)};
+  refuse_folded(patch, *space_->geometry, space_->reversed, grid);
 }
 
 }  // namespace isopatch::iga

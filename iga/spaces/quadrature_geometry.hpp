@@ -65,7 +65,7 @@ class QuadratureGeometry {
   AtPoints tabulate_own(int d) const;
   Lines lines(const Eigen::Matrix4Xd& coefficients, const std::array<AtPoints, 3>& at,
               const std::array<int, 2>& sizes, int components, int second, int begin, int end) const;
-  void require_positive(int second, int begin, int end, int patch) const;
+  [[noreturn]] void refuse_fold(int second, int begin, int end, int patch) const;
 
   const PatchSpace* space_;
   std::array<DirectionTable, 3> tables_;

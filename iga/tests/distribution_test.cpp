@@ -25,7 +25,7 @@ std::vector<int> layers_of_processes(const std::vector<PatchSpace>& spaces, int 
   std::vector<int> next(spaces.size(), 0), result;
   for (int process = 0; process < processes; ++process) {
     result.push_back(0);
-    for (const PatchPart& part : parts_of(distribution, spaces, process)) {
+    for (const PatchLayers& part : layers_of(distribution, spaces, process)) {
       EXPECT_EQ(part.first_layer, next[part.patch]);
       EXPECT_LT(part.first_layer, part.last_layer);
       next[part.patch] = part.last_layer;
@@ -67,8 +67,8 @@ TEST(Distribution, CountsTheWorkOfHigherDegrees) {
   PatchSpace high = space(4);
   high.knots = {elements(4, 5), elements(4, 5), elements(4, 5)};
   const Distribution distribution = distribute({high, space(4), space(4), space(4), space(4)}, 2);
-  const std::vector<PatchPart> parts =
-      parts_of(distribution, {high, space(4), space(4), space(4), space(4)}, 0);
+  const std::vector<PatchLayers> parts =
+      layers_of(distribution, {high, space(4), space(4), space(4), space(4)}, 0);
   ASSERT_EQ(parts.size(), 1u);
   EXPECT_LT(parts[0].last_layer, 4);
 }
@@ -76,8 +76,8 @@ TEST(Distribution, CountsTheWorkOfHigherDegrees) {
 TEST(Distribution, CoarserSpacesAreCutAtTheSamePlaces) {
   const std::vector<PatchSpace> fine = {space(12)}, coarse = {space(6)};
   const Distribution distribution = distribute(fine, 2);
-  EXPECT_EQ(parts_of(distribution, coarse, 0)[0].last_layer, 3);
-  EXPECT_EQ(parts_of(distribution, coarse, 1)[0].first_layer, 3);
+  EXPECT_EQ(layers_of(distribution, coarse, 0)[0].last_layer, 3);
+  EXPECT_EQ(layers_of(distribution, coarse, 1)[0].first_layer, 3);
   EXPECT_EQ(processes_of_patches(distribution, 1)[0], (std::vector<int>{0, 1}));
 }
 

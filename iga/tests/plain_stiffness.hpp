@@ -67,11 +67,11 @@ inline PlainFunctions functions_at(const PatchSpace& space, const geometry::Para
 /// The slow and plain assembler: element by element, point by point, every ordered pair of functions adds its
 /// block to the block of their rows. Dense.
 inline Eigen::MatrixXd plain_stiffness(const std::vector<PatchSpace>& spaces,
-                                       const std::vector<PatchPart>& parts,
+                                       const std::vector<PatchLayers>& parts,
                                        const std::vector<Material>& materials, const RowNumbering& numbering,
                                        int points = 0) {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(3 * numbering.rows, 3 * numbering.rows);
-  for (const PatchPart& part : parts) {
+  for (const PatchLayers& part : parts) {
     const PatchSpace& space = spaces[static_cast<std::size_t>(part.patch)];
     const Material& material = materials[static_cast<std::size_t>(part.patch)];
     int first_node = 0;

@@ -51,7 +51,7 @@ double difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 }
 
 // The operator against the matrix: a product, and the diagonal blocks.
-void expect_the_assembled_matrix(const std::vector<PatchSpace>& spaces, const std::vector<PatchPart>& parts,
+void expect_the_assembled_matrix(const std::vector<PatchSpace>& spaces, const std::vector<PatchLayers>& parts,
                                  int points = 0) {
   const std::vector<Material> materials = different_materials(spaces.size());
   const int nodes = node_count(spaces);
@@ -256,7 +256,7 @@ TEST(StiffnessOperator, SumsOverPartsToTheWhole) {
   const std::vector<Material> materials = different_materials(2);
   const Eigen::Matrix3Xd u = random_field(d.node_count());
   const int layers = spaces[0].knots[2].element_count();
-  const std::vector<PatchPart> low = {{0, 0, 7}, {0, 7, 8}}, high = {{0, 8, layers}};
+  const std::vector<PatchLayers> low = {{0, 0, 7}, {0, 7, 8}}, high = {{0, 8, layers}};
   const Eigen::Matrix3Xd whole = StiffnessOperator(spaces, whole_patches(spaces), materials).apply(u);
   const Eigen::Matrix3Xd first = StiffnessOperator(spaces, low, materials).apply(u);
   const Eigen::Matrix3Xd second = StiffnessOperator(spaces, high, materials).apply(u);
@@ -277,9 +277,9 @@ TEST(PatchOperator, CutsEveryPatchIntoEqualBoxes) {
         {.degree = {degree, degree, degree}, .elements_per_direction = {elements, elements, elements}});
     const std::vector<PatchSpace> spaces = isoparametric_spaces(d);
     const PatchOperator patch(0, spaces[0], different_materials(1)[0], 0);
-    const std::vector<SweepBox> boxes = patch.boxes(0, elements);
+    const std::vector<ElementBox> boxes = patch.boxes(0, elements);
     int whole = 0, largest = 0;
-    for (const SweepBox& box : boxes) {
+    for (const ElementBox& box : boxes) {
       int size = 1;
       for (std::size_t k = 0; k < 3; ++k) size *= box.end[k] - box.begin[k];
       whole += size;

@@ -81,7 +81,7 @@ std::vector<Material> materials_for(const std::vector<PatchSpace>& spaces) {
 
 void expect_equals_plain(const std::vector<PatchSpace>& spaces, const RowNumbering& numbering,
                          int points = 0) {
-  const std::vector<PatchPart> parts = whole_patches(spaces);
+  const std::vector<PatchLayers> parts = whole_patches(spaces);
   const std::vector<Material> materials = materials_for(spaces);
   const Eigen::MatrixXd fast = dense(assemble_stiffness(spaces, parts, materials, numbering, points));
   const Eigen::MatrixXd slow = plain_stiffness(spaces, parts, materials, numbering, points);
@@ -198,7 +198,7 @@ TEST(SumFactorization, PartsAddUpToTheWhole) {
   const Eigen::MatrixXd whole =
       dense(assemble_stiffness(spaces, whole_patches(spaces), materials, numbering));
   const double tolerance = round_off * whole.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
-  const std::vector<PatchPart> both = {{0, 0, 2}, {0, 2, 5}};
+  const std::vector<PatchLayers> both = {{0, 0, 2}, {0, 2, 5}};
   EXPECT_LT((dense(assemble_stiffness(spaces, both, materials, numbering)) - whole)
                 .cwiseAbs()
                 .maxCoeff<Eigen::PropagateNaN>(),
@@ -209,7 +209,7 @@ TEST(SumFactorization, PartsAddUpToTheWhole) {
   // As two processes do it: each numbers only the rows that its part touches, one of them backwards.
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(whole.rows(), whole.cols());
   const int plane = 12;
-  for (const PatchPart& part : both) {
+  for (const PatchLayers& part : both) {
     const int begin = plane * part.first_layer;
     const int end = plane * (part.last_layer + 2);  // two more planes of functions than layers
     RowNumbering local{std::vector<int>(numbering.row_of_node.size(), -1), end - begin};
@@ -312,7 +312,7 @@ TEST(StiffnessSize, EqualsThePatternsWithoutBuildingIt) {
   const int nodes = spaces[0].size() + spaces[1].size();
   for (const int rows : {nodes, nodes - 10, nodes / 2, 1}) {
     const RowNumbering numbering = random_rows(spaces, rows, 3);
-    for (const std::vector<PatchPart>& parts :
+    for (const std::vector<PatchLayers>& parts :
          {whole_patches(spaces), {{1, 0, 2}, {0, 1, 2}}, {{1, 0, 1}, {1, 2, 3}}, {}}) {
       const auto matrix = stiffness_pattern(spaces, parts, numbering);
       const StiffnessSize size = stiffness_size(spaces, parts, numbering);

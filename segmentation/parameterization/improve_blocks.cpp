@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "geometry/scaled_jacobian.hpp"
 #include "geometry/splines/transfer.hpp"
 
 namespace isopatch::segmentation {
@@ -224,9 +225,7 @@ std::optional<FoldedEdge> folded_edge(const geometry::NurbsVolume& volume) {
     for (std::size_t i = 0; i < 2; ++i) at[others[i]] = e >> i & 1;
     for (int i = 0; i <= steps; ++i) {
       at[e / 4] = double(i) / steps;
-      const Eigen::Matrix3d columns = volume.jacobian(at);
-      const double lengths = columns.colwise().norm().prod();
-      const double scaled = lengths > 0 ? columns.determinant() / lengths : 0;
+      const double scaled = geometry::scaled_jacobian(volume.jacobian(at));
       if (scaled <= 0 && (!worst || scaled < worst->scaled_jacobian)) worst = {at, volume.point(at), scaled};
     }
   }

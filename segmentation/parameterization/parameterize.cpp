@@ -9,6 +9,7 @@
 #include "geometry/base/stopwatch.hpp"
 #include "geometry/brep/solid_error.hpp"
 #include "geometry/quadrature.hpp"
+#include "geometry/scaled_jacobian.hpp"
 #include "segmentation/parameterization/edge_pace.hpp"
 #include "segmentation/parameterization/improve_blocks.hpp"
 #include "segmentation/parameterization/paper_method.hpp"
@@ -90,9 +91,7 @@ std::array<int, 10> histogram(const geometry::NurbsVolume& patch) {
   for (const double w : nodes[2])
     for (const double v : nodes[1])
       for (const double u : nodes[0]) {
-        const Eigen::Matrix3d j = patch.jacobian({u, v, w});
-        const double lengths = j.colwise().norm().prod();
-        const double scaled = lengths > 0 ? j.determinant() / lengths : 0;
+        const double scaled = geometry::scaled_jacobian(patch.jacobian({u, v, w}));
         ++counts[static_cast<std::size_t>(std::clamp(static_cast<int>(std::floor(10 * scaled)), 0, 9))];
       }
   return counts;

@@ -240,7 +240,7 @@ std::optional<Carrier> ShapeKernel::carrier(FaceId face) const {
   } else if (const auto cone = Handle(Geom_ConicalSurface)::DownCast(surface); !cone.IsNull()) {
     set_axis(result, cone->Position(), metres);
     result.radius = metres * cone->RefRadius();
-    result.half_angle = cone->SemiAngle();
+    result.half_angle = Angle::radians(cone->SemiAngle());
   } else if (const auto sphere = Handle(Geom_SphericalSurface)::DownCast(surface); !sphere.IsNull()) {
     set_axis(result, sphere->Position(), metres);
     result.radius = metres * sphere->Radius();

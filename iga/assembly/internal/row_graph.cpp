@@ -38,7 +38,7 @@ void merge(std::vector<RowInterval>& intervals) {
 
 }  // namespace
 
-RowGraph::RowGraph(const std::vector<PatchSpace>& spaces, const std::vector<PatchPart>& parts,
+RowGraph::RowGraph(const std::vector<PatchSpace>& spaces, const std::vector<PatchLayers>& parts,
                    const RowNumbering& numbering)
     : row_of_node_(&numbering.row_of_node) {
   std::vector<int> first_node = {0};
@@ -46,7 +46,7 @@ RowGraph::RowGraph(const std::vector<PatchSpace>& spaces, const std::vector<Patc
   if (first_node.back() != static_cast<int>(numbering.row_of_node.size()))
     throw Error(ErrorCode::invalid_argument, fmt::format("the numbering has {} nodes, the spaces have {}",
                                                          numbering.row_of_node.size(), first_node.back()));
-  for (const PatchPart& part : parts) {
+  for (const PatchLayers& part : parts) {
     if (part.patch < 0 || part.patch >= static_cast<int>(spaces.size()))
       throw Error(ErrorCode::invalid_argument, fmt::format("there is no patch {}", part.patch));
     const PatchSpace& space = spaces[static_cast<std::size_t>(part.patch)];
@@ -88,7 +88,7 @@ void RowGraph::check(const RowNumbering& numbering) const {
     });
 }
 
-void RowGraph::mark_simple(const std::vector<PatchPart>& parts) {
+void RowGraph::mark_simple(const std::vector<PatchLayers>& parts) {
   for (int row = 0; row < rows(); ++row) {
     const auto nodes = nodes_of(row);
     for (std::size_t i = 1; i < nodes.size(); ++i) {

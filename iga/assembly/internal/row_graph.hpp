@@ -22,7 +22,7 @@ class RowGraph {
  public:
   /// @throws Error invalid_argument  parts out of range, a node of a part
   /// without a row, a row out of range
-  RowGraph(const std::vector<PatchSpace>& spaces, const std::vector<PatchPart>& parts,
+  RowGraph(const std::vector<PatchSpace>& spaces, const std::vector<PatchLayers>& parts,
            const RowNumbering& numbering);
 
   int rows() const { return static_cast<int>(node_start_.size()) - 1; }
@@ -48,7 +48,7 @@ class RowGraph {
   std::span<const Node> nodes_of(int row) const;
   std::array<const Overlap*, 3> overlaps_of(const Node& node) const;
   void check(const RowNumbering& numbering) const;
-  void mark_simple(const std::vector<PatchPart>& parts);
+  void mark_simple(const std::vector<PatchLayers>& parts);
 
   std::vector<Part> parts_;
   const std::vector<int>* row_of_node_;

@@ -15,7 +15,7 @@ constexpr std::array<std::array<int, 4>, 4> sums_of_kind = {
 
 }  // namespace
 
-StiffnessTables::StiffnessTables(const PatchSpace& space, const PatchPart& part,
+StiffnessTables::StiffnessTables(const PatchSpace& space, const PatchLayers& part,
                                  const QuadratureGeometry& geometry)
     : sizes(space.sizes()), first_layer(part.first_layer), last_layer(part.last_layer) {
   for (int d = 0; d < 3; ++d) {

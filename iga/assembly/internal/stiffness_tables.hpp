@@ -44,7 +44,7 @@ struct StiffnessTables {
   /// in turns.
   std::vector<std::vector<double>> factors_w;
 
-  StiffnessTables(const PatchSpace& space, const PatchPart& part, const QuadratureGeometry& geometry);
+  StiffnessTables(const PatchSpace& space, const PatchLayers& part, const QuadratureGeometry& geometry);
   int elements(int d) const { return static_cast<int>(first[static_cast<std::size_t>(d)].size()); }
   const Overlap& overlap(int d, int function) const {
     return overlaps[static_cast<std::size_t>(d)][static_cast<std::size_t>(function)];

@@ -1,13 +1,9 @@
 #include "iga/operator/internal/patch_operator.hpp"
 
-#include <fmt/format.h>
-
-#include <Eigen/LU>
 #include <algorithm>
-#include <limits>
 #include <utility>
 
-#include "geometry/base/error.hpp"
+#include "iga/spaces/internal/folded_patch.hpp"
 
 namespace isopatch::iga {
 namespace {
@@ -77,7 +73,7 @@ PatchOperator::PatchOperator(int patch, const PatchSpace& space, const Material&
     lane_weights_[q / lane_count][q % lane_count] = quadrature_[0][q];
 }
 
-std::vector<SweepBox> PatchOperator::boxes(int first_layer, int last_layer) const {
+std::vector<ElementBox> PatchOperator::boxes(int first_layer, int last_layer) const {
   constexpr int enough = 16;
   // Neighbours in directions 2 and 3 expand the lines of p functions twice, neighbours in direction 1 share
   // nothing but results.
@@ -89,7 +85,7 @@ std::vector<SweepBox> PatchOperator::boxes(int first_layer, int last_layer) cons
   const int wanted1 = std::clamp(enough / (blocks2 * blocks3), 1, bands);
   const int length1 = (bands + wanted1 - 1) / wanted1;  // all blocks about as long, for equal tasks
   const int blocks1 = (bands + length1 - 1) / length1;
-  std::vector<SweepBox> result;
+  std::vector<ElementBox> result;
   for (int k = 0; k < blocks3; ++k)
     for (int j = 0; j < blocks2; ++j)
       for (int i = 0; i < blocks1; ++i) {
@@ -101,7 +97,7 @@ std::vector<SweepBox> PatchOperator::boxes(int first_layer, int last_layer) cons
   return result;
 }
 
-BoxFunctions PatchOperator::functions_of(const SweepBox& box) const {
+BoxFunctions PatchOperator::functions_of(const ElementBox& box) const {
   const LaneBand& low = functions_.bands[static_cast<std::size_t>(box.begin[0])];
   const LaneBand& high = functions_.bands[static_cast<std::size_t>(box.end[0]) - 1];
   BoxFunctions result{{low.first, 0, 0}, {high.first + high.functions - low.first, 0, 0}};
@@ -115,8 +111,7 @@ BoxFunctions PatchOperator::functions_of(const SweepBox& box) const {
   return result;
 }
 
-void PatchOperator::refuse_folded(const SweepBox& box) const {
-  const geometry::NurbsVolume& volume = *space_->geometry;
+void PatchOperator::refuse_folded(const ElementBox& box) const {
   const auto nodes = [&](std::size_t d) {
     std::vector<double> result;
     const bool bands = d == 0;
@@ -128,26 +123,8 @@ void PatchOperator::refuse_folded(const SweepBox& box) const {
     }
     return result;
   };
-  double worst = std::numeric_limits<double>::max();
-  geometry::Parameter<3> parameter;
-  const std::vector<double> first = nodes(0), second = nodes(1), third = nodes(2);
-  for (const double w : third)
-    for (const double v : second)
-      for (const double u : first) {
-        const geometry::Parameter<3> at(u, v, w);
-        const double determinant = volume.jacobian(at).determinant();
-        if (determinant >= worst) continue;
-        worst = determinant;
-        parameter = at;
-      }
-  const Eigen::Vector3d place = volume.point(parameter);
-  const geometry::KnotVector& knots = volume.knots(0);
-  if (space_->reversed) parameter[0] = knots.first() + (knots.last() - parameter[0]);  // as the input has it
-  throw Error(
-      ErrorCode::fold_over,
-      fmt::format("patch {} is folded: det J = {:.3g} m^3 at the Gauss point with parameter ({:.6g}, {:.6g}, "
-                  "{:.6g}), place ({:.6g}, {:.6g}, {:.6g}) m; mend the patch's inner control points there",
-                  patch_, worst, parameter[0], parameter[1], parameter[2], place[0], place[1], place[2]));
+  const std::array<std::vector<double>, 3> grid = {nodes(0), nodes(1), nodes(2)};
+  iga::refuse_folded(patch_, *space_->geometry, space_->reversed, grid);
 }
 
 std::int64_t PatchOperator::bytes() const {

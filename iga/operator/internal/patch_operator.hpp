@@ -6,16 +6,16 @@
 #include <vector>
 
 #include "iga/material/material.hpp"
+#include "iga/operator/internal/box_contraction.hpp"
 #include "iga/operator/internal/line_table.hpp"
 #include "iga/operator/internal/point_forms.hpp"
-#include "iga/operator/internal/sweep.hpp"
 #include "iga/spaces/patch_space.hpp"
 
 namespace isopatch::iga {
 
 /// Storage of one thread, used again from box to box.
 struct PatchOperatorScratch {
-  Sweep functions, geometry, results;
+  BoxContraction functions, geometry, results;
 };
 
 /// The functions of a patch that live in a box, a grid of their own, direction 1 fastest.
@@ -33,19 +33,19 @@ class PatchOperator {
 
   /// Cuts the elements of a range of layers into boxes whose buffers fit a second-level cache, and enough of
   /// them for many threads. The cut depends on nothing but the patch and the range.
-  std::vector<SweepBox> boxes(int first_layer, int last_layer) const;
-  BoxFunctions functions_of(const SweepBox& box) const;
+  std::vector<ElementBox> boxes(int first_layer, int last_layer) const;
+  BoxFunctions functions_of(const ElementBox& box) const;
 
   /// Adds K u of a box.
   /// @param displacement  three numbers per function of the patch
   /// @param forces        three numbers per function of the box
   /// @throws Error fold_over
-  void add_forces(const SweepBox& box, const double* displacement, double* forces,
+  void add_forces(const ElementBox& box, const double* displacement, double* forces,
                   PatchOperatorScratch& scratch) const;
   /// Adds the integrals of grad N grad N^T over a box, six numbers per function of the box: entries 00, 11,
   /// 22, 01, 02, 12.
   /// @throws Error fold_over
-  void add_squares(const SweepBox& box, double* squares, PatchOperatorScratch& scratch) const;
+  void add_squares(const ElementBox& box, double* squares, PatchOperatorScratch& scratch) const;
 
   std::int64_t bytes() const;
 
@@ -67,13 +67,15 @@ class PatchOperator {
 
   static Group group(const std::array<geometry::KnotVector, 3>& knots, std::array<LineTable, 3> tables);
   template <int F>
-  static void spread_fields(const Group& group, const Fields& fields, const LaneBand& band, Sweep& sweep);
-  static void spread(const Group& group, const Fields& fields, const LaneBand& band, Sweep& sweep);
+  static void spread_fields(const Group& group, const Fields& fields, const LaneBand& band,
+                            BoxContraction& contraction);
+  static void spread(const Group& group, const Fields& fields, const LaneBand& band,
+                     BoxContraction& contraction);
   template <class Collect>
-  void integrate(const SweepBox& box, const double* displacement, const Group& result_group,
-                 const SweepStages& result_stages, const Evaluate& evaluate, PatchOperatorScratch& scratch,
-                 Collect collect) const;
-  [[noreturn]] void refuse_folded(const SweepBox& box) const;
+  void integrate(const ElementBox& box, const double* displacement, const Group& result_group,
+                 const ContractionStages& result_stages, const Evaluate& evaluate,
+                 PatchOperatorScratch& scratch, Collect collect) const;
+  [[noreturn]] void refuse_folded(const ElementBox& box) const;
 
   int patch_;
   const PatchSpace* space_;

@@ -12,13 +12,13 @@ using Constant = std::integral_constant<Denominators, D>;
 
 // The fields of a group at the points: their number, and whether values are among their vectors.
 struct FieldLayout {
-  Sweep& sweep;
+  BoxContraction& contraction;
   int fields;
   bool values;
 
   // From a field on.
   LineFields from(int field) const {
-    const Lanes* const first = sweep.point(0) + field;
+    const Lanes* const first = contraction.point(0) + field;
     const int skipped = values ? fields : 0;
     return {values ? first : nullptr,
             {first + skipped, first + skipped + 2 * fields, first + skipped + fields},
@@ -55,16 +55,16 @@ void gather(const LaneBand& band, const Lanes* plane, const double* weights, dou
 // Into the numbers of the functions of a box.
 template <int C, int Kinds>
 void gather_all(const std::array<int, 2>& sizes, const BoxFunctions& box, const LaneBand& band,
-                const Eigen::VectorXd& weights, Sweep& sweep, double* target) {
+                const Eigen::VectorXd& weights, BoxContraction& contraction, double* target) {
   double* const first = target + static_cast<std::ptrdiff_t>(C) * (band.first - box.first[0]);
   const std::ptrdiff_t line = static_cast<std::ptrdiff_t>(C) * box.sizes[0];
-  for (int k = 0; k < sweep.planes(); ++k)
-    for (int r = 0; r < sweep.rows(); ++r) {
+  for (int k = 0; k < contraction.planes(); ++k)
+    for (int r = 0; r < contraction.rows(); ++r) {
       const std::ptrdiff_t node =
-          band.first +
-          static_cast<std::ptrdiff_t>(sizes[0]) *
-              (sweep.first_row() + r + static_cast<std::ptrdiff_t>(sizes[1]) * (sweep.first_plane() + k));
-      gather<C, Kinds>(band, sweep.plane(r, k), weights.size() > 0 ? weights.data() + node : nullptr,
+          band.first + static_cast<std::ptrdiff_t>(sizes[0]) *
+                           (contraction.first_row() + r +
+                            static_cast<std::ptrdiff_t>(sizes[1]) * (contraction.first_plane() + k));
+      gather<C, Kinds>(band, contraction.plane(r, k), weights.size() > 0 ? weights.data() + node : nullptr,
                        first + line * (r + static_cast<std::ptrdiff_t>(box.sizes[1]) * k));
     }
 }
@@ -73,14 +73,14 @@ void gather_all(const std::array<int, 2>& sizes, const BoxFunctions& box, const 
 
 template <int F>
 void PatchOperator::spread_fields(const Group& group, const Fields& fields, const LaneBand& band,
-                                  Sweep& sweep) {
+                                  BoxContraction& contraction) {
   std::vector<double> coefficients(static_cast<std::size_t>(band.functions * F));
-  for (int k = 0; k < sweep.planes(); ++k)
-    for (int r = 0; r < sweep.rows(); ++r) {
+  for (int k = 0; k < contraction.planes(); ++k)
+    for (int r = 0; r < contraction.rows(); ++r) {
       const Eigen::Index node =
-          band.first +
-          static_cast<Eigen::Index>(group.sizes[0]) *
-              (sweep.first_row() + r + static_cast<Eigen::Index>(group.sizes[1]) * (sweep.first_plane() + k));
+          band.first + static_cast<Eigen::Index>(group.sizes[0]) *
+                           (contraction.first_row() + r +
+                            static_cast<Eigen::Index>(group.sizes[1]) * (contraction.first_plane() + k));
       double* to = coefficients.data();
       for (int i = 0; i < band.functions; ++i) {
         const double weight = fields.weights ? (*fields.weights)[node + i] : 1;
@@ -100,30 +100,31 @@ void PatchOperator::spread_fields(const Group& group, const Fields& fields, cons
           sums[F + f] += coefficient * derivative;
         }
       }
-      std::copy_n(sums, 2 * F, sweep.plane(r, k));
+      std::copy_n(sums, 2 * F, contraction.plane(r, k));
     }
 }
 
-void PatchOperator::spread(const Group& group, const Fields& fields, const LaneBand& band, Sweep& sweep) {
+void PatchOperator::spread(const Group& group, const Fields& fields, const LaneBand& band,
+                           BoxContraction& contraction) {
   switch (fields.count()) {
     case 1:
-      return spread_fields<1>(group, fields, band, sweep);
+      return spread_fields<1>(group, fields, band, contraction);
     case 3:
-      return spread_fields<3>(group, fields, band, sweep);
+      return spread_fields<3>(group, fields, band, contraction);
     case 4:
-      return spread_fields<4>(group, fields, band, sweep);
+      return spread_fields<4>(group, fields, band, contraction);
     case 6:
-      return spread_fields<6>(group, fields, band, sweep);
+      return spread_fields<6>(group, fields, band, contraction);
     case 7:
-      return spread_fields<7>(group, fields, band, sweep);
+      return spread_fields<7>(group, fields, band, contraction);
     default:
       return;
   }
 }
 
 template <class Collect>
-void PatchOperator::integrate(const SweepBox& box, const double* displacement, const Group& result_group,
-                              const SweepStages& result_stages, const Evaluate& evaluate,
+void PatchOperator::integrate(const ElementBox& box, const double* displacement, const Group& result_group,
+                              const ContractionStages& result_stages, const Evaluate& evaluate,
                               PatchOperatorScratch& scratch, Collect collect) const {
   const geometry::NurbsVolume* const volume = space_->geometry;
   const Fields with_functions{displacement, together_ ? volume : nullptr,
@@ -132,8 +133,8 @@ void PatchOperator::integrate(const SweepBox& box, const double* displacement, c
                              !together_ && volume->is_rational() ? &volume->weights() : nullptr};
   const int own_fields = with_functions.count(), geometry_fields = with_geometry.count();
   const bool own_values = with_functions.weights, geometry_values = with_geometry.weights;
-  const SweepStages own_stages = field_stages(own_fields, own_values);
-  const SweepStages geometry_stages = field_stages(geometry_fields, geometry_values);
+  const ContractionStages own_stages = field_stages(own_fields, own_values);
+  const ContractionStages geometry_stages = field_stages(geometry_fields, geometry_values);
   if (own_fields > 0) scratch.functions.start(functions_.tables[1], functions_.tables[2], own_stages, box);
   if (geometry_fields > 0)
     scratch.geometry.start(geometry_.tables[1], geometry_.tables[2], geometry_stages, box);
@@ -174,7 +175,7 @@ void PatchOperator::integrate(const SweepBox& box, const double* displacement, c
   }
 }
 
-void PatchOperator::add_forces(const SweepBox& box, const double* displacement, double* forces,
+void PatchOperator::add_forces(const ElementBox& box, const double* displacement, double* forces,
                                PatchOperatorScratch& scratch) const {
   Evaluate evaluate;
   const auto use = [&]<Denominators D>(Constant<D>) {
@@ -199,14 +200,14 @@ void PatchOperator::add_forces(const SweepBox& box, const double* displacement, 
       use(Constant<Denominators::shared>());
       break;
   }
-  const SweepStages stages = force_stages(space_->is_rational());
+  const ContractionStages stages = force_stages(space_->is_rational());
   const BoxFunctions functions = functions_of(box);
   integrate(box, displacement, functions_, stages, evaluate, scratch, [&](const LaneBand& band) {
     gather_all<3, 2>(functions_.sizes, functions, band, space_->weights, scratch.results, forces);
   });
 }
 
-void PatchOperator::add_squares(const SweepBox& box, double* sums, PatchOperatorScratch& scratch) const {
+void PatchOperator::add_squares(const ElementBox& box, double* sums, PatchOperatorScratch& scratch) const {
   Evaluate evaluate;
   switch (denominators_) {
     case Denominators::none:
@@ -225,7 +226,7 @@ void PatchOperator::add_squares(const SweepBox& box, double* sums, PatchOperator
       evaluate = squares_at_points<Denominators::shared>;
       break;
   }
-  const SweepStages stages = square_stages(space_->is_rational());
+  const ContractionStages stages = square_stages(space_->is_rational());
   const BoxFunctions functions = functions_of(box);
   integrate(box, nullptr, squares_, stages, evaluate, scratch, [&](const LaneBand& band) {
     gather_all<6, 3>(squares_.sizes, functions, band, space_->weights, scratch.results, sums);

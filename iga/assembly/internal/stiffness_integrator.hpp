@@ -43,7 +43,7 @@ struct PatchIntegrand {
 /// @cost  flops per function a at degree p, inside a patch: 81 (p+1)^4 (p+2)
 /// for w, 162 (p+1)^5 for u,
 ///        72 (p+1)^4 (2p+1) for v
-class StiffnessSweep {
+class StiffnessIntegrator {
  public:
   /// Adds the blocks of a task to the matrix, or to `collected`, as `targets`
   /// says.

@@ -9,14 +9,14 @@
 namespace isopatch::iga {
 
 /// What one walk covers: bands of eight points in direction 1, elements in directions 2 and 3.
-struct SweepBox {
+struct ElementBox {
   std::array<int, 3> begin;
   std::array<int, 3> end;
 };
 
 /// One contraction of a stage: the vectors from .. from + count - 1 of each function (or point), with the
 /// table `kind`, into the vectors from `to` on of each point (or function).
-struct SweepStep {
+struct ContractionStep {
   int from;
   int count;
   int kind;
@@ -26,25 +26,25 @@ struct SweepStep {
 /// The vectors of eight lanes that are kept at a pair of functions of directions 2 and 3 (plane), at a
 /// function of direction 2 and a point of direction 3 (row), and at a pair of points; and the steps between
 /// them.
-struct SweepStages {
+struct ContractionStages {
   int plane = 0;
   int row = 0;
   int point = 0;
-  std::vector<SweepStep> middle;  ///< between planes and rows, along direction 3
-  std::vector<SweepStep> last;    ///< between rows and points, along direction 2
+  std::vector<ContractionStep> middle;  ///< between planes and rows, along direction 3
+  std::vector<ContractionStep> last;    ///< between rows and points, along direction 2
 };
 
 /// From coefficients to derivatives. A plane has the values V of all fields and their derivatives D1, a row
 /// V, D1, D3, a point V (if asked for), D1, D3, D2.
-SweepStages field_stages(int fields, bool values);
+ContractionStages field_stages(int fields, bool values);
 
 /// From what multiplies D1, D3, D2 (and V) of a function at the points to three sums per function: the
 /// transpose of field_stages(3, values).
-SweepStages force_stages(bool values);
+ContractionStages force_stages(bool values);
 
 /// The sums of products of two derivatives of the same function: kind (i, j), i <= j, in 1 .. 3 or, with
 /// values, 0 .. 3, has six vectors at a point, in the order of square_kinds. Tables are `squares`.
-SweepStages square_stages(bool values);
+ContractionStages square_stages(bool values);
 /// The kinds in their order.
 std::vector<std::array<int, 2>> square_kinds(bool values);
 
@@ -54,10 +54,11 @@ std::vector<std::array<int, 2>> square_kinds(bool values);
 /// is ever looked at by itself before the points.
 /// @cost    per point 2 (degree + 1) flops for each vector of `last`, and 1/points, 1/points^2 of that before
 /// @source  Orszag 1980; patch-wise: Sangalli, Tani, arXiv 1712.08565, section 4
-class Sweep {
+class BoxContraction {
  public:
   /// Turns to another box; storage is used again. Tables, of directions 2 and 3, must outlive the walk.
-  void start(const LineTable& second, const LineTable& third, const SweepStages& stages, const SweepBox& box);
+  void start(const LineTable& second, const LineTable& third, const ContractionStages& stages,
+             const ElementBox& box);
 
   /// Functions of directions 2 and 3 that live in the box.
   int first_row() const { return first_row_; }
@@ -86,9 +87,9 @@ class Sweep {
   Lanes* row(int row, int q3) {
     return rows_buffer_.data() + (static_cast<std::ptrdiff_t>(q3) * rows_ + row) * stages_->row;
   }
-  const LineTable* second_ = nullptr;
-  const LineTable* third_ = nullptr;
-  const SweepStages* stages_ = nullptr;
+  const LineTable* table2_ = nullptr;
+  const LineTable* table3_ = nullptr;
+  const ContractionStages* stages_ = nullptr;
   int first_row_ = 0, rows_ = 0, first_plane_ = 0, planes_count_ = 0;
   int points2_ = 0, points3_ = 0;  // of an element
   std::vector<Lanes> planes_, rows_buffer_, points_;

@@ -1,4 +1,4 @@
-#include "iga/operator/internal/sweep.hpp"
+#include "iga/operator/internal/box_contraction.hpp"
 
 #include <algorithm>
 
@@ -39,19 +39,19 @@ void for_each_run(const LineTable& table, int element, Visit visit) {
 
 }  // namespace
 
-SweepStages field_stages(int fields, bool values) {
+ContractionStages field_stages(int fields, bool values) {
   const int f = fields;
-  SweepStages stages{2 * f, 3 * f, values ? 4 * f : 3 * f, {}, {}};
+  ContractionStages stages{2 * f, 3 * f, values ? 4 * f : 3 * f, {}, {}};
   stages.middle = {{0, 2 * f, value_kind, 0}, {0, f, derivative_kind, 2 * f}};
   const int skipped = values ? 0 : f;
   stages.last = {{skipped, 3 * f - skipped, value_kind, 0}, {0, f, derivative_kind, 3 * f - skipped}};
   return stages;
 }
 
-SweepStages force_stages(bool values) {
-  SweepStages stages = field_stages(3, values);
-  for (std::vector<SweepStep>* steps : {&stages.middle, &stages.last})
-    for (SweepStep& step : *steps) std::swap(step.from, step.to);
+ContractionStages force_stages(bool values) {
+  ContractionStages stages = field_stages(3, values);
+  for (std::vector<ContractionStep>* steps : {&stages.middle, &stages.last})
+    for (ContractionStep& step : *steps) std::swap(step.from, step.to);
   return stages;
 }
 
@@ -62,11 +62,11 @@ std::vector<std::array<int, 2>> square_kinds(bool values) {
   return kinds;
 }
 
-SweepStages square_stages(bool values) {
+ContractionStages square_stages(bool values) {
   constexpr int entries = 6;
   // Rows are told apart by the orders along directions 1 and 3, which are at most 2 together.
   constexpr std::array<std::array<int, 3>, 3> row_of = {{{0, 1, 2}, {3, 4, -1}, {5, -1, -1}}};
-  SweepStages stages{3 * entries, 6 * entries, 0, {}, {}};
+  ContractionStages stages{3 * entries, 6 * entries, 0, {}, {}};
   for (std::size_t o1 = 0; o1 < 3; ++o1)
     for (std::size_t o3 = 0; o1 + o3 < 3; ++o3)
       stages.middle.push_back(
@@ -80,10 +80,10 @@ SweepStages square_stages(bool values) {
   return stages;
 }
 
-void Sweep::start(const LineTable& second, const LineTable& third, const SweepStages& stages,
-                  const SweepBox& box) {
-  second_ = &second;
-  third_ = &third;
+void BoxContraction::start(const LineTable& second, const LineTable& third, const ContractionStages& stages,
+                           const ElementBox& box) {
+  table2_ = &second;
+  table3_ = &third;
   stages_ = &stages;
   const auto points_of_element = [](const LineTable& table) {
     return table.points() / (static_cast<int>(table.run_start.size()) - 1);
@@ -101,49 +101,49 @@ void Sweep::start(const LineTable& second, const LineTable& third, const SweepSt
   grow(points_, static_cast<std::ptrdiff_t>(points2_) * stages.point);
 }
 
-void Sweep::expand_layer(int element3) {
+void BoxContraction::expand_layer(int element3) {
   const std::ptrdiff_t plane_step = static_cast<std::ptrdiff_t>(rows_) * stages_->plane;
   const std::ptrdiff_t row_step = static_cast<std::ptrdiff_t>(rows_) * stages_->row;
-  for_each_run(*third_, element3, [&](const PointRun& run, int q3) {
+  for_each_run(*table3_, element3, [&](const PointRun& run, int q3) {
     for (int r = 0; r < rows_; ++r)
-      for (const SweepStep& s : stages_->middle)
-        contract<false>(third_->at(run, s.kind), {plane(r, run.first - first_plane_) + s.from, plane_step},
+      for (const ContractionStep& s : stages_->middle)
+        contract<false>(table3_->at(run, s.kind), {plane(r, run.first - first_plane_) + s.from, plane_step},
                         {row(r, q3) + s.to, row_step}, s.count);
   });
 }
 
-void Sweep::expand_points(int element2, int q3) {
-  for_each_run(*second_, element2, [&](const PointRun& run, int q2) {
-    for (const SweepStep& s : stages_->last)
-      contract<false>(second_->at(run, s.kind), {row(run.first - first_row_, q3) + s.from, stages_->row},
+void BoxContraction::expand_points(int element2, int q3) {
+  for_each_run(*table2_, element2, [&](const PointRun& run, int q2) {
+    for (const ContractionStep& s : stages_->last)
+      contract<false>(table2_->at(run, s.kind), {row(run.first - first_row_, q3) + s.from, stages_->row},
                       {point(q2) + s.to, stages_->point}, s.count);
   });
 }
 
-void Sweep::collect_points(int element2, int q3) {
-  for_each_run(*second_, element2, [&](const PointRun& run, int q2) {
-    for (const SweepStep& s : stages_->last)
-      contract<true>(second_->at(run, s.kind), {point(q2) + s.from, stages_->point},
+void BoxContraction::collect_points(int element2, int q3) {
+  for_each_run(*table2_, element2, [&](const PointRun& run, int q2) {
+    for (const ContractionStep& s : stages_->last)
+      contract<true>(table2_->at(run, s.kind), {point(q2) + s.from, stages_->point},
                      {row(run.first - first_row_, q3) + s.to, stages_->row}, s.count);
   });
 }
 
-void Sweep::collect_layer(int element3) {
+void BoxContraction::collect_layer(int element3) {
   const std::ptrdiff_t plane_step = static_cast<std::ptrdiff_t>(rows_) * stages_->plane;
   const std::ptrdiff_t row_step = static_cast<std::ptrdiff_t>(rows_) * stages_->row;
-  for_each_run(*third_, element3, [&](const PointRun& run, int q3) {
+  for_each_run(*table3_, element3, [&](const PointRun& run, int q3) {
     for (int r = 0; r < rows_; ++r)
-      for (const SweepStep& s : stages_->middle)
-        contract<true>(third_->at(run, s.kind), {row(r, q3) + s.from, row_step},
+      for (const ContractionStep& s : stages_->middle)
+        contract<true>(table3_->at(run, s.kind), {row(r, q3) + s.from, row_step},
                        {plane(r, run.first - first_plane_) + s.to, plane_step}, s.count);
   });
 }
 
-void Sweep::clear_rows() {
+void BoxContraction::clear_rows() {
   std::fill_n(rows_buffer_.begin(), static_cast<std::ptrdiff_t>(rows_) * points3_ * stages_->row, Lanes{});
 }
 
-void Sweep::clear_planes() {
+void BoxContraction::clear_planes() {
   std::fill_n(planes_.begin(), static_cast<std::ptrdiff_t>(planes_count_) * rows_ * stages_->plane, Lanes{});
 }
 

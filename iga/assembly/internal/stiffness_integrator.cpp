@@ -1,4 +1,4 @@
-#include "iga/assembly/internal/stiffness_sweep.hpp"
+#include "iga/assembly/internal/stiffness_integrator.hpp"
 
 #include <algorithm>
 
@@ -69,9 +69,9 @@ const double* PointData::block(int v, int block, int w) const {
          ((static_cast<std::ptrdiff_t>(v) * blocks + block) * points_w + w) * components * native_lane_count;
 }
 
-void StiffnessSweep::run(const StiffnessTask& task, const PatchIntegrand& patch, const PointData& points,
-                         const BlockTargets& targets, CollectedBlocks& collected,
-                         solvers::SymmetricBlockMatrix& matrix) {
+void StiffnessIntegrator::run(const StiffnessTask& task, const PatchIntegrand& patch, const PointData& points,
+                              const BlockTargets& targets, CollectedBlocks& collected,
+                              solvers::SymmetricBlockMatrix& matrix) {
   const StiffnessTables& tables = patch.tables;
   tables_ = &tables;
   patch_ = &patch;
@@ -102,7 +102,7 @@ void StiffnessSweep::run(const StiffnessTask& task, const PatchIntegrand& patch,
   }
 }
 
-void StiffnessSweep::choose_sizes() {
+void StiffnessIntegrator::choose_sizes() {
   const StiffnessTables& t = *tables_;
   per_point_ = block_entries * (group_.end - group_.begin);
   line_ = padded(t.points[1] * per_point_);
@@ -125,7 +125,7 @@ void StiffnessSweep::choose_sizes() {
   choose_offsets();
 }
 
-void StiffnessSweep::choose_offsets() {
+void StiffnessIntegrator::choose_offsets() {
   const StiffnessTables& t = *tables_;
   offsets_u_.clear();
   for (int e = 0; e < t.elements(0); ++e)
@@ -139,14 +139,14 @@ void StiffnessSweep::choose_offsets() {
 }
 
 // Points of w in the common support of a and b, from the part's first layer on.
-StiffnessSweep::Range StiffnessSweep::points_w(int b) const {
+StiffnessIntegrator::Range StiffnessIntegrator::points_w(int b) const {
   const StiffnessTables& t = *tables_;
   const int begin = t.overlap(2, b).first_element;
   const int end = t.overlap(2, task_.a_w).last_element + 1;
   return {t.points[2] * (begin - t.first_layer), t.points[2] * (end - t.first_layer)};
 }
 
-void StiffnessSweep::contract_w(int block, int layer) {
+void StiffnessIntegrator::contract_w(int block, int layer) {
   const StiffnessTables& t = *tables_;
   const int per_lane = kinds * line_;
   double* const slot =
@@ -170,7 +170,8 @@ void StiffnessSweep::contract_w(int block, int layer) {
 
 // X of function a, or Y of function b: the numbers of a register of points of
 // u, at the points `range` of w, times the function and its derivative.
-void StiffnessSweep::scale_points(const double* from, int function, const Range& range, double* to) const {
+void StiffnessIntegrator::scale_points(const double* from, int function, const Range& range,
+                                       double* to) const {
   const StiffnessTables& t = *tables_;
   const int own_begin = t.points[2] * (t.overlap(2, function).first_element - t.first_layer);
   const double* factors =
@@ -188,7 +189,7 @@ void StiffnessSweep::scale_points(const double* from, int function, const Range&
 }
 
 // One register of points of u, at one point of v.
-void StiffnessSweep::contract_w_at(const double* from) {
+void StiffnessIntegrator::contract_w_at(const double* from) {
   constexpr int operand_step = block_entries * native_lane_count;
   const Range own = points_w(task_.a_w);
   scale_points(from, task_.a_w, own, operand_a_.data());
@@ -206,7 +207,7 @@ void StiffnessSweep::contract_w_at(const double* from) {
   }
 }
 
-void StiffnessSweep::contract_u(int a) {
+void StiffnessIntegrator::contract_u(int a) {
   const StiffnessTables& t = *tables_;
   const Overlap& overlap = t.overlap(0, a);
   const int step = result_kinds * line_;
@@ -238,7 +239,7 @@ void StiffnessSweep::contract_u(int a) {
   }
 }
 
-void StiffnessSweep::contract_v(int a, int layer) {
+void StiffnessIntegrator::contract_v(int a, int layer) {
   const StiffnessTables& t = *tables_;
   const int width = t.overlap(0, a).count();
   const double* const factors = t.factors_v[static_cast<std::size_t>(layer)].data();
@@ -248,8 +249,8 @@ void StiffnessSweep::contract_v(int a, int layer) {
                           blocks_.data() + static_cast<std::ptrdiff_t>(b) * pair_step_, width * pair_step_});
 }
 
-void StiffnessSweep::add(int a, int layer, const BlockTargets& targets, CollectedBlocks& collected,
-                         solvers::SymmetricBlockMatrix& matrix) const {
+void StiffnessIntegrator::add(int a, int layer, const BlockTargets& targets, CollectedBlocks& collected,
+                              solvers::SymmetricBlockMatrix& matrix) const {
   using Where = Target::Where;
   const StiffnessTables& t = *tables_;
   const Overlap& overlap = t.overlap(0, a);
