@@ -63,18 +63,23 @@ void check_values(const LinearSystem& system) {
         refuse(fmt::format("the constraints are not a number or infinite in row {}, column {}", i, it.col()));
 }
 
-void check_method(const LinearSystem& system, Method method) {
+void check_method(const LinearSystem& system, const SolverOptions& options) {
+  const Method method = options.method;
   if (method == Method::automatic)
     refuse(
         "method 'auto' is not for a matrix alone; name one: 'cholmod' without constraints, 'mumps' with "
         "them");
   if (method == Method::minres)
     refuse("method 'minres' needs a multigrid, which a matrix alone does not give");
+  if (method == Method::cg && options.preconditioner == Preconditioner::multigrid)
+    refuse("preconditioner 'multigrid' is not to be had from a matrix alone; use 'block_jacobi'");
+  if (options.form == Operator::matrix_free)
+    refuse("operator 'matrix_free' is for systems without a matrix; this one has one");
   if (system.has_constraints() && (method == Method::cholmod || method == Method::cg))
-    refuse(fmt::format(
-        "method '{}' cannot treat the {} constraints; use 'auto', 'mumps' or 'umfpack', or eliminate "
-        "the interfaces",
-        name(method), system.constraint_count()));
+    refuse(
+        fmt::format("method '{}' cannot treat the {} constraints; use 'mumps' or 'umfpack', or eliminate "
+                    "the interfaces",
+                    name(method), system.constraint_count()));
   if (system.rows.is_distributed() && method != Method::mumps)
     refuse(fmt::format(
         "method '{}' with a matrix works on one process, and there are {}; use 'mumps', or start one "
@@ -153,7 +158,7 @@ LinearSolution solve(const LinearSystem& system, const SolverOptions& options, c
   check_sizes(system);
   check_columns(system.stiffness);
   check_values(system);
-  check_method(system, options.method);
+  check_method(system, options);
   if (system.rows.norm(system.load) == 0) return zero_solution(system, options.method);
   try {
     return verified(solve_with(options.method, system, options, progress), system, options);

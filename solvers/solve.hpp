@@ -9,7 +9,9 @@ namespace isopatch::solvers {
 
 /// Solves a linear system by the method that the options name.
 ///
-/// @throws Error invalid_argument  options out of range, no method named or one that cannot treat the system
+/// @throws Error invalid_argument  options out of range, no method named or one that cannot treat the system,
+/// a
+///                                 multigrid or no matrix asked for
 /// @throws Error singular_system   a zero or negative pivot, saying at which block row
 /// @throws Error not_converged     with the residual reached and advice
 /// @throws Error out_of_memory     with the memory that was asked for where the library says it

@@ -6,7 +6,8 @@
 
 namespace isopatch::iga {
 
-/// Assembles the system and gives it to `solvers::solve`.
+/// Solves by assembling the linear system and giving it to `solvers::solve`.
+/// @param options  method is not automatic
 /// @throws Error whatever assembly and `solvers::solve` throw
 DiscreteSolution solve_assembled(const CoupledProblem& coupled, const solvers::SolverOptions& options,
                                  const Progress& progress);

@@ -53,7 +53,8 @@ solvers::SymmetricBlockMatrix assembled(const Level& level, const CoupledProblem
 }  // namespace
 
 DiscreteSolution solve_eliminated(const CoupledProblem& coupled, const solvers::SolverOptions& options,
-                                  solvers::Operator form, const Progress& progress) {
+                                  const Progress& progress) {
+  const bool is_assembled = options.form == solvers::Operator::assembled;
   Stopwatch watch;
   const Level level =
       finest_level(coupled.spaces, coupled.global, coupled.frames, coupled.distribution, coupled.processes);
@@ -63,7 +64,7 @@ DiscreteSolution solve_eliminated(const CoupledProblem& coupled, const solvers::
   system.rows = level.rows;
   system.load = free_load(level, stiffness, coupled.load, prescribed);
   solvers::SymmetricBlockMatrix matrix;
-  if (form == solvers::Operator::assembled) {
+  if (is_assembled) {
     matrix = assembled(level, coupled, progress);
     system.product = [&](const Eigen::VectorXd& x) {
       Eigen::VectorXd y = multiply(matrix, x);
@@ -79,10 +80,10 @@ DiscreteSolution solve_eliminated(const CoupledProblem& coupled, const solvers::
                                       progress);
   system.preconditioner = [&](const Eigen::VectorXd& r) { return multigrid.apply(r); };
   system.costs.setup_seconds = watch.lap();
-  system.costs.form = form;
+  system.costs.form = options.form;
   system.costs.levels = multigrid.levels();
   system.costs.bytes = multigrid.bytes();
-  if (form == solvers::Operator::assembled) {
+  if (is_assembled) {
     system.costs.matrix_nonzeros = matrix.nonzeros();
     system.costs.bytes += matrix.bytes();
   }

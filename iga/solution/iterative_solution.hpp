@@ -6,9 +6,10 @@
 namespace isopatch::iga {
 
 /// Solves with patches coupled by elimination: conjugate gradients with the multigrid.
+/// @param options  form says whether a matrix is stored: not automatic
 /// @throws Error whatever `solvers::solve_with_cg`, assembly and multigrid throw
 /// @cost   matrix-free about 40 vectors of unknowns, assembled the matrix as well
 DiscreteSolution solve_eliminated(const CoupledProblem& coupled, const solvers::SolverOptions& options,
-                                  solvers::Operator form, const Progress& progress);
+                                  const Progress& progress);
 
 }  // namespace isopatch::iga

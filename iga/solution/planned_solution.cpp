@@ -19,6 +19,7 @@ using solvers::Preconditioner;
 // Iterations that stand in for factors have this many at most: what needs more does not converge.
 constexpr int most_iterations_instead = 500;
 
+// The plan replaces all that options leave open: nothing below this chooses.
 DiscreteSolution solve_by(const SolverPlan& plan, const CoupledProblem& coupled,
                           solvers::SolverOptions options, const Progress& progress) {
   options.method = plan.method;
@@ -26,7 +27,7 @@ DiscreteSolution solve_by(const SolverPlan& plan, const CoupledProblem& coupled,
   options.form = plan.form;
   if (plan.method == Method::minres) return solve_with_multipliers(coupled, options, progress);
   if (plan.method == Method::cg && plan.preconditioner == Preconditioner::multigrid)
-    return solve_eliminated(coupled, options, plan.form, progress);
+    return solve_eliminated(coupled, options, progress);
   return solve_assembled(coupled, options, progress);
 }
 

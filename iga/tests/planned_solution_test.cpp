@@ -4,12 +4,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/base/error.hpp"
 #include "iga/solution/likely_cause.hpp"
 #include "iga/solution/solve_elasticity.hpp"
 #include "iga/tests/small_models.hpp"
+#include "iga/tests/solver_options_table.hpp"
 
 namespace isopatch::iga {
 namespace {
@@ -17,7 +19,9 @@ namespace {
 using solvers::Method;
 using ::testing::AllOf;
 using testing::boundary;
+using testing::for_all_options;
 using ::testing::HasSubstr;
+using testing::is_possible;
 using ::testing::Not;
 using testing::problem;
 
@@ -78,6 +82,64 @@ TEST(LikelyCause, NamesPoissonsRatioMaterialsAndThinPatches) {
   EXPECT_THAT(likely_cause(sheet(0.1), 0), HasSubstr("few points only"));
   EXPECT_THAT(likely_cause(sheet(0.1), 3),
               HasSubstr("3 Gauss points per direction are too few for degree 4"));
+}
+
+ElasticityProblem pulled_box(int refine) {
+  const geometry::MultiPatch model = geometry::connect(geometry::box_model({.patches = {2, 1, 1}}));
+  ElasticityProblem p = problem(model, {.degree = {2, 2, 2}, .refine = refine}, soft_steel);
+  p.supports = {{"clamp", boundary(model, "x_min"), PrescribedDisplacement{}}};
+  p.surface_loads = {constant_traction("pull", boundary(model, "x_max"), {1e6, 2e6, 3e6})};
+  return p;
+}
+
+// Every different plan that options can lead to.
+std::vector<SolverPlan> all_plans(const SizeForecast& size) {
+  std::vector<SolverPlan> result;
+  for_all_options([&](const solvers::SolverOptions& options) {
+    if (!is_possible(options, size.coupling)) return;
+    for (const SolverPlan& plan : solver_plans(size, options, 1e15)) {
+      const auto same = [&](const SolverPlan& other) {
+        return other.method == plan.method && other.preconditioner == plan.preconditioner &&
+               other.form == plan.form;
+      };
+      if (std::none_of(result.begin(), result.end(), same)) result.push_back(plan);
+    }
+  });
+  return result;
+}
+
+// The report tells what ran, from the solver itself; its memory is within the forecast, which is rather too
+// high.
+TEST(PlannedSolution, EveryPlanRunsAsItIsWritten) {
+  for (const Coupling coupling : all_couplings)
+    for (const int refine : {0, 2}) {
+      const ElasticityProblem p = pulled_box(refine);
+      const CoupledProblem coupled = coupled_problem(p, coupling);
+      const std::vector<SolverPlan> plans =
+          all_plans(forecast_size(p.discretization, p.materials, coupling, 1));
+      EXPECT_EQ(plans.size(), coupling == Coupling::elimination ? 6u : 3u);
+      double first_work = 0;
+      for (const SolverPlan& plan : plans) {
+        SCOPED_TRACE(fmt::format("{}, {}, {}, {}, refined {} times", name(coupling),
+                                 solvers::name(plan.method), solvers::name(plan.preconditioner),
+                                 solvers::name(plan.form), refine));
+        const PlannedSolution planned = solve_as_planned(coupled, {plan}, {}, {});
+        const solvers::SolveReport& report = planned.solution.report;
+        EXPECT_EQ(report.method, plan.method);
+        EXPECT_EQ(report.form, plan.form);
+        const bool multigrid =
+            is_iterative(plan) && plan.preconditioner == solvers::Preconditioner::multigrid;
+        EXPECT_EQ(report.levels > 0, multigrid);
+        EXPECT_EQ(report.matrix_nonzeros > 0, plan.form == solvers::Operator::assembled);
+        EXPECT_EQ(report.factor_nonzeros > 0, !is_iterative(plan));
+        EXPECT_GT(report.memory_bytes, 0);
+        EXPECT_LE(static_cast<double>(report.memory_bytes), plan.predicted_bytes);
+        EXPECT_EQ(planned.predicted_bytes, plan.predicted_bytes);
+        const double work = coupled.load.cwiseProduct(planned.solution.displacement).sum();
+        if (first_work == 0) first_work = work;
+        EXPECT_NEAR(work / first_work, 1, 1e-8);
+      }
+    }
 }
 
 }  // namespace

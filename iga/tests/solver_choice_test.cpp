@@ -16,6 +16,7 @@
 #include "iga/solution/solve_elasticity.hpp"
 #include "iga/spaces/solution_knots.hpp"
 #include "iga/tests/small_models.hpp"
+#include "iga/tests/solver_options_table.hpp"
 #include "solvers/memory.hpp"
 
 namespace isopatch::iga {
@@ -26,7 +27,9 @@ using solvers::Operator;
 using solvers::Preconditioner;
 using ::testing::AllOf;
 using testing::boundary;
+using testing::for_all_options;
 using ::testing::HasSubstr;
+using testing::is_possible;
 using testing::problem;
 using testing::steel;
 
@@ -91,23 +94,6 @@ SizeForecast size_of(const geometry::MultiPatch& model, const DiscretizationOpti
 }
 
 constexpr double plenty = 1e15;
-/// All that a study can ask for.
-template <class Visit>
-void for_all_options(Visit visit) {
-  for (const Method method :
-       {Method::automatic, Method::cholmod, Method::mumps, Method::umfpack, Method::cg, Method::minres})
-    for (const Preconditioner preconditioner : {Preconditioner::multigrid, Preconditioner::block_jacobi})
-      for (const Operator form : {Operator::automatic, Operator::assembled, Operator::matrix_free}) {
-        solvers::SolverOptions options;
-        options.method = method;
-        options.preconditioner = preconditioner;
-        options.form = form;
-        SCOPED_TRACE(fmt::format("{}, {}, {}", solvers::name(method), solvers::name(preconditioner),
-                                 solvers::name(form)));
-        visit(options);
-      }
-}
-
 std::string refusal(const SizeForecast& size, const solvers::SolverOptions& options,
                     double available = plenty) {
   try {
@@ -116,26 +102,6 @@ std::string refusal(const SizeForecast& size, const solvers::SolverOptions& opti
     return fmt::format("{}: {}", isopatch::name(error.code()), error.what());
   }
   return "nothing was refused";
-}
-
-// Whether method, coupling, preconditioner and operator can go together; written down once more, as a table.
-bool is_possible(const solvers::SolverOptions& o, Coupling coupling) {
-  const bool tied = coupling == Coupling::lagrange;
-  const bool jacobi = o.preconditioner == Preconditioner::block_jacobi;
-  switch (o.method) {
-    case Method::automatic:
-      return !(jacobi && o.form == Operator::matrix_free);
-    case Method::cholmod:
-      return !tied && !jacobi && o.form != Operator::matrix_free;
-    case Method::mumps:
-    case Method::umfpack:
-      return !jacobi && o.form != Operator::matrix_free;
-    case Method::cg:
-      return !tied && !(jacobi && o.form == Operator::matrix_free);
-    case Method::minres:
-      return tied && !jacobi && o.form != Operator::assembled;
-  }
-  return false;
 }
 
 TEST(SolverPlans, LeaveNothingOpenAndKeepToWhatWasAskedFor) {

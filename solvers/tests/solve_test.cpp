@@ -17,6 +17,16 @@ using ::testing::HasSubstr;
 constexpr Method spd_methods[] = {Method::cholmod, Method::mumps, Method::umfpack, Method::cg};
 constexpr Method saddle_methods[] = {Method::mumps, Method::umfpack};
 
+// A method as `solve` takes it: conjugate gradients have no preconditioner there but one.
+SolverOptions by(Method method, double tolerance = 1e-10, int max_iterations = 10000) {
+  SolverOptions options;
+  options.method = method;
+  options.tolerance = tolerance;
+  options.max_iterations = max_iterations;
+  if (method == Method::cg) options.preconditioner = Preconditioner::block_jacobi;
+  return options;
+}
+
 LinearSystem random_spd_system(int rows, unsigned seed) {
   std::mt19937 random(seed);
   return {from_dense(random_spd(rows, random)), {}, random_matrix(rows, 1, random)};
@@ -66,7 +76,7 @@ TEST(Solve, InvertsADiagonalMatrixExactly) {
   Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(6, 6);
   dense.diagonal() << 1, 2, 4, 8, 16, 32;
   for (const Method method : spd_methods) {
-    const LinearSolution solution = solve({from_dense(dense), {}, dense.diagonal()}, {.method = method});
+    const LinearSolution solution = solve({from_dense(dense), {}, dense.diagonal()}, by(method));
     EXPECT_LE((solution.x - Eigen::VectorXd::Ones(6)).norm(), 1e-15) << name(method);
   }
 }
@@ -79,8 +89,8 @@ TEST(Solve, FindsTheStretchOfTwoSprings) {
   dense(0, 3) = dense(3, 0) = -k2;
   dense(3, 3) = k2;
   for (const Method method : spd_methods) {
-    const LinearSolution solution = solve({from_dense(dense), {}, force * Eigen::VectorXd::Unit(6, 3)},
-                                          {.method = method, .tolerance = 1e-14});
+    const LinearSolution solution =
+        solve({from_dense(dense), {}, force * Eigen::VectorXd::Unit(6, 3)}, by(method, 1e-14));
     EXPECT_NEAR(solution.x[0], 10, 1e-13) << name(method);
     EXPECT_NEAR(solution.x[3], 16, 1e-13) << name(method);
   }
@@ -99,8 +109,7 @@ TEST(Solve, FindsTheForceInATie) {
   tie(0, 3) = -1;
   for (const Method method : saddle_methods) {
     const LinearSolution solution =
-        solve({from_dense(dense), sparse(tie), force * Eigen::VectorXd::Unit(9, 6)},
-              {.method = method, .tolerance = 1e-13});
+        solve({from_dense(dense), sparse(tie), force * Eigen::VectorXd::Unit(9, 6)}, by(method, 1e-13));
     EXPECT_NEAR(solution.x[0], 10, 1e-12) << name(method);
     EXPECT_NEAR(solution.x[3], 10, 1e-12) << name(method);
     EXPECT_NEAR(solution.x[6], 16, 1e-12) << name(method);
@@ -114,7 +123,7 @@ TEST(Solve, AgreesWithDenseEigenOnRandomDefiniteSystems) {
     const LinearSystem system = random_spd_system(3 + 12 * static_cast<int>(seed), seed);
     const Eigen::VectorXd expected = dense_solution(system).x;
     for (const Method method : spd_methods) {
-      const LinearSolution solution = solve(system, {.method = method, .tolerance = 1e-13});
+      const LinearSolution solution = solve(system, by(method, 1e-13));
       EXPECT_LE(relative_difference(solution.x, expected), 1e-11) << name(method) << " seed " << seed;
       EXPECT_EQ(solution.multipliers.size(), 0);
     }
@@ -127,7 +136,7 @@ TEST(Solve, AgreesWithDenseEigenOnRandomSaddleSystems) {
         random_saddle_system(30 + 9 * static_cast<int>(seed), 1 + 3 * static_cast<int>(seed), seed);
     const DenseSolution expected = dense_solution(system);
     for (const Method method : saddle_methods) {
-      const LinearSolution solution = solve(system, {.method = method, .tolerance = 1e-13});
+      const LinearSolution solution = solve(system, by(method, 1e-13));
       EXPECT_LE(relative_difference(solution.x, expected.x), 1e-10) << name(method) << " seed " << seed;
       EXPECT_LE(relative_difference(solution.multipliers, expected.y), 1e-10)
           << name(method) << " seed " << seed;
@@ -139,9 +148,9 @@ TEST(Solve, AllMethodsAgreeOnAGrid) {
   std::mt19937 random(11);
   LinearSystem system{spring_grid({8, 8, 8}, 2, 0.01), {}, {}};
   system.load = random_matrix(system.stiffness.rows(), 1, random);
-  const LinearSolution reference = solve(system, {.method = Method::cholmod});
+  const LinearSolution reference = solve(system, by(Method::cholmod));
   for (const Method method : spd_methods) {
-    const LinearSolution solution = solve(system, {.method = method, .tolerance = 1e-13});
+    const LinearSolution solution = solve(system, by(method, 1e-13));
     EXPECT_LE(relative_difference(solution.x, reference.x), 1e-10) << name(method);
     EXPECT_LE(solution.report.relative_residual, 1e-13) << name(method);
   }
@@ -154,8 +163,8 @@ TEST(Solve, SaddleMethodsAgreeOnAFloatingGrid) {
   held.leftCols<3>().setIdentity();
   system.constraints = sparse(held);
   system.load = random_matrix(system.stiffness.rows(), 1, random);
-  const LinearSolution a = solve(system, {.method = Method::mumps});
-  const LinearSolution b = solve(system, {.method = Method::umfpack});
+  const LinearSolution a = solve(system, by(Method::mumps));
+  const LinearSolution b = solve(system, by(Method::umfpack));
   EXPECT_LE(relative_difference(a.x, b.x), 1e-10);
   // The reaction balances the load, for the grid floats: y = sum of the loads.
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -172,7 +181,7 @@ TEST(Solve, MultipliersDoNotDependOnTheUnitOfStiffness) {
     LinearSystem scaled = system;
     for (double& value : scaled.stiffness.values) value *= scale;
     for (const Method method : saddle_methods) {
-      const LinearSolution solution = solve(scaled, {.method = method});
+      const LinearSolution solution = solve(scaled, by(method));
       EXPECT_LE(relative_difference(scale * solution.x, expected.x), 1e-10) << name(method);
       EXPECT_LE(relative_difference(solution.multipliers, expected.y), 1e-10) << name(method);
     }
@@ -184,8 +193,7 @@ TEST(Solve, TakesLoadsOfManyOrdersOfMagnitude) {
   for (Eigen::Index i = 0; i < 30; ++i) system.load[i] = std::pow(10.0, static_cast<double>(i) - 15);
   const Eigen::VectorXd expected = dense_solution(system).x;
   for (const Method method : spd_methods)
-    EXPECT_LE(relative_difference(solve(system, {.method = method, .tolerance = 1e-13}).x, expected), 1e-11)
-        << name(method);
+    EXPECT_LE(relative_difference(solve(system, by(method, 1e-13)).x, expected), 1e-11) << name(method);
 }
 
 TEST(Solve, TakesLoadsWhoseSquaresOverflowOrVanish) {
@@ -195,8 +203,7 @@ TEST(Solve, TakesLoadsWhoseSquaresOverflowOrVanish) {
     LinearSystem scaled = system;
     scaled.load *= scale;
     for (const Method method : spd_methods)
-      EXPECT_LE(relative_difference(solve(scaled, {.method = method}).x / scale, expected), 1e-9)
-          << name(method);
+      EXPECT_LE(relative_difference(solve(scaled, by(method)).x / scale, expected), 1e-9) << name(method);
   }
 }
 
@@ -205,25 +212,25 @@ TEST(Solve, ZeroLoadGivesZero) {
   definite.load.setZero();
   saddle.load.setZero();
   for (const Method method : spd_methods) {
-    const LinearSolution solution = solve(definite, {.method = method});
+    const LinearSolution solution = solve(definite, by(method));
     EXPECT_TRUE(solution.x.size() == 12 && solution.x.isZero(0));
     EXPECT_EQ(solution.report.method, method);
   }
   for (const Method method : saddle_methods) {
-    const LinearSolution solution = solve(saddle, {.method = method});
+    const LinearSolution solution = solve(saddle, by(method));
     EXPECT_TRUE(solution.x.size() == 12 && solution.x.isZero(0));
     EXPECT_TRUE(solution.multipliers.size() == 2 && solution.multipliers.isZero(0));
   }
 }
 
 TEST(Solve, NothingToSolveGivesNothing) {
-  for (const Method method : spd_methods) EXPECT_EQ(solve({}, {.method = method}).x.size(), 0);
+  for (const Method method : spd_methods) EXPECT_EQ(solve({}, by(method)).x.size(), 0);
 }
 
 TEST(Solve, ReportsWhatItDid) {
   const LinearSystem system = random_spd_system(30, 51);
   for (const Method method : spd_methods) {
-    const SolveReport report = solve(system, {.method = method}).report;
+    const SolveReport report = solve(system, by(method)).report;
     EXPECT_EQ(report.method, method);
     EXPECT_EQ(report.reason, "");
     EXPECT_EQ(report.matrix_nonzeros, 900);
@@ -244,7 +251,7 @@ TEST(Solve, TellsItsProgress) {
   const LinearSystem system = random_spd_system(30, 52);
   for (const Method method : spd_methods) {
     std::vector<std::string> phases;
-    solve(system, {.method = method}, {[&](std::string_view phase, double share) {
+    solve(system, by(method), {[&](std::string_view phase, double share) {
             EXPECT_TRUE(share >= 0 && share <= 1);
             phases.emplace_back(phase);
           }});
@@ -255,11 +262,11 @@ TEST(Solve, TellsItsProgress) {
 TEST(Solve, AnExceptionOfTheListenerComesOut) {
   const LinearSystem system = random_spd_system(30, 53);
   for (const Method method : spd_methods)
-    EXPECT_THROW(solve(system, {.method = method}, {[](std::string_view, double share) {
+    EXPECT_THROW(solve(system, by(method), {[](std::string_view, double share) {
                          if (share >= 0) throw std::range_error("enough");
                        }}),
                  std::range_error);
-  EXPECT_LE(solve(system, {.method = Method::cg}).report.relative_residual, 1e-10);  // and PETSc still works
+  EXPECT_LE(solve(system, by(Method::cg)).report.relative_residual, 1e-10);  // and PETSc still works
 }
 
 TEST(Solve, FreeGridIsSingularForEveryMethod) {
@@ -267,10 +274,10 @@ TEST(Solve, FreeGridIsSingularForEveryMethod) {
   LinearSystem system{spring_grid({6, 6, 6}, 1, 0), {}, {}};
   system.load = random_matrix(system.stiffness.rows(), 1, random);
   for (const Method method : {Method::cholmod, Method::mumps, Method::umfpack}) {
-    const auto [code, message] = failure(system, {.method = method});
+    const auto [code, message] = failure(system, by(method));
     EXPECT_EQ(code, ErrorCode::singular_system) << name(method) << ": " << message;
   }
-  const ErrorCode code = failure(system, {.method = Method::cg, .max_iterations = 500}).first;
+  const ErrorCode code = failure(system, by(Method::cg, 1e-10, 500)).first;
   EXPECT_TRUE(code == ErrorCode::singular_system || code == ErrorCode::not_converged);
 }
 
@@ -280,7 +287,7 @@ TEST(Solve, FreeGridIsSingularAlsoUnderALoadInBalance) {
   system.load =
       Eigen::VectorXd::Unit(system.stiffness.rows(), 0) - Eigen::VectorXd::Unit(system.stiffness.rows(), 300);
   for (const Method method : {Method::cholmod, Method::mumps, Method::umfpack})
-    EXPECT_EQ(failure(system, {.method = method}).first, ErrorCode::singular_system) << name(method);
+    EXPECT_EQ(failure(system, by(method)).first, ErrorCode::singular_system) << name(method);
 }
 
 TEST(Solve, AnEmptyRowIsSingularAndNamedByItsBlock) {
@@ -290,9 +297,9 @@ TEST(Solve, AnEmptyRowIsSingularAndNamedByItsBlock) {
   dense.col(7).setZero();
   const LinearSystem system{from_dense(dense), {}, Eigen::VectorXd::Ones(12)};
   for (const Method method : spd_methods)
-    EXPECT_EQ(failure(system, {.method = method}).first, ErrorCode::singular_system) << name(method);
-  EXPECT_THAT(failure(system, {.method = Method::cholmod}).second, HasSubstr("at block row 2, component 1"));
-  EXPECT_THAT(failure(system, {.method = Method::cg}).second, HasSubstr("diagonal block 2"));
+    EXPECT_EQ(failure(system, by(method)).first, ErrorCode::singular_system) << name(method);
+  EXPECT_THAT(failure(system, by(Method::cholmod)).second, HasSubstr("at block row 2, component 1"));
+  EXPECT_THAT(failure(system, by(Method::cg)).second, HasSubstr("diagonal block 2"));
 }
 
 TEST(Solve, RepeatedConstraintsAreSingular) {
@@ -301,7 +308,7 @@ TEST(Solve, RepeatedConstraintsAreSingular) {
   constraints.row(3) = constraints.row(0) - 2 * constraints.row(1);
   system.constraints = sparse(constraints);
   for (const Method method : saddle_methods)
-    EXPECT_EQ(failure(system, {.method = method}).first, ErrorCode::singular_system) << name(method);
+    EXPECT_EQ(failure(system, by(method)).first, ErrorCode::singular_system) << name(method);
 }
 
 TEST(Solve, ConstraintsThatLeaveAMotionAreSingular) {
@@ -312,7 +319,7 @@ TEST(Solve, ConstraintsThatLeaveAMotionAreSingular) {
   system.constraints = sparse(held);
   system.load = random_matrix(system.stiffness.rows(), 1, random);
   for (const Method method : saddle_methods)
-    EXPECT_EQ(failure(system, {.method = method}).first, ErrorCode::singular_system) << name(method);
+    EXPECT_EQ(failure(system, by(method)).first, ErrorCode::singular_system) << name(method);
 }
 
 TEST(Solve, IndefiniteStiffnessIsRefused) {
@@ -321,8 +328,8 @@ TEST(Solve, IndefiniteStiffnessIsRefused) {
       random_spd(12, random) - 20 * Eigen::VectorXd::Unit(12, 4).asDiagonal().toDenseMatrix();
   const LinearSystem system{from_dense(dense), {}, Eigen::VectorXd::Ones(12)};
   for (const Method method : {Method::cholmod, Method::mumps, Method::cg})
-    EXPECT_EQ(failure(system, {.method = method}).first, ErrorCode::singular_system) << name(method);
-  EXPECT_THAT(failure(system, {.method = Method::mumps}).second, HasSubstr("1 negative pivots instead of 0"));
+    EXPECT_EQ(failure(system, by(method)).first, ErrorCode::singular_system) << name(method);
+  EXPECT_THAT(failure(system, by(Method::mumps)).second, HasSubstr("1 negative pivots instead of 0"));
 }
 
 // A row of springs whose far end moves (n / 1)^3-like far: condition 1e12, and no singular matrix.
@@ -334,7 +341,7 @@ TEST(Solve, AStiffAndASoftPartAreNotTakenForSingular) {
   dense(3, 3) = stiff;
   const LinearSystem system{from_dense(dense), {}, Eigen::VectorXd::Unit(6, 3)};
   for (const Method method : {Method::cholmod, Method::mumps, Method::umfpack}) {
-    const LinearSolution solution = solve(system, {.method = method});
+    const LinearSolution solution = solve(system, by(method));
     EXPECT_NEAR(solution.x[0], 1, 1e-6) << name(method);  // (1 + stiff) - stiff keeps 7 digits
   }
 }
@@ -343,7 +350,7 @@ TEST(Solve, NotConvergedIsAnErrorWithAdvice) {
   std::mt19937 random(71);
   LinearSystem system{spring_grid({8, 8, 8}, 1, 1e-4), {}, {}};
   system.load = random_matrix(system.stiffness.rows(), 1, random);
-  const auto [code, message] = failure(system, {.method = Method::cg, .max_iterations = 5});
+  const auto [code, message] = failure(system, by(Method::cg, 1e-10, 5));
   EXPECT_EQ(code, ErrorCode::not_converged);
   EXPECT_THAT(message, AllOf(HasSubstr("'cg'"), HasSubstr("after 5 iterations"),
                              HasSubstr("raise max_iterations"), HasSubstr("cholmod")));
@@ -376,7 +383,7 @@ TEST(Solve, RefusesMinimalResidualsForAMatrixAlone) {
 TEST(Solve, RefusesConstraintsWhereTheMethodCannotTreatThem) {
   const LinearSystem system = random_saddle_system(12, 2, 82);
   for (const Method method : {Method::cholmod, Method::cg}) {
-    const auto [code, message] = failure(system, {.method = method});
+    const auto [code, message] = failure(system, by(method));
     EXPECT_EQ(code, ErrorCode::invalid_argument);
     EXPECT_THAT(message, AllOf(HasSubstr(std::string(name(method))), HasSubstr("'mumps'")));
   }
@@ -412,6 +419,14 @@ TEST(Solve, RefusesSizesThatDoNotFit) {
   bad = random_saddle_system(12, 2, 84);
   bad.stiffness.columns[0] = 1;
   EXPECT_THAT(failure(bad, {}).second, HasSubstr("does not start with its diagonal block"));
+}
+
+TEST(Solve, RefusesWhatAMatrixAloneCannotGive) {
+  const LinearSystem system = random_spd_system(12, 86);
+  EXPECT_THAT(failure(system, {.method = Method::cg}).second, HasSubstr("preconditioner 'multigrid'"));
+  SolverOptions free = by(Method::cholmod);
+  free.form = Operator::matrix_free;
+  EXPECT_THAT(failure(system, free).second, HasSubstr("operator 'matrix_free'"));
 }
 
 TEST(Method, NamesAreThoseOfTheStudyFile) {

@@ -107,6 +107,7 @@ TEST(ParallelSolve, MethodsOfOneProcessAreRefused) {
   for (const Method method : {Method::cholmod, Method::umfpack, Method::cg}) {
     SolverOptions options;
     options.method = method;
+    options.preconditioner = Preconditioner::block_jacobi;
     try {
       solve(share, options);
       FAIL();
