@@ -15,8 +15,7 @@ namespace {
 
 using solvers::SymmetricBlockMatrix;
 
-// Storage for one task of each thread and for the geometry at the points of
-// some layers.
+// Storage for one task of each thread and for the geometry at the points of some layers.
 struct Buffers {
   std::vector<StiffnessIntegrator> integrators =
       std::vector<StiffnessIntegrator>(static_cast<std::size_t>(omp_get_max_threads()));
@@ -26,9 +25,8 @@ struct Buffers {
   std::size_t most_bytes = 0;  // of points
 };
 
-// Tasks of some layers: one for each function of w, and where these are few or
-// lines long, several along u. They do not depend on the number of threads, so
-// neither do the sums.
+// Tasks of some layers: one for each function of w, and where these are few or lines long, several along u.
+// They do not depend on the number of threads, so neither do the sums.
 std::vector<StiffnessTask> tasks_of(const StiffnessTables& tables, int layer_begin, int layer_end) {
   constexpr int wanted = 64;
   constexpr int needed = 8;
@@ -36,8 +34,7 @@ std::vector<StiffnessTask> tasks_of(const StiffnessTables& tables, int layer_beg
   for (const Overlap& overlap : tables.overlaps[2]) planes += overlap.empty() ? 0 : 1;
   const int functions = tables.sizes[0];
   const int span = tables.degrees[0] + 1;
-  // The contraction of w is done twice where two bands meet: long bands, unless
-  // there are too few tasks.
+  // The contraction of w is done twice where two bands meet: long bands, unless there are too few tasks.
   const int bands = std::max({1, std::min(wanted / planes, functions / (8 * span)),
                               std::min(needed / planes, functions / (2 * span))});
   std::vector<StiffnessTask> tasks;

@@ -76,8 +76,7 @@ void BlockTargets::prepare(const StiffnessTask& task, const StiffnessTables& tab
   collected.zero();
 }
 
-// The targets of a line of pairs; returns the position of its first block in
-// a's row, or the guess.
+// The targets of a line of pairs; returns the position of its first block in a's row, or the guess.
 std::uint32_t BlockTargets::fill(const Line& line, std::uint32_t guess, const PatchRows& rows,
                                  const SymmetricBlockMatrix& matrix, CollectedBlocks& collected,
                                  Target* to) const {

@@ -16,9 +16,8 @@ struct PatchRows {
 };
 PatchRows patch_rows(const StiffnessTables& tables, const int* row_of_node);
 
-/// What one thread works on at a time: functions a with one index in w and some
-/// in u, over some element layers of v, paired with all functions b whose index
-/// in w is not smaller.
+/// What one thread works on at a time: functions a with one index in w and some in u, over some element
+/// layers of v, paired with all functions b whose index in w is not smaller.
 struct StiffnessTask {
   int a_w = 0;
   int u_begin = 0;
@@ -32,8 +31,7 @@ class CollectedBlocks {
  public:
   void clear() { pairs_.clear(); }
   /// Number of a new block, of a pair of nodes with these rows.
-  /// @param both  if the rows are equal, whether the transposed block counts
-  /// too
+  /// @param both  if the rows are equal, whether the transposed block counts too
   int append(int row_a, int row_b, bool both) {
     pairs_.push_back({row_a, row_b, both});
     return static_cast<int>(pairs_.size()) - 1;
@@ -41,8 +39,7 @@ class CollectedBlocks {
   /// Sets all blocks to zero.
   void zero() { values_.assign(solvers::block_entries * pairs_.size(), 0.0); }
   double* block(std::ptrdiff_t number) { return values_.data() + solvers::block_entries * number; }
-  /// Adds the blocks to those rows whose number divided by 64 is `share` modulo
-  /// `shares`.
+  /// Adds the blocks to those rows whose number divided by 64 is `share` modulo `shares`.
   void flush(int share, int shares, solvers::SymmetricBlockMatrix& matrix) const;
 
  private:
@@ -71,19 +68,17 @@ static_assert(sizeof(Target) == 4, "targets are read as often as blocks are writ
 
 /// Where the blocks of a task's pairs (a, b) go.
 ///
-/// A block goes straight to its place if a's row is the smaller one and no
-/// other node of the patch has it: then no other task writes there. All other
-/// blocks are collected and added later, task by task, so that sums do not
-/// depend on who is first.
+/// A block goes straight to its place if a's row is the smaller one and no other node of the patch has it:
+/// then no other task writes there. All other blocks are collected and added later, task by task, so that
+/// sums do not depend on who is first.
 class BlockTargets {
  public:
-  /// Fills the table of a task; `collected` gets the blocks that have to wait,
-  /// zero.
+  /// Fills the table of a task; `collected` gets the blocks that have to wait, zero.
   void prepare(const StiffnessTask& task, const StiffnessTables& tables, const PatchRows& rows,
                const solvers::SymmetricBlockMatrix& matrix, CollectedBlocks& collected);
 
-  /// The targets of a line of pairs, b running along u from the first that
-  /// overlaps a. Only the first one can be a `run`.
+  /// The targets of a line of pairs, b running along u from the first that overlaps a. Only the first one can
+  /// be a `run`.
   const Target* line(int a_u, int a_v, int b_v, int b_w) const {
     return targets_.data() + line_start(a_u, a_v, b_v, b_w);
   }

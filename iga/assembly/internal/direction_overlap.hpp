@@ -6,12 +6,10 @@
 
 namespace isopatch::iga {
 
-/// With which functions of one direction a function shares an element, among
-/// some of the elements.
+/// With which functions of one direction a function shares an element, among some of the elements.
 struct Overlap {
   int low = 0;            ///< first function
-  int high = -1;          ///< last function; -1 if none of the elements carries the
-                          ///< function itself
+  int high = -1;          ///< last function; -1 if none of the elements carries the function itself
   int first_element = 0;  ///< of its support
   int last_element = -1;
 

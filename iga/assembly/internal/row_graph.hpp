@@ -20,14 +20,13 @@ struct RowInterval {
 /// Which rows of a matrix share an element.
 class RowGraph {
  public:
-  /// @throws Error invalid_argument  parts out of range, a node of a part
-  /// without a row, a row out of range
+  /// @throws Error invalid_argument  parts out of range, a node of a part without a row, a row out of range
   RowGraph(const std::vector<PatchSpace>& spaces, const std::vector<PatchLayers>& parts,
            const RowNumbering& numbering);
 
   int rows() const { return static_cast<int>(node_start_.size()) - 1; }
-  /// Fills `found` with the rows from `lowest` on that share an element with
-  /// `row`, and `row` itself: disjoint intervals, increasing.
+  /// Fills `found` with the rows from `lowest` on that share an element with `row`, and `row` itself:
+  /// disjoint intervals, increasing.
   void neighbours(int row, int lowest, std::vector<RowInterval>& found) const;
   /// How many rows share an element with `row`, itself included.
   /// @param scratch  storage to use again
@@ -38,8 +37,7 @@ class RowGraph {
     std::array<std::vector<Overlap>, 3> overlaps;
     std::array<int, 3> sizes;
     int first_node;
-    bool simple;  // no other part of this patch, and no two nodes of the patch
-                  // in one row
+    bool simple;  // no other part of this patch, and no two nodes of the patch in one row
   };
   struct Node {
     int part;

@@ -13,8 +13,7 @@ constexpr int result_kinds = 4;  // of sums R after u
 using solvers::block_entries;
 constexpr std::size_t ring_bytes = std::size_t{512} << 10;  // must stay in the second cache
 
-// S_ij = sum over the points of w of x_i y_j, turned into lambda S_ij + mu S_ji
-// + mu delta_ij S_kk.
+// S_ij = sum over the points of w of x_i y_j, turned into lambda S_ij + mu S_ji + mu delta_ij S_kk.
 inline void sum_block(const double* x, const double* y, int points, const Material& material, double* out) {
   constexpr int step = block_entries * native_lane_count;
   NativeLanes sums[3][3] = {};
@@ -39,9 +38,8 @@ inline void sum_block(const double* x, const double* y, int points, const Materi
     }
 }
 
-// [s][i]: s = 0 is the parameter of w, which the factors differentiate, with
-// what multiplies the function itself; s = 1, 2 the parameters of directions 1
-// and 2.
+// [s][i]: s = 0 is the parameter of w, which the factors differentiate, with what multiplies the function
+// itself; s = 1, 2 the parameters of directions 1 and 2.
 template <bool Rational>
 inline void scale_point(const double* from, double value, double derivative, double* to) {
 #pragma GCC unroll 3
@@ -168,8 +166,8 @@ void StiffnessIntegrator::contract_w(int block, int layer) {
   }
 }
 
-// X of function a, or Y of function b: the numbers of a register of points of
-// u, at the points `range` of w, times the function and its derivative.
+// X of function a, or Y of function b: the numbers of a register of points of u, at the points `range` of w,
+// times the function and its derivative.
 void StiffnessIntegrator::scale_points(const double* from, int function, const Range& range,
                                        double* to) const {
   const StiffnessTables& t = *tables_;
@@ -213,8 +211,7 @@ void StiffnessIntegrator::contract_u(int a) {
   const int step = result_kinds * line_;
   const int count = t.degrees[0] + 1;
   const int terms = static_cast<int>(t.terms_u.size());
-  // The sums of the first element's functions are set, the others start from
-  // zero.
+  // The sums of the first element's functions are set, the others start from zero.
   std::fill_n(line_sums_.begin() + count * step, (overlap.count() - count) * step, 0.0);
   for (int e = overlap.first_element; e <= overlap.last_element; ++e) {
     const int first = t.first[0][static_cast<std::size_t>(e)];
@@ -265,8 +262,7 @@ void StiffnessIntegrator::add(int a, int layer, const BlockTargets& targets, Col
     const auto row_start = [&](int of) {
       return block_entries * matrix.row_start[static_cast<std::size_t>(patch_->rows.row_of_node[of])];
     };
-    // The next function's row comes into the cache meanwhile; its blocks lie
-    // about as far behind.
+    // The next function's row comes into the cache meanwhile; its blocks lie about as far behind.
     const std::ptrdiff_t ahead = a + 1 < task_.u_end ? row_start(own + 1) - row_start(own) : 0;
     double* const row = matrix.values.data() + row_start(own);
     for (int l = 0; l < count; ++l, pair += static_cast<std::ptrdiff_t>(width) * pair_step_) {

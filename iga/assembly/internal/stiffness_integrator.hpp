@@ -31,22 +31,18 @@ struct PatchIntegrand {
   const double* weights;  ///< of rational functions, of the whole patch, or null
 };
 
-/// Integrates the blocks of one task after the other; one such object for each
-/// thread. How, and what the indices mean: iga/assembly/README.md, "How the
-/// matrix is made".
+/// Integrates the blocks of one task after the other; one such object for each thread. How, and what the
+/// indices mean: iga/assembly/README.md, "How the matrix is made".
 ///
-/// For each element layer of v it walks along u. The contraction of w runs
-/// ahead for the points of u, register by register, and leaves its sums in a
-/// ring that holds the support of one function; u is contracted for one
-/// function a and all b; then v within the layer.
+/// For each element layer of v it walks along u. The contraction of w runs ahead for the points of u,
+/// register by register, and leaves its sums in a ring that holds the support of one function; u is
+/// contracted for one function a and all b; then v within the layer.
 ///
-/// @cost  flops per function a at degree p, inside a patch: 81 (p+1)^4 (p+2)
-/// for w, 162 (p+1)^5 for u,
-///        72 (p+1)^4 (2p+1) for v
+/// @cost  flops per function a at degree p, inside a patch: 81 (p+1)^4 (p+2) for w, 162 (p+1)^5 for u, 72
+/// (p+1)^4 (2p+1) for v
 class StiffnessIntegrator {
  public:
-  /// Adds the blocks of a task to the matrix, or to `collected`, as `targets`
-  /// says.
+  /// Adds the blocks of a task to the matrix, or to `collected`, as `targets` says.
   void run(const StiffnessTask& task, const PatchIntegrand& patch, const PointData& points,
            const BlockTargets& targets, CollectedBlocks& collected, solvers::SymmetricBlockMatrix& matrix);
 

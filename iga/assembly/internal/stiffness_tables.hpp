@@ -11,13 +11,11 @@
 
 namespace isopatch::iga {
 
-/// One-dimensional products of values and derivatives, in the order in which
-/// the contractions want them.
+/// One-dimensional products of values and derivatives, in the order in which the contractions want them.
 ///
-/// Direction w goes first and leaves nine kinds of sums 3 s + t: s says whether
-/// function a is still to be differentiated along u (1) or along v (2) or not
-/// at all (0), t the same of function b. Direction u leaves four kinds: neither
-/// still to be differentiated along v, only b, only a, both.
+/// Direction w goes first and leaves nine kinds of sums 3 s + t: s says whether function a is still to be
+/// differentiated along u (1) or along v (2) or not at all (0), t the same of function b. Direction u leaves
+/// four kinds: neither still to be differentiated along v, only b, only a, both.
 struct StiffnessTables {
   std::array<int, 3> sizes;  ///< functions
   std::array<int, 3> degrees;
@@ -28,8 +26,7 @@ struct StiffnessTables {
   int last_layer = 0;
   int most_elements = 0;  ///< in the support of a function of u
 
-  /// Factors of u for element e: [function a][term][function b]; terms of one
-  /// kind of result together.
+  /// Factors of u for element e: [function a][term][function b]; terms of one kind of result together.
   std::vector<std::vector<double>> factors_u;
   /// Which sums a term takes: point of the element and kind.
   struct Term {
@@ -40,8 +37,7 @@ struct StiffnessTables {
   std::array<int, 5> kind_begin_u;  ///< terms of each kind of result
   /// Factors of v for element e: [kind and point][function a and function b].
   std::vector<std::vector<double>> factors_v;
-  /// Values and derivatives of each function of w at the points of its support,
-  /// in turns.
+  /// Values and derivatives of each function of w at the points of its support, in turns.
   std::vector<std::vector<double>> factors_w;
 
   StiffnessTables(const PatchSpace& space, const PatchLayers& part, const QuadratureGeometry& geometry);
