@@ -10,12 +10,10 @@
 namespace isopatch::iga {
 namespace {
 
-// The functions of one direction in groups: how many there are, and which
-// overlap.
+// The functions of one direction in groups: how many there are, and which overlap.
 struct LineGroups {
   std::vector<int> size;
-  // Per group and neighbour low .. high: pairs of functions that overlap, one
-  // of each.
+  // Per group and neighbour low .. high: pairs of functions that overlap, one of each.
   struct Neighbours {
     int low = 0;
     std::vector<std::int64_t> pairs;
@@ -25,8 +23,8 @@ struct LineGroups {
   int count() const { return static_cast<int>(size.size()); }
 };
 
-// First and last function alone, the others in stretches of about `width`; the
-// same from both ends, for neighbours may count the other way round.
+// First and last function alone, the others in stretches of about `width`; the same from both ends, for
+// neighbours may count the other way round.
 std::vector<int> group_sizes(int functions, double width) {
   const int inner = functions - 2;
   if (inner <= 0) return std::vector<int>(static_cast<std::size_t>(functions), 1);
@@ -66,8 +64,7 @@ LineGroups line_groups(const geometry::KnotVector& knots, double widening) {
 
 using PatchGroups = std::array<LineGroups, 3>;
 
-// Groups as wide as functions overlap, or `widening` times that so that there
-// are no more than wanted.
+// Groups as wide as functions overlap, or `widening` times that so that there are no more than wanted.
 std::vector<PatchGroups> patch_groups(const DirectionKnots& knots, int most_groups, double& widening) {
   std::vector<PatchGroups> patches(knots.size() / 3);
   for (widening = 1;; widening *= 1.25) {
@@ -111,8 +108,7 @@ int size_of(const PatchGroups& groups, const std::array<int, 3>& at) {
   return result;
 }
 
-// Pairs of groups of a patch that share an element, the second not before the
-// first.
+// Pairs of groups of a patch that share an element, the second not before the first.
 void append_pairs(const PatchGroups& groups, const int* vertex_of_cell, std::vector<GroupPair>& found) {
   const int row = groups[0].count(), plane = row * groups[1].count();
   for_each_cell(groups, [&](const std::array<int, 3>& at, int cell) {
@@ -130,8 +126,7 @@ void append_pairs(const PatchGroups& groups, const int* vertex_of_cell, std::vec
   });
 }
 
-// Each pair once. Patches that share a pair have it on a common face, and count
-// the same.
+// Each pair once. Patches that share a pair have it on a common face, and count the same.
 void unite(std::vector<GroupPair>& pairs) {
   std::sort(pairs.begin(), pairs.end(), [](const GroupPair& a, const GroupPair& b) {
     return std::array<std::int64_t, 3>{a.first, a.second, -a.pairs} <
@@ -143,8 +138,8 @@ void unite(std::vector<GroupPair>& pairs) {
   pairs.erase(std::unique(pairs.begin(), pairs.end(), same), pairs.end());
 }
 
-// Multipliers tie the first group of a global node to each other one: vertices
-// of their own behind those of the nodes.
+// Multipliers tie the first group of a global node to each other one: vertices of their own behind those of
+// the nodes.
 void append_multipliers(const GlobalNodes& global, PatternForecast& result, std::vector<GroupPair>& pairs) {
   for (int c = 0; c < global.count(); ++c) {
     const auto members = global.nodes_of(c);

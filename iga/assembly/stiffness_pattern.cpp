@@ -15,9 +15,8 @@ int task_count(int rows) {
   return (rows + rows_per_task - 1) / rows_per_task;
 }
 
-// Touches every huge page, so that the system clears them in parallel. Left to
-// assembly, threads would often come to a new page together, and one wait while
-// it is cleared for the other.
+// Touches every huge page, so that the system clears them in parallel. Left to assembly, threads would often
+// come to a new page together, and one wait while it is cleared for the other.
 void make_pages(solvers::ZeroedVector<double>& values) {
   constexpr std::int64_t page = (std::int64_t{2} << 20) / static_cast<std::int64_t>(sizeof(double));
   const auto pages = (static_cast<std::int64_t>(values.size()) + page - 1) / page;
@@ -33,8 +32,7 @@ solvers::SymmetricBlockMatrix stiffness_pattern(const std::vector<PatchSpace>& s
   const int rows = graph.rows();
   solvers::SymmetricBlockMatrix matrix;
   matrix.row_start.resize(static_cast<std::size_t>(rows) + 1);
-  // Intervals first: far fewer numbers than columns, which then go straight to
-  // where they stay.
+  // Intervals first: far fewer numbers than columns, which then go straight to where they stay.
   std::vector<std::vector<RowInterval>> found(static_cast<std::size_t>(task_count(rows)));
   parallel_for(task_count(rows), [&](std::int64_t task, int) {
     std::vector<RowInterval>& intervals = found[static_cast<std::size_t>(task)];
@@ -78,8 +76,7 @@ StiffnessSize stiffness_size(const std::vector<PatchSpace>& spaces, const std::v
     for (int row = first; row < last; ++row)
       counts[static_cast<std::size_t>(task)] += graph.neighbour_count(row, scratch);
   });
-  // Both of a pair of different rows count the other, but one block of theirs
-  // is stored.
+  // Both of a pair of different rows count the other, but one block of theirs is stored.
   const std::int64_t pairs = std::accumulate(counts.begin(), counts.end(), std::int64_t{0});
   StiffnessSize size;
   size.blocks = (pairs + rows) / 2;
