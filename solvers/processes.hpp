@@ -24,7 +24,7 @@ class Processes {
 
   int rank() const { return rank_; }
   int count() const { return count_; }
-  /// Whether this is the process that speaks for all.
+  /// Whether this is rank 0, which writes files and reports.
   bool is_first() const { return rank_ == 0; }
 
   double sum(double value) const;

@@ -21,7 +21,7 @@ struct Console {
 };
 
 /// Shows phases: rewritten in place with a percentage on a terminal, one plain line each otherwise.
-/// Ends its line when it goes.
+/// The destructor clears the line.
 class ProgressDisplay {
  public:
   explicit ProgressDisplay(const Console& console) : console_(console) {}

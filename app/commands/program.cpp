@@ -143,7 +143,7 @@ ExitCode exit_code(ErrorCode code) {
   }
 }
 
-/// The command line before it is known which command it names.
+/// The options of all commands, before parsing has said which one was named.
 struct CommandLine {
   StudyCommand study;
   LevelOptions levels;

@@ -50,7 +50,8 @@ struct SceneWarning {
 struct ScenePatch {
   std::string name;
   std::array<std::string, 6> faces;               ///< west, east, south, north, front, back
-  std::array<std::vector<double>, 3> parameters;  ///< of the samples; may decrease
+  std::array<std::vector<double>, 3> parameters;  ///< of the samples, in the input's naming: they
+                                                  ///< decrease where a patch was reversed
 };
 
 /// What a page shows in three dimensions.

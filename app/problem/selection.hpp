@@ -15,7 +15,8 @@ double distance(const FaceConditions& conditions, const Eigen::Vector3d& point);
 /// A face that `where` leaves out although it comes close.
 struct NearMiss {
   geometry::PatchFace face;
-  double distance = 0;  ///< of its farthest sample point from what was asked for, m; above the tolerance
+  double distance =
+      0;  ///< from the place asked for, of the sample point farthest from it, m; above the tolerance
 };
 
 /// What a selection catches.

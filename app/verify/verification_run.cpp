@@ -94,7 +94,7 @@ std::string filter(const std::vector<std::string>& of_level, const std::vector<s
   return fmt::format("{}", fmt::join(patterns, ":"));
 }
 
-// A folder that goes with this object.
+// A folder that the destructor removes.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

@@ -5,7 +5,7 @@
 
 namespace isopatch {
 
-/// Where long work says how far it is. The default listens to nothing.
+/// Callback by which long computations report their progress. The default ignores it.
 struct Progress {
   /// Called with the name of the phase and its finished share in [0, 1]; always from one thread at a time.
   std::function<void(std::string_view phase, double share)> report;

@@ -44,7 +44,7 @@ class Union {
   std::vector<std::size_t> parent_;
 };
 
-// Faces that hang together along edges.
+// Connected components of faces, over edges.
 Union shells(const EdgeGraph& graph, const std::vector<std::vector<EdgeGraph::Place>>& used) {
   Union faces(graph.faces.size());
   for (const auto& at : used)

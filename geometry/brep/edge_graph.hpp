@@ -62,7 +62,7 @@ struct BoundaryReport {
   std::vector<EdgeId> overused_edges;      ///< with more than two
   std::vector<EdgeId> misoriented_edges;   ///< walked twice in the same direction
   std::vector<VertexId> pinched_vertices;  ///< whose faces make more than one fan
-  int shells = 0;                          ///< pieces that hang together along edges
+  int shells = 0;                          ///< connected components of faces, over edges
 
   bool closed() const { return free_edges.empty(); }
   bool manifold() const { return overused_edges.empty() && pinched_vertices.empty(); }

@@ -13,7 +13,7 @@ struct FaceConflict {
   VertexId u, v;  ///< that they share without the edge between them; equal where a face touches itself in one
 };
 
-/// How well the vertices of a graph hang together.
+/// The connectivity of a graph, and what keeps it from being 3-connected.
 struct ConnectivityReport {
   bool connected = false;
   std::vector<EdgeId> loops;  ///< edges that start where they end

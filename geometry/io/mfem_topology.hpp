@@ -28,7 +28,7 @@ struct MfemBoundaryElement {
   int line = 0;
 };
 
-/// How the patches of an MFEM mesh hang together, as the file's first sections say.
+/// Connectivity of the patches of an MFEM mesh, from the file's first sections.
 struct MfemTopology {
   std::vector<std::array<int, 8>> patches;  ///< vertices: the low layer counter-clockwise, then the high one
   std::vector<MfemBoundaryElement> boundary;

@@ -23,7 +23,7 @@ struct LineGroups {
   int count() const { return static_cast<int>(size.size()); }
 };
 
-// First and last function alone, the others in stretches of about `width`; the same from both ends, for
+// First and last function alone, the others in groups of about `width`; the same from both ends, for
 // neighbours may count the other way round.
 std::vector<int> group_sizes(int functions, double width) {
   const int inner = functions - 2;

@@ -21,7 +21,7 @@ struct PatternForecast {
 /// Counts rows, blocks and the groups' graph of the matrix, whose nodes and values need not exist yet.
 ///
 /// Nodes are taken together along each direction: the first and the last one by themselves, because
-/// interfaces hold on to them, the others in stretches about as wide as functions overlap, or wider where
+/// interfaces tie them, the others in groups about as wide as functions overlap, or wider where
 /// there would be too many.
 ///
 /// @param knots  of the solution space, with matching traces

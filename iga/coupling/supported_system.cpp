@@ -12,7 +12,7 @@ bool is_identity(const SupportFrame& frame) {
   return frame.free == 3;
 }
 
-// Part of a block that survives: rows and columns of fixed components are 0.
+// A block in the axes of its frames, with rows and columns of fixed components set to 0.
 Block turned(const Block& block, const SupportFrame& row, const SupportFrame& column) {
   Block result = row.axes.transpose() * block * column.axes;
   for (int k = row.free; k < 3; ++k) result.row(k).setZero();

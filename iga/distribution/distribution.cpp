@@ -63,7 +63,7 @@ Distribution largest_first(const std::vector<double>& work, int processes) {
   return assigned(process, processes);
 }
 
-// All layers of all patches in a row, cut into stretches as equal as layers allow.
+// All layers of all patches in a row, cut into intervals as equal as layers allow.
 Distribution between_layers(const std::vector<PatchSpace>& spaces, const std::vector<double>& work,
                             int processes) {
   const double total = std::accumulate(work.begin(), work.end(), 0.0);

@@ -8,16 +8,17 @@
 
 namespace isopatch::iga {
 
-/// The stretch of a patch that one process integrates: from `begin` to `end` of the way through the layers of
-/// elements along direction 3.
+/// The element layers of a patch that one process integrates, as shares: from `begin` to `end` of the way
+/// along direction 3.
 struct PatchShare {
   int patch = 0;
   double begin = 0;
   double end = 1;
 };
 
-/// Who integrates what: for every process its patches, increasing, each at most once. The stretches of a
-/// patch follow each other in the order of the processes; the one with the first is its *primary* process.
+/// The patches, or shares of patches, that each process integrates: increasing, each patch at most once a
+/// process. The shares of a patch follow each other in the order of the processes; the one with the first is
+/// its *primary* process.
 using Distribution = std::vector<std::vector<PatchShare>>;
 
 /// Spreads patches over processes so that each has about as many operations. Whole patches where that is

@@ -8,8 +8,8 @@
 
 namespace isopatch::iga {
 
-/// A positive function of one parameter, known at the middles of equal pieces of its range; linear in its
-/// logarithm between them, constant beyond.
+/// A positive coefficient along one parameter direction, interpolated from samples at the midpoints of equal
+/// intervals: its logarithm is linear between them and constant beyond.
 struct LineWeight {
   double low = 0;
   double high = 1;

@@ -20,11 +20,11 @@ struct TensorBlock {
 /// The nodes of one block, first direction fastest.
 std::vector<int> nodes_of(const Level& level, const TensorBlock& block);
 
-/// Parts the points of the body into tensor-product blocks without overlap: the inside of every patch
+/// Partitions the global nodes into tensor-product blocks without overlap: the inside of every patch
 /// together with its outer faces, the inside of every interface, and of every edge where interfaces meet.
 ///
-/// Points that fit into no such block (corners, collapsed edges, edges that faces see differently) are left
-/// out.
+/// Nodes that fit into no such block are left out: corners, collapsed edges, and edges whose nodes two
+/// interfaces number differently.
 std::vector<TensorBlock> tensor_blocks(const geometry::MultiPatch& model, const Level& level);
 
 }  // namespace isopatch::iga

@@ -109,9 +109,9 @@ std::vector<int> tied_directions(const geometry::MultiPatch& model) {
 
 DirectionKnots matched(const geometry::MultiPatch& model, DirectionKnots knots) {
   raise_degrees(tied_directions(model), knots);
-  // Knots wander from neighbour to neighbour until nothing is missing: a pair of directions is looked at
-  // again when one of the two has got more knots. Each look carries them one interface further, so that as
-  // many looks at each pair as there are directions are enough for any model.
+  // Knots propagate across interfaces until nothing is missing: a pair of directions is visited again when
+  // one of the two has got more knots. Each visit carries them one interface further, so that as many visits
+  // of each pair as there are directions are enough for any model.
   const double tolerance = model.tolerance().same_knot;
   std::vector<TiedPair> pairs;
   for (const Interface& interface : model.interfaces())

@@ -16,8 +16,8 @@ struct ComplexFit {
   std::vector<KnotVector> sheets;       ///< knots on [0, 1], by sheet, in its direction
   std::vector<Eigen::Matrix3Xd> edges;  ///< control points, in the direction of the complex' edge
   std::vector<Eigen::Matrix3Xd> faces;  ///< nets, in the frame of the complex' face
-  std::vector<double>
-      edge_gap;  ///< largest distance of a face's own curve from the samples at equal arc length
+  std::vector<double> edge_gap;  ///< how far a face's own curve along the edge is from the samples at the
+                                 ///< same share of arc length, at most
   std::vector<double> face_deviation;  ///< largest distance from points of the surface and from the edges
   std::vector<double>
       off_edges;  ///< of what its sides aim at from the edges in space, where blocks know them

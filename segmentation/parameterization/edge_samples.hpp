@@ -32,7 +32,8 @@ CommonPoint common_point(const Eigen::Vector3d& near, std::vector<NearSurface> s
 /// mean of the outlines of its faces.
 struct EdgeSamples {
   Eigen::Matrix3Xd points;  ///< (3, shares); vertices at 0 and 1
-  double gap = 0;  ///< largest distance of a face's own curve from them at equal arc length, model units
+  double gap =
+      0;  ///< how far a face's own curve is from them at the same share of arc length, at most; model units
 };
 EdgeSamples sample_edge(const HexComplex& complex, std::size_t edge, const std::vector<double>& shares);
 

@@ -30,8 +30,9 @@ struct OptimizedShapes {
   int evaluations = 0;
 };
 
-/// Makes blocks like bricks: first an untangling phase, which may start from folds and reduces the
-/// regularization until no point looked at is folded, then a quality phase behind the barrier.
+/// Untangles and smooths blocks, towards right angles and equal lengths: first an untangling phase, which may
+/// start from folds and reduces the regularization until no sampled point is folded, then a quality phase
+/// behind the barrier.
 ///
 /// @return  variables with the largest smallest determinant of the phase reached
 /// @source  Garanzha et al. 2021, section 3; minimized by L-BFGS of NLopt

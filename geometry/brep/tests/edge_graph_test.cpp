@@ -183,9 +183,8 @@ TEST(GraphConnectivity, AgreesWithTheDefinitionOnRandomPlanarMaps) {
 }
 
 TEST(GraphConnectivity, ThePairOfFacesAndItsVerticesAreNamed) {
-  // Two cubes glued at a corner-cut: a block with a prism on its top that reaches over two of its corners
-  // would do; here the smallest: an octahedron's belt doubled, faces 0 and 1 share vertices 0 and 2 without
-  // an edge between them.
+  // The two sides of one quadrilateral: faces 0 and 1 share all four vertices, and no edge joins vertices 0
+  // and 2.
   const EdgeGraph graph = edge_graph(4, {{0, 1, 2, 3}, {0, 3, 2, 1}});
   const ConnectivityReport report = connectivity_of(graph);
   EXPECT_FALSE(report.three_connected);

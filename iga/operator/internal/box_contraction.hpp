@@ -8,14 +8,15 @@
 
 namespace isopatch::iga {
 
-/// What one walk covers: bands of eight points in direction 1, elements in directions 2 and 3.
+/// The elements that one sum factorization covers: a box in directions 2 and 3, in direction 1 bands of eight
+/// Gauss points.
 struct ElementBox {
   std::array<int, 3> begin;
   std::array<int, 3> end;
 };
 
-/// One contraction of a stage: the vectors from .. from + count - 1 of each function (or point), with the
-/// table `kind`, into the vectors from `to` on of each point (or function).
+/// One product of a stage: of each function (or point) the fields from .. from + count - 1, multiplied by the
+/// table `kind`, give the fields from `to` on of each point (or function).
 struct ContractionStep {
   int from;
   int count;
@@ -23,9 +24,9 @@ struct ContractionStep {
   int to;
 };
 
-/// The vectors of eight lanes that are kept at a pair of functions of directions 2 and 3 (plane), at a
-/// function of direction 2 and a point of direction 3 (row), and at a pair of points; and the steps between
-/// them.
+/// How many fields each stage of a sum factorization keeps, and the products between the stages. A field is
+/// eight points of direction 1; it is kept per pair of functions of directions 2 and 3 (plane), per function
+/// of direction 2 and point of direction 3 (row), and per pair of points.
 struct ContractionStages {
   int plane = 0;
   int row = 0;
@@ -34,21 +35,23 @@ struct ContractionStages {
   std::vector<ContractionStep> last;    ///< between rows and points, along direction 2
 };
 
-/// From coefficients to derivatives. A plane has the values V of all fields and their derivatives D1, a row
-/// V, D1, D3, a point V (if asked for), D1, D3, D2.
+/// The stages from coefficients to derivatives at the points. A plane has the values V of all fields and
+/// their derivatives D1, a row V, D1, D3, a point V (if asked for), D1, D3, D2.
 ContractionStages field_stages(int fields, bool values);
 
-/// From what multiplies D1, D3, D2 (and V) of a function at the points to three sums per function: the
-/// transpose of field_stages(3, values).
+/// The stages from forces at the points, which multiply D1, D3, D2 (and V) of the test functions, to three
+/// sums per function: the transpose of field_stages(3, values).
 ContractionStages force_stages(bool values);
 
-/// The sums of products of two derivatives of the same function: kind (i, j), i <= j, in 1 .. 3 or, with
-/// values, 0 .. 3, has six vectors at a point, in the order of square_kinds. Tables are `squares`.
+/// The stages from the points to the integrals of products of two derivatives of the same function, for
+/// diagonal blocks: kind (i, j), i <= j, in 1 .. 3 or, with values, 0 .. 3, has six vectors at a point, in
+/// the order of square_kinds. Tables are `squares`.
 ContractionStages square_stages(bool values);
 /// The kinds in their order.
 std::vector<std::array<int, 2>> square_kinds(bool values);
 
-/// Sum factorization over a box, band by band: buffers and the two outer stages, forwards and backwards.
+/// Sum factorization over a box of elements, band by band: its buffers, and the stages along directions 2 and
+/// 3 in both senses.
 ///
 /// All lines of a stage are worked on together, eight points of direction 1 at a time, so that no element
 /// is ever looked at by itself before the points.
@@ -56,7 +59,7 @@ std::vector<std::array<int, 2>> square_kinds(bool values);
 /// @source  Orszag 1980; patch-wise: Sangalli, Tani, arXiv 1712.08565, section 4
 class BoxContraction {
  public:
-  /// Turns to another box; storage is used again. Tables, of directions 2 and 3, must outlive the walk.
+  /// Turns to another box; storage is used again. Tables, of directions 2 and 3, must outlive this.
   void start(const LineTable& second, const LineTable& third, const ContractionStages& stages,
              const ElementBox& box);
 

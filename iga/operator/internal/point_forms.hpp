@@ -13,7 +13,7 @@ struct LineFields {
   int step = 0;
 };
 
-/// Whose denominators there are.
+/// Which of functions and geometry are rational, so that their denominators enter.
 enum class Denominators {
   none,       ///< functions and geometry are polynomial
   geometry,   ///< of the geometry only
@@ -35,9 +35,10 @@ struct PointLine {
   int points;
 };
 
-/// What multiplies the derivatives of the functions' numerators B at the points so that the sum over all
-/// points is K u: along directions 1, 3, 2, three vectors each, after three for B itself if the functions are
-/// rational.
+/// The weak form at the points: K u tested with a function N is the sum over the points of sigma(u) grad N
+/// det J times the quadrature weight, and this computes what multiplies dB/dxi_1, dB/dxi_3, dB/dxi_2 in it
+/// (three vectors each), B being the numerator of N; before them what multiplies B itself if the functions
+/// are rational.
 ///
 /// With C the cofactors and D the determinant of dX - x dWg, the gradient of the displacement is
 /// (dA - u dWf) C Wg / (Wf D), and det J = D / Wg^3.
@@ -45,8 +46,8 @@ struct PointLine {
 template <Denominators denominators>
 Lanes forces_at_points(const PointLine& line, const Material& material, Lanes* out);
 
-/// The same for the products of the derivatives of one function with itself: for each of the square_kinds (0
-/// is B itself) the entries 00, 11, 22, 01, 02, 12 of the integral of grad N grad N^T.
+/// The same for the diagonal blocks, products of the derivatives of one function: for each of the
+/// square_kinds (0 is B itself) the entries 00, 11, 22, 01, 02, 12 of the integral of grad N grad N^T.
 template <Denominators denominators>
 Lanes squares_at_points(const PointLine& line, Lanes* out);
 

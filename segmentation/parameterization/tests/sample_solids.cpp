@@ -142,7 +142,7 @@ HexSolid random_hexahedron(std::uint32_t seed, double amount) {
       for (int d = 0; d < 3; ++d) weight *= corner_point(c)[d] > 0 ? at[d] : 1 - at[d];
       move += weight * shift[static_cast<std::size_t>(c)];
     }
-    // Edges and faces wander half as far, which bends them.
+    // Edges and faces are displaced half as far, which bends them.
     if (ends < 3) move += 0.5 * amount * Eigen::Vector3d(number(), number(), number());
     net.col(i) += move;
   }

@@ -12,9 +12,9 @@ using FaceBody = std::vector<std::vector<std::size_t>>;
 
 /// Groups faces that share edges into bodies.
 ///
-/// Pieces that hang together by edges of two faces are shells. A closed shell inside another is its cavity,
-/// one inside a cavity is a body again. Where two bodies touch in equal faces, which makes edges of four
-/// faces, each gets one of the two.
+/// Faces connected over edges that two of them share make a shell. A closed shell inside another is its
+/// cavity, one inside a cavity is a body again. Where two bodies touch in equal faces, which makes edges of
+/// four faces, each gets one of the two.
 std::vector<FaceBody> face_bodies(const std::vector<TopoDS_Face>& faces);
 
 /// The body as a solid with outward normals; a shell if it is open.
