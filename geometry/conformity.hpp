@@ -17,7 +17,7 @@ namespace isopatch::geometry {
 void check_conforming(const std::vector<NurbsVolume>& patches, const std::vector<PatchFace>& faces,
                       const Tolerance& tolerance, double size, const FaceLabel& label);
 
-/// Holds a file's list of interfaces against the ones found.
+/// Checks a file's list of interfaces against the ones found.
 /// @throws Error not_conforming, naming the faces and how far they are from each other
 void check_listed(const std::vector<NurbsVolume>& patches, const std::vector<Interface>& found,
                   const std::vector<std::pair<PatchFace, PatchFace>>& listed, const Tolerance& tolerance,

@@ -6,7 +6,7 @@
 
 namespace isopatch::geometry {
 
-/// Of a single operation, as a share of its result.
+/// Relative rounding error of one operation.
 constexpr double unit_roundoff = 0.5 * std::numeric_limits<double>::epsilon();
 
 /// An interval.
@@ -28,7 +28,8 @@ struct ColumnBoxes {
 template <int N>
 Bounds determinant_bounds(const ColumnBoxes<N>& columns);
 
-/// The same for columns from the convex hulls of vectors, as sharp as in the frame that fits them best.
+/// Bounds of the determinant for columns from the convex hulls of vectors, as sharp as in the frame that fits
+/// them best.
 /// @param hulls   (N, any number) by column
 /// @param errors  bound of a coordinate's error, by column
 template <int N>

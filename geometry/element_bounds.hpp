@@ -15,7 +15,7 @@ namespace isopatch::geometry {
 /// @cost  some hundred operations an element, degree^2 sums over whole layers of control points
 std::vector<Bounds> element_bounds(const CentredVolume& volume);
 
-/// Sharper ones of one element, from the hull of its own derivatives' Bernstein coefficients.
+/// Sharper bounds of det J on one element, from the hull of its own derivatives' Bernstein coefficients.
 /// @param element  a Bezier piece of a centred volume
 Bounds element_bounds(const NurbsVolume& element, double radius);
 

@@ -103,10 +103,10 @@ std::vector<std::pair<std::size_t, std::size_t>> close_pairs(const std::vector<E
   return pairs;
 }
 
-FaceCensus find_interfaces(const std::vector<NurbsVolume>& patches, const Tolerance& tolerance, double size,
-                           const FaceLabel& label) {
+FaceSets find_interfaces(const std::vector<NurbsVolume>& patches, const Tolerance& tolerance, double size,
+                         const FaceLabel& label) {
   const double same_point = tolerance.same_point * size;
-  FaceCensus census;
+  FaceSets sets;
   std::vector<PatchFace> faces;
   std::vector<NurbsSurface> surfaces;
   std::vector<Eigen::Vector3d> middles;  // the same point of a face in all its orientations
@@ -114,7 +114,7 @@ FaceCensus find_interfaces(const std::vector<NurbsVolume>& patches, const Tolera
     for (const Side side : all_sides) {
       const PatchFace face{PatchId(static_cast<int>(p)), side};
       if (is_collapsed(patches[p], side, same_point)) {
-        census.degenerate.push_back(face);
+        sets.degenerate.push_back(face);
         continue;
       }
       faces.push_back(face);
@@ -127,14 +127,14 @@ FaceCensus find_interfaces(const std::vector<NurbsVolume>& patches, const Tolera
     if (match.distance > same_point) continue;
     const Interface found{faces[i], faces[j], match.orientation, match.distance};
     check_thickness(patches, found, same_point, label);
-    census.interfaces.push_back(found);
+    sets.interfaces.push_back(found);
     joined[i] = joined[j] = true;
   }
-  check_at_most_two(census.interfaces, label);
-  for (const Interface& found : census.interfaces) check_sides(found, label);
+  check_at_most_two(sets.interfaces, label);
+  for (const Interface& found : sets.interfaces) check_sides(found, label);
   for (std::size_t i = 0; i < faces.size(); ++i)
-    if (!joined[i]) census.boundary.push_back(faces[i]);
-  return census;
+    if (!joined[i]) sets.boundary.push_back(faces[i]);
+  return sets;
 }
 
 }  // namespace isopatch::geometry

@@ -13,8 +13,8 @@ namespace isopatch::geometry {
 /// How messages name a face.
 using FaceLabel = std::function<std::string(PatchFace)>;
 
-/// The faces of all patches, sorted out.
-struct FaceCensus {
+/// The faces of all patches by kind: interfaces, boundary, without area.
+struct FaceSets {
   std::vector<Interface> interfaces;
   std::vector<PatchFace> boundary;    ///< faces with an area that meet no other
   std::vector<PatchFace> degenerate;  ///< faces without an area
@@ -26,8 +26,8 @@ struct FaceCensus {
 /// @param size     of the model, model units
 /// @throws Error not_conforming for more than two faces in one place, and for two that lie on the same side
 /// @cost   O(faces log faces) for the search, O(control points) per candidate
-FaceCensus find_interfaces(const std::vector<NurbsVolume>& patches, const Tolerance& tolerance, double size,
-                           const FaceLabel& label);
+FaceSets find_interfaces(const std::vector<NurbsVolume>& patches, const Tolerance& tolerance, double size,
+                         const FaceLabel& label);
 
 /// Pairs of points no further apart than `radius`, each with the smaller index first.
 /// @cost O(n log n) plus the pairs in slabs as thick as the radius

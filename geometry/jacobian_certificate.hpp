@@ -5,7 +5,7 @@
 
 namespace isopatch::geometry {
 
-/// What can be promised about the sign of det J on a whole patch.
+/// A certificate of the sign of det J on a whole patch.
 enum class JacobianSign {
   positive,     ///< det J > 0 everywhere
   nonnegative,  ///< det J >= 0, zero only where an edge or face is collapsed

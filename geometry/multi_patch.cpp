@@ -142,12 +142,12 @@ MultiPatch connect(PatchSet set, const Tolerance& tolerance) {
   model.names_ = std::move(set.names);
 
   const FaceLabel label = [&](PatchFace face) { return model.label(face); };
-  FaceCensus census = find_interfaces(model.patches_, tolerance, model.size_, label);
-  check_listed(model.patches_, census.interfaces, set.listed_interfaces, tolerance, model.size_, label);
-  check_conforming(model.patches_, census.boundary, tolerance, model.size_, label);
-  model.interfaces_ = std::move(census.interfaces);
-  model.boundary_faces_ = std::move(census.boundary);
-  model.degenerate_faces_ = std::move(census.degenerate);
+  FaceSets sets = find_interfaces(model.patches_, tolerance, model.size_, label);
+  check_listed(model.patches_, sets.interfaces, set.listed_interfaces, tolerance, model.size_, label);
+  check_conforming(model.patches_, sets.boundary, tolerance, model.size_, label);
+  model.interfaces_ = std::move(sets.interfaces);
+  model.boundary_faces_ = std::move(sets.boundary);
+  model.degenerate_faces_ = std::move(sets.degenerate);
   return model;
 }
 

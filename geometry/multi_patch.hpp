@@ -79,7 +79,7 @@ class MultiPatch {
   double size_ = 0;
 };
 
-/// Of all control points.
+/// Bounding box of all control points.
 Eigen::AlignedBox3d box(const MultiPatch& model);
 
 /// Finds from the geometry alone how patches meet.

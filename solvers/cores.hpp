@@ -8,14 +8,14 @@ namespace isopatch::solvers {
 /// batch system gave it, where one did. OMP_PROC_BIND takes none of them away.
 int usable_cores();
 
-/// What the processes of a run ask of a computer, and what they may use there together.
+/// The processes and threads of a run on one computer, and the cores that they may use there together.
 struct Crowd {
   int processes = 1;
   int threads = 1;  ///< of all of them
   int cores = 1;    ///< that at least one of them may use
   bool is_too_large() const { return threads > cores; }
 };
-/// Of the computer with the most threads for a core. All processes must call it.
+/// The crowd on the computer with the most threads per core. All processes must call it.
 /// @param threads  of this process
 Crowd largest_crowd(const Processes& processes, int threads);
 

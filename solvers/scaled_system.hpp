@@ -41,7 +41,7 @@ class ScaledSystem {
   explicit ScaledSystem(const LinearSystem& system);
 
   const LinearSystem& system() const { return system_; }
-  /// Of this process: K's scalar rows and multipliers.
+  /// Number of K's scalar rows and multipliers on this process.
   int rows() const;
   double scale() const { return scale_; }
 
@@ -49,7 +49,7 @@ class ScaledSystem {
   double norm(const Eigen::VectorXd& z) const;
   double load_norm() const;
 
-  /// (f, 0).
+  /// The right side (f, 0).
   Eigen::VectorXd right_side() const;
   /// Right side minus matrix times z, sums kept in extended precision.
   Eigen::VectorXd residual(const Eigen::VectorXd& z) const;

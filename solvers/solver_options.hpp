@@ -18,8 +18,8 @@ enum class Method {
 /// "auto", "cholmod", "mumps", "umfpack", "cg", "minres".
 std::string_view name(Method method);
 
-/// What makes iterative methods fast. A multigrid needs to know where the matrix comes from: `solve` itself
-/// has block Jacobi alone.
+/// The preconditioner of iterative methods. A multigrid needs to know where the matrix comes from: `solve`
+/// itself has block Jacobi alone, and wants it named.
 enum class Preconditioner { multigrid, block_jacobi };
 std::string_view name(Preconditioner preconditioner);
 

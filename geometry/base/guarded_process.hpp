@@ -15,7 +15,8 @@ struct GuardLimits {
   std::uint64_t bytes = 0;  ///< of address space; 0 for as much as there is
 };
 
-/// A program to be run at arm's length, because it may crash, hang or want all the memory there is.
+/// A program to run in a child process with limits, because it may crash, hang or want all the memory there
+/// is.
 struct GuardedCommand {
   std::filesystem::path program;
   std::vector<std::string> arguments = {};
@@ -25,7 +26,7 @@ struct GuardedCommand {
   std::function<void(std::string_view line)> on_line = {};
 };
 
-/// What came of it.
+/// Outcome of a guarded program.
 struct GuardedOutcome {
   enum class End {
     exited,     ///< by itself, with `code`

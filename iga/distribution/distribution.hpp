@@ -28,7 +28,8 @@ using Distribution = std::vector<std::vector<PatchShare>>;
 /// @cost  O(patches log patches)
 Distribution distribute(const std::vector<PatchSpace>& spaces, int processes);
 
-/// What a process integrates of spaces on the same patches, those of `distribute` or coarser ones.
+/// The element layers that a process integrates, of spaces on the same patches: those of `distribute` or
+/// coarser ones.
 std::vector<PatchLayers> layers_of(const Distribution& distribution, const std::vector<PatchSpace>& spaces,
                                    int process);
 

@@ -5,7 +5,7 @@
 
 namespace isopatch::iga {
 
-/// This process' share of B. The true one is the sum of all.
+/// A process's share of the constraint matrix B: B is the sum of all shares.
 struct SharedMultipliers {
   solvers::ConstraintMatrix matrix;  ///< (local multipliers, 3 local nodes)
   solvers::SharedRows rows;          ///< of B; block size 1

@@ -22,7 +22,7 @@ struct FunctionTable {
   int functions;
 };
 
-/// Groups of vectors at equal distances.
+/// An array with a constant stride.
 template <class T>
 struct Strided {
   T* data;

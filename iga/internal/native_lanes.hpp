@@ -2,7 +2,7 @@
 
 namespace isopatch::iga {
 
-/// Doubles that one register of the processor compiled for holds.
+/// Doubles in one vector register of the processor compiled for.
 constexpr int native_lane_count =
 #if defined(__AVX512F__)
     8;
@@ -11,9 +11,9 @@ constexpr int native_lane_count =
 #else
     2;
 #endif
-/// So many doubles, with arithmetic entry by entry.
+/// A vector of `native_lane_count` doubles, with arithmetic entry by entry.
 typedef double NativeLanes __attribute__((vector_size(8 * native_lane_count)));
-/// The same anywhere in an array of doubles.
+/// The same without alignment, anywhere in an array of doubles.
 typedef double UnalignedNativeLanes
     __attribute__((vector_size(8 * native_lane_count), aligned(8), may_alias));
 

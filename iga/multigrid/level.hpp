@@ -11,8 +11,8 @@
 
 namespace isopatch::iga {
 
-/// One space of displacements on all patches, coupled by elimination: a level of a multigrid, the finest one
-/// being the solution space. A process has the rows of all patches that it integrates in part.
+/// A level of the multigrid: a space of displacements on all patches, coupled by elimination. The finest one
+/// is the solution space. A process has the rows of all patches that it integrates in part.
 struct Level {
   std::vector<PatchSpace> spaces;  ///< of all patches
   std::vector<int> first_node;     ///< of each patch, and the number of nodes at the end
@@ -31,8 +31,8 @@ Level finest_level(const std::vector<PatchSpace>& spaces, const GlobalNodes& glo
                    const std::vector<SupportFrame>& frames, const Distribution& distribution,
                    const solvers::Processes& processes);
 
-/// Half the elements of `level` per direction; where only one is left, degree 2 and then 1. Empty if nothing
-/// is left to coarsen.
+/// The next coarser level: half the elements of `level` per direction; where only one is left, degree 2 and
+/// then 1. Empty if nothing is left to coarsen.
 ///
 /// Nested in `level`: rational functions keep their denominators, so rigid motions stay free of energy, as
 /// long as the coarser functions of every patch can make them; below that all are polynomial.
@@ -44,7 +44,7 @@ std::optional<Level> coarser_level(const geometry::MultiPatch& model, const Leve
                                    const std::vector<SupportFrame>& frames, const Distribution& distribution,
                                    const solvers::Processes& processes);
 
-/// Every second break of a knot vector is dropped, from both ends alike, so that the two sides of an
+/// Coarsens a knot vector: drops every second break, from both ends alike, so that the two sides of an
 /// interface stay matched however they are oriented. Kept breaks keep their multiplicity.
 geometry::KnotVector coarser_knots(const geometry::KnotVector& knots);
 

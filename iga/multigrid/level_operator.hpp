@@ -5,9 +5,11 @@
 
 namespace isopatch::iga {
 
-/// Sums over the nodes of every local row: 3 x nodes -> local rows, additive over processes.
+/// Gathers a vector of nodes into rows: sums the nodes of every local row. (3 x nodes -> local rows),
+/// additive over processes.
 Eigen::VectorXd sum_of_nodes(const Level& level, const Eigen::Matrix3Xd& of_nodes);
-/// Each node's row: consistent local rows -> 3 x nodes, 0 where the row belongs to other processes only.
+/// Scatters a vector of rows to nodes: the transpose. (Consistent local rows -> 3 x nodes), 0 where the row
+/// belongs to other processes only.
 Eigen::Matrix3Xd at_nodes(const Level& level, const Eigen::VectorXd& of_rows);
 
 /// The stiffness of one level between unknowns, without a matrix.

@@ -18,8 +18,8 @@ struct LineWeight {
   double at(double parameter) const;
 };
 
-/// The stiffness of one displacement component to changes along the three directions of a patch, each as
-/// product of functions of one parameter:
+/// Separable coefficients of the scalar operator that stands for one displacement component: its stiffness to
+/// changes along each direction of a patch as a product of functions of one parameter:
 ///   direction 1: factor[0] s1(x) m2(y) m3(z),  2: factor[1] m1(x) s2(y) m3(z),  3: factor[2] m1 m2 s3
 struct SeparableCoefficients {
   std::array<double, 3> factor = {};
@@ -27,8 +27,8 @@ struct SeparableCoefficients {
   std::array<LineWeight, 3> mass;       ///< m
 };
 
-/// The separable functions whose logarithms are nearest to those of the true coefficients, in the mean of
-/// squares over a grid of samples.
+/// Approximates the true coefficients by separable ones: least squares of the logarithms over a grid of
+/// samples.
 ///
 /// @return one for every coordinate component
 /// @source Sangalli, Tani, SIAM J. Sci. Comput. 38 (2016), section 5.3 (the idea; least squares of logarithms

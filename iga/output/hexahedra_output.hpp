@@ -11,10 +11,11 @@
 
 namespace isopatch::iga {
 
-/// A number for each patch: patches of one material have one, in the order in which materials first appear.
+/// The number of each patch's material, in the order in which materials first appear.
 std::vector<int> material_numbers(const ElasticField& field);
 
-/// A field as straight hexahedra, on which every filter of VTK and ParaView is right up to the cells' size.
+/// Writes a field as straight-edged hexahedra for VTK and ParaView, whose filters all support them; the error
+/// of what they show is that of the cells' size.
 ///
 /// Each element is cut into pieces as `straight_pieces` says. All fields are evaluated at the nodes:
 /// `displacement` (m), `strain`, `stress` (Pa), both xx yy zz xy yz xz, `von_mises` (Pa) and

@@ -60,7 +60,7 @@ class PlaneFields {
   std::unique_ptr<State> state_;
 };
 
-/// Whether stress at a point with this Jacobian of its patch means something.
+/// Whether the Jacobian at a point is regular enough for a stress there to be meaningful.
 /// @param typical  scaled Jacobian at the patch's middle
 bool is_usable(double scaled_jacobian, double typical);
 

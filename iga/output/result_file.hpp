@@ -18,10 +18,10 @@ struct StoredResult {
   std::string summary;                     ///< text of summary.json
 };
 
-/// The results' patches as the model that the study had: joined and named alike.
+/// The multi-patch model of the results: patches joined and named as in the study.
 geometry::MultiPatch model_of(const StoredResult& result);
 
-/// The bytes of an HDF5 file; place them with isopatch::write_file.
+/// Encodes results as an HDF5 file; write the bytes with isopatch::write_file.
 std::string to_hdf5(const StoredResult& result);
 
 /// The same without a copy of the results: the bytes go to a sink, for example of an isopatch::AtomicWriter.
@@ -29,7 +29,7 @@ void write_hdf5(const ElasticField& field, const std::vector<Multiplier>& multip
                 const geometry::PatchConnections& connections, const std::string& study,
                 const std::string& summary, const geometry::ByteSink& sink);
 
-/// Every byte that matters is held against checksums.
+/// Reads a result file and verifies its data against checksums.
 /// @throws Error io, bad_format, unsupported, naming the file and what is missing or wrong
 StoredResult read_result(const std::filesystem::path& path);
 

@@ -9,8 +9,7 @@
 
 namespace isopatch::iga {
 
-/// What holds two coincident control points together: the force that the first exerts on the second is
-/// `force`.
+/// The interface force at two coincident control points: the first exerts `force` on the second.
 /// Without the components that supports fix; pairs with all components fixed have none.
 struct Multiplier {
   int first_node = 0;

@@ -14,16 +14,16 @@ struct FaceStresses {
   LeftOut left_out;        ///< points where the map is folded or collapsed
 };
 
-/// On a grid of 2 degree + 1 points per element and direction, ends included, of all six faces of the
-/// patches.
-/// @param parts  whose elements are looked at
+/// Evaluates stresses on all six faces of patches, on a grid of 2 degree + 1 points per element and
+/// direction, ends included.
+/// @param parts  element layers whose faces are evaluated
 /// @throws Error singular_system  a stress that is no finite number
 /// @cost  O(degree^4) per element at a face
 FaceStresses stresses_on_faces(const ElasticField& field, const std::vector<PatchLayers>& parts);
-/// Of all patches.
+/// The same of all patches.
 FaceStresses stresses_on_faces(const ElasticField& field);
 
-/// The shares of all processes together, on all of them.
+/// Combines the shares of all processes; all get the result.
 FaceStresses summed(const FaceStresses& share, const solvers::Processes& processes);
 
 }  // namespace isopatch::iga

@@ -9,7 +9,7 @@
 
 namespace isopatch::iga {
 
-/// What the stresses of a displacement do.
+/// Nodal forces, energy and largest values of the stresses of a displacement field.
 struct InternalForces {
   Eigen::Matrix3Xd
       forces;  ///< K u per node before any coupling, (3, nodes), N; from the stresses, not from a matrix
@@ -20,6 +20,7 @@ struct InternalForces {
   UnresolvedEnergy unresolved;  ///< of the highest modes
 };
 
+/// Integrates the stresses of a displacement field.
 /// @param displacement  coefficients per node, (3, nodes), m
 /// @param points        Gauss points per element and direction; 0: as many as each map needs
 /// @throws Error fold_over  a Gauss point with det J <= 0, naming patch, parameter (the input's names) and
@@ -29,12 +30,13 @@ InternalForces internal_forces(const Discretization& discretization, const std::
                                const Eigen::Matrix3Xd& displacement, int points = 0,
                                const Progress& progress = {});
 
-/// The share of some parts: forces and energy are additive. Without elements, a value of -1 in no patch.
+/// The same over the elements of some parts: forces and energy are additive. Without elements, a value of -1
+/// in no patch.
 InternalForces internal_forces(const Discretization& discretization, const std::vector<Material>& materials,
                                const Eigen::Matrix3Xd& displacement, const std::vector<PatchLayers>& parts,
                                int points = 0, const Progress& progress = {});
 
-/// The shares of all processes together, on all of them.
+/// Combines the shares of all processes; all get the result.
 InternalForces summed(InternalForces share, const solvers::Processes& processes);
 
 }  // namespace isopatch::iga

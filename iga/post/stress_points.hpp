@@ -16,7 +16,7 @@ struct Extremum {
   geometry::Parameter<3> parameter = geometry::Parameter<3>::Zero();
 };
 
-/// Values so close to each other are the same: round-off, not the model, makes one the larger.
+/// Relative difference up to which two values count as equal: round-off, not the model, makes one the larger.
 constexpr double same_value = 1e-9;
 inline bool is_larger(double value, double other) {
   return value > other + same_value * (other < 0 ? -other : other);
@@ -25,23 +25,24 @@ inline bool is_larger(double value, double other) {
 /// The larger of two; of equal ones that of the smaller patch, then of the smaller parameter, the third
 /// direction first.
 Extremum larger(const Extremum& a, const Extremum& b);
-/// The largest that the processes have, on all of them.
+/// The largest over all processes; all get it.
 Extremum largest(const Extremum& extremum, const solvers::Processes& processes);
 
 /// Below this scaled Jacobian (the determinant over the product of its columns' lengths) a map counts as
 /// folded: a stress through it is more than a hundred times the displacement's own gradient and says nothing.
 constexpr double least_scaled_jacobian = 0.01;
 
-/// Whether a stress at a point says something.
+/// Whether the map of a patch is regular at a point, so that a stress there is meaningful.
 enum class MapState {
   sound,
   folded,     ///< the scaled Jacobian is below `least_scaled_jacobian`
   collapsed,  ///< a column vanishes, as on collapsed edges and faces
 };
+/// Classifies a point by its Jacobian.
 /// @param scaled  receives the scaled Jacobian, 0 where a column vanishes
 MapState map_state(const Eigen::Matrix3d& jacobian, double& scaled);
 
-/// Points whose stresses say nothing, so that they are no largest ones.
+/// Points left out of the search for the largest stress, because the map is not regular there.
 struct LeftOut {
   std::int64_t folded = 0;
   std::int64_t collapsed = 0;
@@ -49,9 +50,10 @@ struct LeftOut {
   Extremum worst = {-2, Eigen::Vector3d::Zero(), -1, geometry::Parameter<3>::Zero()};
 };
 LeftOut together(const LeftOut& a, const LeftOut& b);
-/// Those of all processes, on all of them.
+/// Combines the counts of all processes; all get the result.
 LeftOut summed(const LeftOut& share, const solvers::Processes& processes);
 
+/// Refuses a stress that is no finite number.
 /// @throws Error singular_system  naming patch and place: a stress that is no finite number
 void require_finite(double stress, int patch, const Eigen::Vector3d& place);
 

@@ -33,7 +33,7 @@ struct SupportedEdge {
   auto operator<=>(const SupportedEdge&) const = default;
 };
 
-/// What holds the part. Where supports meet, all of them apply.
+/// A support: prescribed displacements on faces or edges. Where supports meet, all of them apply.
 struct Support {
   std::string name;  ///< for messages and reports: "support 1 (clamped bore)"
   std::vector<geometry::PatchFace> faces;

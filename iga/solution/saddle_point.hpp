@@ -33,7 +33,7 @@ class SaddlePoint {
   /// Block diagonal: the multigrid on what is continuous, 1 / g on jumps, g (B B^T)^-1 on multipliers.
   Eigen::VectorXd preconditioned(const Eigen::VectorXd& r) const;
 
-  /// What loads and prescribed displacements put on the unknowns.
+  /// The right side: loads, less what prescribed displacements cause.
   Eigen::VectorXd load() const;
 
   /// Displacements of all nodes, the same on every process. (3, nodes), m

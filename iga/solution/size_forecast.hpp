@@ -10,7 +10,8 @@
 
 namespace isopatch::iga {
 
-/// What a problem will need, known from the knots of its solution space: nothing of it need exist yet.
+/// Forecast of a problem's unknowns, memory and factor from the knots of its solution space: nothing of it
+/// need exist yet.
 ///
 /// Bytes are those of the process with most of them.
 struct SizeForecast {
@@ -28,6 +29,7 @@ struct SizeForecast {
   double multigrid_bytes = 0;  ///< iterations with the multigrid, without a matrix
 };
 
+/// Forecasts what a problem will need.
 /// @param knots  of the solution space (`solution_knots`, or those of a discretization)
 /// @cost  at most some tenths of a second, whatever the size: nodes are counted in groups
 SizeForecast forecast_size(const geometry::MultiPatch& model, const DirectionKnots& knots,

@@ -11,7 +11,7 @@ double direct_bytes(const SizeForecast& size, solvers::Method method);
 double jacobi_bytes(const SizeForecast& size);
 double multigrid_bytes(const SizeForecast& size, solvers::Operator form);
 
-/// The part that does not depend on the size: libraries that start.
+/// Bytes that do not depend on the size: those of libraries that start.
 double fixed_bytes(solvers::Method method);
 
 }  // namespace isopatch::iga

@@ -8,7 +8,7 @@
 
 namespace isopatch::iga {
 
-/// What is going to solve a problem, all of it decided, and the memory that takes.
+/// How a problem is going to be solved, with nothing left open, and the memory that takes.
 struct SolverPlan {
   solvers::Method method = solvers::Method::cholmod;                            ///< never automatic
   solvers::Preconditioner preconditioner = solvers::Preconditioner::multigrid;  ///< of cg and minres

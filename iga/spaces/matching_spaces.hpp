@@ -17,8 +17,7 @@ std::vector<int> tied_directions(const geometry::MultiPatch& model);
 /// @throws Error not_conforming if knots of a neighbour cannot be matched
 DirectionKnots matched(const geometry::MultiPatch& model, DirectionKnots knots);
 
-/// Holds the patches against the interfaces: traces with as many functions, and weights that are
-/// proportional.
+/// Checks that patches match at interfaces: traces with as many functions, and weights that are proportional.
 /// @throws Error not_conforming naming the two faces
 void check_traces(const geometry::MultiPatch& model, const std::vector<geometry::NurbsVolume>& patches);
 

@@ -11,7 +11,7 @@
 
 namespace isopatch::geometry {
 
-/// Of an element's id.
+/// Largest id of an element that is accepted.
 constexpr int max_id = 2'000'000'000;
 
 // What all geometries of a G+Smo file are made of. `name` says in messages what is being read.

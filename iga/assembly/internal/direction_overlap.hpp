@@ -20,9 +20,9 @@ struct Overlap {
 /// First function of every element.
 std::vector<int> first_functions(const geometry::KnotVector& knots);
 
-/// One per function, over the elements begin .. end - 1.
+/// The overlaps of all functions, over the elements begin .. end - 1.
 std::vector<Overlap> overlaps(const geometry::KnotVector& knots, int begin, int end);
-/// Over all elements.
+/// The same over all elements.
 std::vector<Overlap> overlaps(const geometry::KnotVector& knots);
 
 }  // namespace isopatch::iga

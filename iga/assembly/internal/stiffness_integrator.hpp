@@ -23,7 +23,7 @@ struct PointData {
   const double* block(int v, int block, int w) const;
 };
 
-/// What all tasks of a patch read.
+/// Input that all tasks of a patch share.
 struct PatchIntegrand {
   const StiffnessTables& tables;
   const PatchRows& rows;

@@ -17,7 +17,7 @@ struct PointRun {
 };
 
 /// The functions of one direction at all quadrature points of a line, in one or several kinds: values and
-/// derivatives, or products of these. The points are those of somebody's elements, which need not be the
+/// derivatives, or products of these. The points are those of a table of elements, which need not be the
 /// functions' own.
 struct LineTable {
   int functions = 0;                       ///< at a point: degree + 1

@@ -13,7 +13,7 @@
 
 namespace isopatch::iga {
 
-/// Storage of one thread, used again from box to box.
+/// Scratch storage of one thread, used again from box to box.
 struct PatchOperatorScratch {
   BoxContraction functions, geometry, results;
 };

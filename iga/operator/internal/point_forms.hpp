@@ -5,8 +5,8 @@
 
 namespace isopatch::iga {
 
-/// Where the vectors of some fields lie at the points of a line in direction 2: component c of a derivative
-/// is `derivatives[d][c]`, at the next point `step` further on.
+/// Addresses of some fields and their derivatives at the Gauss points of a line in direction 2: component c
+/// of a derivative is `derivatives[d][c]`, at the next point `step` further on.
 struct LineFields {
   const Lanes* values = nullptr;  ///< only if rational
   const Lanes* derivatives[3] = {nullptr, nullptr, nullptr};

@@ -8,14 +8,14 @@
 
 namespace isopatch::iga {
 
-/// What a patch of an elastic field, or a patch alone, is made of.
+/// A patch to sample, with its field if there is one.
 struct SampledPatch {
   const geometry::NurbsVolume* patch = nullptr;
   const ElasticField* field = nullptr;  ///< none: geometry only
   int index = 0;                        ///< of the patch in the field
 };
 
-/// Geometry and fields at the points of a grid of parameters, direction by direction.
+/// Evaluates geometry and fields at the points of a grid of parameters, direction by direction.
 ///
 /// Where the map is singular, stresses are those of `evaluate`. `element_ends` stays empty.
 /// @cost  O(functions per direction) per point and component, as products of dense matrices

@@ -8,14 +8,14 @@
 
 namespace isopatch::iga {
 
-/// Into how many pieces one direction of a patch is cut.
+/// The intervals into which one direction of a patch is cut for sampling.
 struct DirectionPieces {
   std::vector<int> ends;    ///< chosen ends of elements: indices of breaks, first and last included
   std::vector<int> counts;  ///< pieces between one chosen end and the next
 };
 using PatchPieces = std::array<DirectionPieces, 3>;
 
-/// Pieces of all patches, equal on both sides of every interface.
+/// Chooses the sampling intervals of all patches, equal on both sides of every interface.
 ///
 /// The deviation of a trial grid from straight lines between the ends of elements asks for the pieces; it
 /// falls with their square. Too many points in all: larger tolerances, then several elements a piece.
