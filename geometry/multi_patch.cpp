@@ -142,12 +142,12 @@ MultiPatch connect(PatchSet set, const Tolerance& tolerance) {
   model.names_ = std::move(set.names);
 
   const FaceLabel label = [&](PatchFace face) { return model.label(face); };
-  FaceSets sets = find_interfaces(model.patches_, tolerance, model.size_, label);
-  check_listed(model.patches_, sets.interfaces, set.listed_interfaces, tolerance, model.size_, label);
-  check_conforming(model.patches_, sets.boundary, tolerance, model.size_, label);
-  model.interfaces_ = std::move(sets.interfaces);
-  model.boundary_faces_ = std::move(sets.boundary);
-  model.degenerate_faces_ = std::move(sets.degenerate);
+  FaceSets found = find_interfaces(model.patches_, tolerance, model.size_, label);
+  check_listed(model.patches_, found.interfaces, set.listed_interfaces, tolerance, model.size_, label);
+  check_conforming(model.patches_, found.boundary, tolerance, model.size_, label);
+  model.interfaces_ = std::move(found.interfaces);
+  model.boundary_faces_ = std::move(found.boundary);
+  model.degenerate_faces_ = std::move(found.degenerate);
   return model;
 }
 
