@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Core>
+
 #include "solvers/linear_operator.hpp"
 #include "solvers/shared_rows.hpp"
 

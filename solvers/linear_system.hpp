@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <cstdint>
 
 #include "solvers/block_matrix.hpp"
 #include "solvers/shared_rows.hpp"

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <cstdint>
+
 #include "geometry/base/progress.hpp"
 #include "solvers/linear_operator.hpp"
 #include "solvers/linear_system.hpp"

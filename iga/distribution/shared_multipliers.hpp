@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "iga/coupling/supported_system.hpp"
 #include "iga/distribution/distribution.hpp"
 

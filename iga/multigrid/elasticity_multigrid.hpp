@@ -1,6 +1,9 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "geometry/base/progress.hpp"
 #include "iga/multigrid/level.hpp"

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <vector>
+
 #include "iga/multigrid/level.hpp"
 #include "iga/operator/stiffness_operator.hpp"
 

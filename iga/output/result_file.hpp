@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "geometry/io/byte_sink.hpp"
 #include "geometry/patch_connections.hpp"

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <vector>
+
 #include "geometry/base/progress.hpp"
 #include "iga/post/elasticity_results.hpp"
 #include "iga/spaces/discretization.hpp"

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <vector>
+
 #include "iga/coupling/support_frames.hpp"
 #include "iga/post/elasticity_results.hpp"
 #include "iga/spaces/elastic_field.hpp"

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "geometry/base/progress.hpp"
 #include "iga/solution/coupled_problem.hpp"
 #include "iga/solution/discrete_solution.hpp"
+#include "solvers/solver_options.hpp"
 
 namespace isopatch::iga {
 

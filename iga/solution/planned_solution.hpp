@@ -1,8 +1,11 @@
 #pragma once
 
+#include <vector>
+
 #include "iga/solution/coupled_problem.hpp"
 #include "iga/solution/discrete_solution.hpp"
 #include "iga/solution/solver_choice.hpp"
+#include "solvers/solver_options.hpp"
 
 namespace isopatch::iga {
 

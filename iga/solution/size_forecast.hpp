@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "iga/coupling/coupling_kind.hpp"
 #include "iga/distribution/distribution.hpp"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "iga/solution/size_forecast.hpp"
+#include "solvers/solver_options.hpp"
 
 namespace isopatch::iga {
 

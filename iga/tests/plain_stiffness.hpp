@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
+#include <array>
+#include <cmath>
 #include <vector>
 
 #include "geometry/quadrature.hpp"

@@ -13,6 +13,7 @@
 #include "geometry/models/link.hpp"
 #include "iga/assembly/pattern_forecast.hpp"
 #include "iga/assembly/stiffness_pattern.hpp"
+#include "iga/coupling/global_nodes.hpp"
 #include "iga/solution/solve_elasticity.hpp"
 #include "iga/spaces/solution_knots.hpp"
 #include "iga/tests/small_models.hpp"

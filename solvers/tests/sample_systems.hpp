@@ -1,8 +1,11 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <random>
+#include <vector>
 
 #include "solvers/linear_system.hpp"
 

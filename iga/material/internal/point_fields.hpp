@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
+#include <cstddef>
 
 #include "iga/internal/tensor_contraction.hpp"
 #include "iga/material/material.hpp"

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "geometry/splines/nurbs.hpp"

@@ -1,5 +1,10 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
 #include "iga/internal/tensor_contraction.hpp"
 #include "iga/spaces/element_tables.hpp"
 

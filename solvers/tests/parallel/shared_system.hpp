@@ -1,6 +1,9 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "solvers/linear_system.hpp"
