@@ -137,7 +137,7 @@ void StiffnessIntegrator::choose_offsets() {
 }
 
 // Points of w in the common support of a and b, from the part's first layer on.
-StiffnessIntegrator::Range StiffnessIntegrator::points_w(int b) const {
+StiffnessIntegrator::Range StiffnessIntegrator::common_points(int b) const {
   const StiffnessTables& t = *tables_;
   const int begin = t.overlap(2, b).first_element;
   const int end = t.overlap(2, task_.a_w).last_element + 1;
@@ -189,11 +189,11 @@ void StiffnessIntegrator::scale_points(const double* from, int function, const R
 // One register of points of u, at one point of v.
 void StiffnessIntegrator::contract_w_at(const double* from) {
   constexpr int operand_step = block_entries * native_lane_count;
-  const Range own = points_w(task_.a_w);
+  const Range own = common_points(task_.a_w);
   scale_points(from, task_.a_w, own, operand_a_.data());
   double* out = sums_.data();
   for (int b = group_.begin; b < group_.end; ++b, out += operand_step) {
-    const Range common = points_w(b);
+    const Range common = common_points(b);
     if (b != task_.a_w) scale_points(from, b, common, operand_b_.data());
     const double* const x = operand_a_.data() + (common.begin - own.begin) * operand_step;
     const double* const y = b == task_.a_w ? x : operand_b_.data();

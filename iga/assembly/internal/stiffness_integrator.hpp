@@ -38,8 +38,8 @@ struct PatchIntegrand {
 /// register by register, and leaves its sums in a ring that holds the support of one function; u is
 /// contracted for one function a and all b; then v within the layer.
 ///
-/// @cost  flops per function a at degree p, inside a patch: 81 (p+1)^4 (p+2) for w, 162 (p+1)^5 for u, 72
-/// (p+1)^4 (2p+1) for v
+/// @cost  flops per function a at degree p, inside a patch: 81 (p+1)^4 (p+2) for w, 162 (p+1)^5 for u,
+///        72 (p+1)^4 (2p+1) for v
 class StiffnessIntegrator {
  public:
   /// Adds the blocks of a task to the matrix, or to `collected`, as `targets` says.
@@ -60,7 +60,7 @@ class StiffnessIntegrator {
   void contract_v(int a, int layer);
   void add(int a, int layer, const BlockTargets& targets, CollectedBlocks& collected,
            solvers::SymmetricBlockMatrix& matrix) const;
-  Range points_w(int b) const;
+  Range common_points(int b) const;
 
   const StiffnessTables* tables_ = nullptr;
   const PatchIntegrand* patch_ = nullptr;
