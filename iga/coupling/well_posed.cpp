@@ -16,8 +16,8 @@ void require_unfolded(const Discretization& discretization, int points) {
     const int layers = geometry.points(2);
     plane.resize(static_cast<std::size_t>(geometry.blocks()) * static_cast<std::size_t>(layers) *
                  static_cast<std::size_t>(geometry.components() * QuadratureGeometry::block_size));
-    for (int second = 0; second < geometry.points(1); ++second)
-      geometry.evaluate(second, 0, layers, plane.data(), layers, static_cast<int>(p));
+    for (int j = 0; j < geometry.points(1); ++j)
+      geometry.evaluate(j, 0, layers, plane.data(), layers, static_cast<int>(p));
   }
 }
 

@@ -44,7 +44,7 @@ Quotient quotient(const GridSums::Point& p, int first) {
   Quotient result;
   result.value = inverse * p.value.segment<3>(first).matrix();
   int column = 0;
-  for (const FieldLanes<8>* d : {&p.first, &p.second, &p.third})
+  for (const FieldLanes<8>* d : {&p.d1, &p.d2, &p.d3})
     result.derivatives.col(column++) = inverse * (d->segment<3>(first).matrix() - (*d)[3] * result.value);
   return result;
 }

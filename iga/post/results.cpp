@@ -13,7 +13,7 @@ namespace isopatch::iga {
 namespace {
 
 // The ends of the unit interval and `degree` - 1 parameters evenly between them.
-geometry::QuadratureRule even_points(int degree) {
+geometry::QuadratureRule even_grid(int degree) {
   const Eigen::VectorXd weights = Eigen::VectorXd::Ones(degree + 1);
   return {Eigen::VectorXd::LinSpaced(degree + 1, 0, 1), weights};
 }
@@ -53,7 +53,7 @@ Extremum max_displacement(const ElasticField& field, const std::vector<PatchLaye
     const auto p = static_cast<std::size_t>(part.patch);
     const geometry::NurbsVolume& patch = field.patches[p];
     const ElementTensors tensors(
-        patch, {even_points(patch.degree(0)), even_points(patch.degree(1)), even_points(patch.degree(2))});
+        patch, {even_grid(patch.degree(0)), even_grid(patch.degree(1)), even_grid(patch.degree(2))});
     const std::int64_t layer = tensors.element_count() / patch.knots(2).element_count();
     const std::int64_t begin = layer * part.first_layer, end = layer * part.last_layer;
     std::vector<Longest> found(static_cast<std::size_t>((end - begin + per_task - 1) / per_task));

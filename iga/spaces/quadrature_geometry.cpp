@@ -25,7 +25,7 @@ inline Lane along_third(const double* line, std::ptrdiff_t plane_step, const dou
 
 using Derived = std::array<Lane, 4>;  // value and three derivatives
 
-// Of one component of a spline, from V V, D V, V D of directions 1 and 2: the third part of the fields each.
+// Of one component of a spline, from V V, D V, V D of directions 1 and 2: a third of the fields each.
 inline Derived derived(const double* from, std::ptrdiff_t width, int fields, const double* values,
                        const double* derivatives, int functions) {
   const std::ptrdiff_t step = fields * width;
@@ -157,8 +157,8 @@ QuadratureGeometry::AtPoints QuadratureGeometry::tabulate_own(int d) const {
 // of direction 3 need.
 QuadratureGeometry::Lines QuadratureGeometry::lines(const Eigen::Matrix4Xd& coefficients,
                                                     const std::array<AtPoints, 3>& at_points,
-                                                    const std::array<int, 2>& sizes, int components,
-                                                    int second, int begin, int end) const {
+                                                    const std::array<int, 2>& sizes, int components, int j,
+                                                    int begin, int end) const {
   const auto& [u, v, w] = at_points;
   Lines result;
   result.first_plane = w.first[static_cast<std::size_t>(begin)];
@@ -168,11 +168,11 @@ QuadratureGeometry::Lines QuadratureGeometry::lines(const Eigen::Matrix4Xd& coef
   result.values.assign(static_cast<std::size_t>(planes) * static_cast<std::size_t>(result.fields * width),
                        0.0);
   std::vector<Lanes> line(static_cast<std::size_t>(sizes[0]));  // values, then derivatives along direction 2
-  const double* const value2 = &v.values[static_cast<std::size_t>(second * v.functions)];
-  const double* const derivative2 = &v.derivatives[static_cast<std::size_t>(second * v.functions)];
+  const double* const value2 = &v.values[static_cast<std::size_t>(j * v.functions)];
+  const double* const derivative2 = &v.derivatives[static_cast<std::size_t>(j * v.functions)];
   for (int plane = 0; plane < planes; ++plane) {
     const Eigen::Index row = static_cast<Eigen::Index>(sizes[1]) * (result.first_plane + plane) +
-                             v.first[static_cast<std::size_t>(second)];
+                             v.first[static_cast<std::size_t>(j)];
     for (int i = 0; i < sizes[0]; ++i) {
       Lanes& here = line[static_cast<std::size_t>(i)];
       here.setZero();
@@ -205,15 +205,15 @@ QuadratureGeometry::Lines QuadratureGeometry::lines(const Eigen::Matrix4Xd& coef
   return result;
 }
 
-void QuadratureGeometry::evaluate(int second, int begin, int end, double* out, int stride, int patch) const {
+void QuadratureGeometry::evaluate(int j, int begin, int end, double* out, int stride, int patch) const {
   const geometry::NurbsVolume& volume = *space_->geometry;
   const bool rational = space_->is_rational();
   const Lines places = lines(homogeneous_, geometry_at_, {volume.size(0), volume.size(1)},
-                             volume.is_rational() ? 4 : 3, second, begin, end);
+                             volume.is_rational() ? 4 : 3, j, begin, end);
   Lines weights;
   if (rational)
     weights = lines(function_weights_, functions_at_, {space_->knots[0].size(), space_->knots[1].size()}, 1,
-                    second, begin, end);
+                    j, begin, end);
   bool folded = false;
   for (int block = 0; block < blocks(); ++block) {
     const int used = std::min(block_size, points(0) - block * block_size);
@@ -222,14 +222,14 @@ void QuadratureGeometry::evaluate(int second, int begin, int end, double* out, i
       weight1[lane] = weights_[0][static_cast<std::size_t>(block * block_size + lane)];
     double* to = out + static_cast<std::ptrdiff_t>(block) * stride * components() * block_size;
     for (int q = begin; q < end; ++q, to += components() * block_size) {
-      const auto third = static_cast<std::size_t>(q);
-      const Lane weight = weight1 * (weights_[1][static_cast<std::size_t>(second)] * weights_[2][third]);
+      const auto k = static_cast<std::size_t>(q);
+      const Lane weight = weight1 * (weights_[1][static_cast<std::size_t>(j)] * weights_[2][k]);
       const auto derive = [&](const Lines& spline, const AtPoints& w, int component) {
         const double* const from = spline.values.data() +
-                                   static_cast<std::ptrdiff_t>(w.first[third] - spline.first_plane) *
+                                   static_cast<std::ptrdiff_t>(w.first[k] - spline.first_plane) *
                                        spline.fields * blocks() * block_size +
                                    (component * blocks() + block) * block_size;
-        const auto at_point = third * static_cast<std::size_t>(w.functions);
+        const auto at_point = k * static_cast<std::size_t>(w.functions);
         return derived(from, blocks() * block_size, spline.fields, &w.values[at_point],
                        &w.derivatives[at_point], w.functions);
       };
@@ -244,13 +244,13 @@ void QuadratureGeometry::evaluate(int second, int begin, int end, double* out, i
         write_scaled(map, (weight / map.determinant).sqrt(), to);
     }
   }
-  if (folded) refuse_fold(second, begin, end, patch);
+  if (folded) refuse_fold(j, begin, end, patch);
 }
 
-void QuadratureGeometry::refuse_fold(int second, int begin, int end, int patch) const {
+void QuadratureGeometry::refuse_fold(int j, int begin, int end, int patch) const {
   const auto at_w = nodes_[2].begin();
   const std::array<std::vector<double>, 3> grid = {
-      nodes_[0], std::vector<double>(1, nodes_[1][static_cast<std::size_t>(second)]),
+      nodes_[0], std::vector<double>(1, nodes_[1][static_cast<std::size_t>(j)]),
       std::vector<double>(at_w + begin, at_w + end)};
   refuse_folded(patch, *space_->geometry, space_->reversed, grid);
 }

@@ -37,16 +37,16 @@ class QuadratureGeometry {
   static const int block_size;
   int blocks() const { return (points(0) + block_size - 1) / block_size; }
 
-  /// Evaluates the points that have index `second` in direction 2 and begin .. end - 1 in direction 3.
+  /// Evaluates the points that have index j in direction 2 and begin .. end - 1 in direction 3.
   ///
-  /// @param out   numbers of the point (i, second, k) at ((i / block_size) * stride + (k - begin)) *
+  /// @param out   numbers of the point (i, j, k) at ((i / block_size) * stride + (k - begin)) *
   /// components() *
   ///              block_size, those of one kind for the points of a block side by side
   /// @param stride  at least end - begin
   /// @param patch   for messages
   /// @throws Error fold_over  det J <= 0, naming patch, parameter (the input's names) and place
   /// @cost   about 24 (degree + 1) + 100 flops per point, 32 (degree + 1) + 120 for rational geometry
-  void evaluate(int second, int begin, int end, double* out, int stride, int patch) const;
+  void evaluate(int j, int begin, int end, double* out, int stride, int patch) const;
 
  private:
   // The functions of a knot vector that live at each Gauss point of a direction.
@@ -65,8 +65,8 @@ class QuadratureGeometry {
   AtPoints tabulate(const geometry::KnotVector& knots, int d) const;
   AtPoints tabulate_own(int d) const;
   Lines lines(const Eigen::Matrix4Xd& coefficients, const std::array<AtPoints, 3>& at,
-              const std::array<int, 2>& sizes, int components, int second, int begin, int end) const;
-  [[noreturn]] void refuse_fold(int second, int begin, int end, int patch) const;
+              const std::array<int, 2>& sizes, int components, int j, int begin, int end) const;
+  [[noreturn]] void refuse_fold(int j, int begin, int end, int patch) const;
 
   const PatchSpace* space_;
   std::array<DirectionTable, 3> tables_;

@@ -80,18 +80,18 @@ ContractionStages square_stages(bool values) {
   return stages;
 }
 
-void BoxContraction::start(const LineTable& second, const LineTable& third, const ContractionStages& stages,
-                           const ElementBox& box) {
-  table2_ = &second;
-  table3_ = &third;
+void BoxContraction::start(const LineTable& direction2, const LineTable& direction3,
+                           const ContractionStages& stages, const ElementBox& box) {
+  table2_ = &direction2;
+  table3_ = &direction3;
   stages_ = &stages;
   const auto points_of_element = [](const LineTable& table) {
     return table.points() / (static_cast<int>(table.run_start.size()) - 1);
   };
-  points2_ = points_of_element(second);
-  points3_ = points_of_element(third);
-  const auto [row, rows] = function_range(second, box.begin[1], box.end[1]);
-  const auto [plane, planes] = function_range(third, box.begin[2], box.end[2]);
+  points2_ = points_of_element(direction2);
+  points3_ = points_of_element(direction3);
+  const auto [row, rows] = function_range(direction2, box.begin[1], box.end[1]);
+  const auto [plane, planes] = function_range(direction3, box.begin[2], box.end[2]);
   first_row_ = row;
   rows_ = rows;
   first_plane_ = plane;

@@ -60,7 +60,7 @@ std::vector<std::array<int, 2>> square_kinds(bool values);
 class BoxContraction {
  public:
   /// Turns to another box; storage is used again. Tables, of directions 2 and 3, must outlive this.
-  void start(const LineTable& second, const LineTable& third, const ContractionStages& stages,
+  void start(const LineTable& direction2, const LineTable& direction3, const ContractionStages& stages,
              const ElementBox& box);
 
   /// Functions of directions 2 and 3 that live in the box.

@@ -27,7 +27,7 @@ class GridSums {
 
   /// Direction 3 summed: eight fields for each pair of functions of directions 1 and 2.
   struct Plane {
-    std::vector<FieldLanes<8>> value, third;
+    std::vector<FieldLanes<8>> value, d3;
   };
   /// @param combination  of direction 3
   /// @cost  O(degree) per coefficient of the plane; in parallel
@@ -35,12 +35,13 @@ class GridSums {
 
   /// Direction 2 summed as well: eight fields for each function of direction 1.
   struct Row {
-    std::vector<FieldLanes<8>> value, second, third;
+    std::vector<FieldLanes<8>> value, d2, d3;
   };
   void row(int combination, const Plane& plane, Row& out) const;
 
+  /// Direction 1 summed as well: values and derivatives along the three directions.
   struct Point {
-    FieldLanes<8> value, first, second, third;
+    FieldLanes<8> value, d1, d2, d3;
   };
   Point point(int combination, const Row& row) const {
     const GridLine& line = lines_[0];
@@ -50,9 +51,9 @@ class GridSums {
       const double value = line.values(combination, a);
       const auto i = from + static_cast<std::size_t>(a);
       p.value += value * row.value[i];
-      p.first += line.derivatives(combination, a) * row.value[i];
-      p.second += value * row.second[i];
-      p.third += value * row.third[i];
+      p.d1 += line.derivatives(combination, a) * row.value[i];
+      p.d2 += value * row.d2[i];
+      p.d3 += value * row.d3[i];
     }
     return p;
   }
