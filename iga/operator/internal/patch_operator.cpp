@@ -53,8 +53,8 @@ PatchOperator::Group PatchOperator::group(const std::array<geometry::KnotVector,
 }
 
 PatchOperator::PatchOperator(int patch, const PatchSpace& space, const Material& material, int points)
-    : patch_(patch), space_(&space), material_(material), together_(isoparametric(space)) {
-  denominators_ = denominators(space, together_);
+    : patch_(patch), space_(&space), material_(material), is_isoparametric_(isoparametric(space)) {
+  denominators_ = denominators(space, is_isoparametric_);
   std::array<LineTable, 3> own, geometry, products;
   for (std::size_t d = 0; d < 3; ++d) {
     elements_[d] = direction_table(space.knots[d],
@@ -63,11 +63,11 @@ PatchOperator::PatchOperator(int patch, const PatchSpace& space, const Material&
       quadrature_[d].insert(quadrature_[d].end(), element.weights.begin(), element.weights.end());
     own[d] = line_table(elements_[d]);
     products[d] = squares(own[d]);
-    if (!together_) geometry[d] = line_table(space.geometry->knots()[d], elements_[d]);
+    if (!is_isoparametric_) geometry[d] = line_table(space.geometry->knots()[d], elements_[d]);
   }
   functions_ = group(space.knots, std::move(own));
   squares_ = group(space.knots, std::move(products));
-  if (!together_) geometry_ = group(space.geometry->knots(), std::move(geometry));
+  if (!is_isoparametric_) geometry_ = group(space.geometry->knots(), std::move(geometry));
   lane_weights_.assign(functions_.bands.size(), Lanes{});
   for (std::size_t q = 0; q < quadrature_[0].size(); ++q)
     lane_weights_[q / lane_count][q % lane_count] = quadrature_[0][q];

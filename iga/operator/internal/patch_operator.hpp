@@ -84,10 +84,10 @@ class PatchOperator {
   std::array<DirectionTable, 3> elements_;
   std::array<std::vector<double>, 3> quadrature_;  // weights of all points
   std::vector<Lanes> lane_weights_;                // of direction 1
-  bool together_ = false;                          // functions and geometry are the same functions
+  bool is_isoparametric_ = false;                  // functions and geometry are the same functions
   Denominators denominators_ = Denominators::none;
   Group functions_;
-  Group geometry_;  // empty if together
+  Group geometry_;  // empty if isoparametric
   Group squares_;   // of the functions
 };
 

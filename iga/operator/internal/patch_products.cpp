@@ -127,10 +127,10 @@ void PatchOperator::integrate(const ElementBox& box, const double* displacement,
                               const ContractionStages& result_stages, const Evaluate& evaluate,
                               PatchOperatorScratch& scratch, Collect collect) const {
   const geometry::NurbsVolume* const volume = space_->geometry;
-  const Fields with_functions{displacement, together_ ? volume : nullptr,
+  const Fields with_functions{displacement, is_isoparametric_ ? volume : nullptr,
                               space_->is_rational() ? &space_->weights : nullptr};
-  const Fields with_geometry{nullptr, together_ ? nullptr : volume,
-                             !together_ && volume->is_rational() ? &volume->weights() : nullptr};
+  const Fields with_geometry{nullptr, is_isoparametric_ ? nullptr : volume,
+                             !is_isoparametric_ && volume->is_rational() ? &volume->weights() : nullptr};
   const int own_fields = with_functions.count(), geometry_fields = with_geometry.count();
   const bool own_values = with_functions.weights, geometry_values = with_geometry.weights;
   const ContractionStages own_stages = field_stages(own_fields, own_values);
@@ -142,8 +142,9 @@ void PatchOperator::integrate(const ElementBox& box, const double* displacement,
 
   const int points2 = static_cast<int>(elements_[1].elements.front().nodes.size());
   const int points3 = static_cast<int>(elements_[2].elements.front().nodes.size());
-  PointLine line = lines_of({scratch.functions, own_fields, own_values},
-                            {scratch.geometry, geometry_fields, geometry_values}, displacement, together_);
+  PointLine line =
+      lines_of({scratch.functions, own_fields, own_values},
+               {scratch.geometry, geometry_fields, geometry_values}, displacement, is_isoparametric_);
   line.points = points2;
   for (int b = box.begin[0]; b < box.end[0]; ++b) {
     const auto band = static_cast<std::size_t>(b);

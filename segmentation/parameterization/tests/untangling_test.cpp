@@ -58,7 +58,7 @@ TEST(ShapeEnergy, GradientIsTheDifferenceQuotientAlsoWhereItIsFolded) {
   }
 }
 
-TEST(Untangling, FreesInnerPointsThatWereThrownAbout) {
+TEST(Untangling, FreesInnerPointsDisplacedAtRandom) {
   std::mt19937 random(3);
   const auto number = [&] { return 2.0 * random() / 4294967295.0 - 1; };
   const auto knots = cubic(2);
