@@ -17,7 +17,10 @@ target_compile_definitions(isopatch_settings INTERFACE EIGEN_DONT_PARALLELIZE)
 set_target_properties(isopatch_settings PROPERTIES EXPORT_NAME settings)
 # GCC 12 reports its own AVX-512 intrinsics as uninitialized and its own string concatenation as overlapping
 # (bug 105651), so those warnings stay off.
-set(ISOPATCH_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wno-maybe-uninitialized -Wno-restrict)
+set(ISOPATCH_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor)
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  list(APPEND ISOPATCH_WARNINGS -Wno-maybe-uninitialized -Wno-restrict)
+endif()
 
 # Several sources are compiled as one: each reads the same large headers, which takes most of the time. So names in
 # unnamed namespaces must differ within a folder. Some warnings make no sense then, and
@@ -25,7 +28,10 @@ set(ISOPATCH_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wno-
 function(isopatch_compile_together target)
   if(ISOPATCH_UNITY)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
-    target_compile_options(${target} PRIVATE -Wno-shadow -Wno-subobject-linkage -Wno-uninitialized)
+    target_compile_options(${target} PRIVATE -Wno-shadow)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+      target_compile_options(${target} PRIVATE -Wno-subobject-linkage -Wno-uninitialized)
+    endif()
   endif()
 endfunction()
 

@@ -28,7 +28,7 @@ BernsteinPolynomial determinant3(const std::array<Vector, 3>& columns) {
 
 // Laplace expansion along the first two columns.
 BernsteinPolynomial determinant4(const Vector& h, const std::array<Vector, 3>& columns) {
-  const auto& [u, v, w] = columns;
+  const Vector &u = columns[0], &v = columns[1], &w = columns[2];
   const auto term = [&](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
     return minor(h, u, i, j) * minor(v, w, k, l);
   };

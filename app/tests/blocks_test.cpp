@@ -241,7 +241,7 @@ traction = [0, 0, 10]
 )";
   ASSERT_EQ(run_text(text), 0) << err_;
   const json summary = json::parse(read_file(results() / "summary.json"));
-  EXPECT_EQ(summary["materials"][0]["patches"], json({0}));
+  EXPECT_EQ(summary["materials"][0]["patches"], json::array({0}));
   EXPECT_EQ(summary["materials"][1]["patches"], json({1}));
   EXPECT_EQ(run_text(replaced(text, "[\"the leg\"]", "[\"the lag\"]")), 2);
   EXPECT_THAT(err_, HasSubstr("no patch is called \"the lag\" (did you mean 'the leg'?)"));

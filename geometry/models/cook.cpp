@@ -33,7 +33,7 @@ void validate(const CookOptions& options) {
 
 PatchSet cook_model(const CookOptions& options) {
   validate(options);
-  const auto [columns, rows] = options.patches;
+  const int columns = options.patches[0], rows = options.patches[1];
   ModelBuilder builder;
   for (int j = 0; j < rows; ++j)
     for (int i = 0; i < columns; ++i) {

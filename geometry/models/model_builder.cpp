@@ -10,7 +10,7 @@ void ModelBuilder::add(NurbsVolume patch, const std::vector<std::pair<Side, std:
   auto& boundaries = patches_.boundaries;
   for (const auto& [side, boundary] : names) {
     auto at = std::find_if(boundaries.begin(), boundaries.end(),
-                           [&](const Boundary& b) { return b.name == boundary; });
+                           [name = boundary](const Boundary& b) { return b.name == name; });
     if (at == boundaries.end()) at = boundaries.insert(at, Boundary{std::string(boundary), {}});
     at->faces.push_back({id, side});
   }

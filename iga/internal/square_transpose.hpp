@@ -6,16 +6,13 @@
 
 namespace isopatch::iga {
 
-using Mask = long long __attribute__((vector_size(8 * native_lane_count)));
-
 // Entries of two rows of a square that is transposed by exchanging halves `Step` apart.
 template <int Step, int... Lane>
 inline __attribute__((always_inline)) void exchange(NativeLanes& a, NativeLanes& b,
                                                     std::integer_sequence<int, Lane...>) {
-  constexpr Mask low = {((Lane & Step) != 0 ? native_lane_count + Lane - Step : Lane)...};
-  constexpr Mask high = {((Lane & Step) != 0 ? native_lane_count + Lane : Lane + Step)...};
-  const NativeLanes first = __builtin_shuffle(a, b, low);
-  b = __builtin_shuffle(a, b, high);
+  const NativeLanes first =
+      __builtin_shufflevector(a, b, ((Lane & Step) != 0 ? native_lane_count + Lane - Step : Lane)...);
+  b = __builtin_shufflevector(a, b, ((Lane & Step) != 0 ? native_lane_count + Lane : Lane + Step)...);
   a = first;
 }
 

@@ -105,12 +105,13 @@ class PatchCells {
   // Coefficients of the interpolants. Neighbours have the same ones on the face between them; the one behind
   // it writes them.
   void interpolate_layer() {
-    const auto [p, q, r] = grid_.degree;
+    const int p = grid_.degree[0], q = grid_.degree[1], r = grid_.degree[2];
     const int across = volume_.knots(0).element_count(), rows = volume_.knots(1).element_count();
     std::vector<std::array<NodeFields, 2>> buffers(static_cast<std::size_t>(omp_get_max_threads()));
     parallel_for(std::int64_t{across} * rows, [&](std::int64_t element, int thread) {
       const int e = static_cast<int>(element) % across, f = static_cast<int>(element) / across;
-      auto& [values, spare] = buffers[static_cast<std::size_t>(thread)];
+      std::array<Packets, 2>& buffer = buffers[static_cast<std::size_t>(thread)];
+      Packets &values = buffer[0], &spare = buffer[1];
       values.resize(static_cast<std::size_t>((p + 1) * (q + 1) * (r + 1)));
       spare.resize(values.size());
       const auto for_each = [&](int last_i, int last_j, auto visit) {

@@ -150,23 +150,23 @@ InternalForces internal_forces(const Discretization& d, const std::vector<Materi
     const auto patch = static_cast<std::size_t>(p);
     const PatchForces of_patch(d, p, materials[patch], displacement, d.points_of(p, points));
     double* const forces = result.forces.data() + 3 * d.first_node[patch];
-    const auto [begin, count] = elements_of(d, part);
+    const ElementRange range = elements_of(d, part);
     in_batches<Scratch, ElementForces>(
-        count, elements_per_batch,
+        range.count, elements_per_batch,
         [&](std::int64_t element, Scratch& scratch, ElementForces& out) {
-          of_patch.compute(begin + element, scratch, out);
+          of_patch.compute(range.first + element, scratch, out);
         },
         [&](std::int64_t first, std::span<const ElementForces> elements) {
           for (const ElementForces& element : elements) {
             result.energy += element.energy;
-            of_patch.tensors().for_each_function(begin + first, [&](Eigen::Index a, Eigen::Index i) {
+            of_patch.tensors().for_each_function(range.first + first, [&](Eigen::Index a, Eigen::Index i) {
               Eigen::Map<Eigen::Vector3d>(forces + 3 * i) +=
                   Eigen::Map<const Eigen::Vector3d>(&element.forces[static_cast<std::size_t>(3 * a)]);
             });
             const auto take = [&](const Largest& found, Extremum& so_far) {
               if (is_larger(found.value, so_far.value))
                 so_far = {found.value, found.place, p,
-                          of_patch.tensors().parameter(begin + first, found.point)};
+                          of_patch.tensors().parameter(range.first + first, found.point)};
             };
             take(element.von_mises, result.max_von_mises);
             take(element.strain, result.max_strain);

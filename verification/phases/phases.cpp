@@ -71,7 +71,7 @@ Phases measure(const std::string& path, const std::vector<std::string>& override
   phase("report, certificate", [&] { return app::report(model); });
   auto discretization = phase("discretize", [&] { return iga::discretize(model, study.discretization); });
   const app::BuiltProblem built = phase("whole build", [&] { return app::build_problem(study); });
-  discretization = {model, {}, {0}};
+  discretization = {model, {}, {0}, {}};
   const iga::ElasticityProblem& problem = built.problem;
   const iga::Discretization& d = problem.discretization;
   const auto global = phase("global nodes", [&] { return iga::global_nodes(d); });

@@ -140,9 +140,11 @@ TEST(Scene, HasEverySampleOfEveryPatch) {
   EXPECT_EQ(data["patches"][0]["sizes"], json(first.sizes()));
   const json& east = data["patches"][0]["faces"][1];
   EXPECT_EQ(east["kind"], "interface");
-  EXPECT_EQ(data["patches"][0]["faces"][0],
-            json({{"kind", "boundary"}, {"label", "0:west"}, {"supports", {0}}, {"loads", json::array()}}));
-  EXPECT_EQ(data["patches"][1]["faces"][3]["loads"], json({0}));
+  EXPECT_EQ(data["patches"][0]["faces"][0], json({{"kind", "boundary"},
+                                                  {"label", "0:west"},
+                                                  {"supports", json::array({0})},
+                                                  {"loads", json::array()}}));
+  EXPECT_EQ(data["patches"][1]["faces"][3]["loads"], json::array({0}));
   EXPECT_EQ(data["loads"][0]["total"], json({4.0, 5.0, 6.0}));
   EXPECT_EQ(data["warnings"][0]["point"], json({7.0, 8.0, 9.0}));
   EXPECT_TRUE(data["warnings"][1]["patch"].is_null());
