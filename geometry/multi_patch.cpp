@@ -6,12 +6,13 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/union_find.hpp"
 #include "geometry/conformity.hpp"
 #include "geometry/interface_search.hpp"
 #include "geometry/measures.hpp"
+#include "geometry/scaled_jacobian.hpp"
 #include "geometry/splines/refine.hpp"
 
 namespace isopatch::geometry {
@@ -20,15 +21,10 @@ namespace {
 /// Below this share of the columns' lengths the sign of det J at one point says nothing.
 constexpr double unclear_sign = 1e-3;
 
-double scaled_determinant(const Eigen::Matrix3d& jacobian) {
-  const double lengths = jacobian.colwise().norm().prod();
-  return lengths > 0 ? jacobian.determinant() / lengths : 0;
-}
-
 // By the sign of det J at the middle; where that is not clear, by its sum over a grid.
 bool is_left_handed(const NurbsVolume& patch) {
   const Parameter<3> range = patch.high() - patch.low();
-  const double middle = scaled_determinant(patch.jacobian(patch.low() + 0.5 * range));
+  const double middle = scaled_jacobian(patch.jacobian(patch.low() + 0.5 * range));
   if (std::abs(middle) > unclear_sign) return middle < 0;
   constexpr int n = 5;
   double sum = 0;
@@ -99,19 +95,11 @@ std::string MultiPatch::label(PatchFace face) const {
 }
 
 std::vector<std::vector<PatchId>> MultiPatch::bodies() const {
-  // Every patch points to a patch of its body with a smaller number; the smallest points to itself.
-  std::vector<int> leader(patches_.size());
-  std::iota(leader.begin(), leader.end(), 0);
-  const auto find = [&](int i) {
-    while (leader[static_cast<std::size_t>(i)] != i) i = leader[static_cast<std::size_t>(i)];
-    return i;
-  };
-  for (const Interface& i : interfaces_) {
-    const auto [low, high] = std::minmax({find(i.first.patch.value), find(i.second.patch.value)});
-    leader[static_cast<std::size_t>(high)] = low;
-  }
+  UnionFind joined(patch_count());
+  for (const Interface& i : interfaces_) joined.unite(i.first.patch.value, i.second.patch.value);
   std::vector<std::vector<PatchId>> found(patches_.size());
-  for (int i = 0; i < patch_count(); ++i) found[static_cast<std::size_t>(find(i))].push_back(PatchId(i));
+  for (int i = 0; i < patch_count(); ++i)
+    found[static_cast<std::size_t>(joined.find(i))].push_back(PatchId(i));
   std::erase_if(found, [](const auto& body) { return body.empty(); });
   return found;
 }

@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "geometry/scaled_jacobian.hpp"
 #include "geometry/splines/basis.hpp"
 #include "iga/element_tables.hpp"
 
@@ -219,8 +220,7 @@ bool degenerates(const NurbsVolume& patch) {
     for (int j = 0; j <= steps; ++j)
       for (int i = 0; i <= steps; ++i) {
         const Matrix3d jacobian = patch.jacobian(patch.low() + range.cwiseProduct(Vector3d(i, j, k) / steps));
-        const double lengths = jacobian.colwise().norm().prod();
-        if (!(jacobian.determinant() > 0.01 * lengths)) return true;
+        if (!(geometry::scaled_jacobian(jacobian) > 0.01)) return true;
       }
   return false;
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/base/ids.hpp"
-#include "geometry/brep/edge_use.hpp"
+#include "geometry/topology/edge_use.hpp"
 
 namespace isopatch::geometry {
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 
+#include "geometry/scaled_jacobian.hpp"
 #include "geometry/splines/basis.hpp"
 #include "iga/internal/dense_along.hpp"
 #include "iga/internal/point_fields.hpp"
@@ -82,11 +83,6 @@ Rational rational_on_grid(const Eigen::Matrix3Xd& coefficients, const geometry::
   return result;
 }
 
-double scaled_jacobian(const Matrix3d& jacobian) {
-  const double lengths = jacobian.colwise().norm().prod();
-  return lengths > 0 ? jacobian.determinant() / lengths : 0;
-}
-
 // Below this scaled Jacobian the map counts as singular: a gradient through it has no digits left.
 constexpr double singular = 1e-9;
 
@@ -122,7 +118,7 @@ PatchSamples fields_on_grid(const SampledPatch& sampled,
     for (Index i = task * piece; i < std::min(count, (task + 1) * piece); ++i) {
       const Matrix3d jacobian = place.derivatives(i, weight);
       result.points.col(i) = place.value(i, weight);
-      result.scaled_jacobian[i] = scaled_jacobian(jacobian);
+      result.scaled_jacobian[i] = geometry::scaled_jacobian(jacobian);
       if (!solved) continue;
       result.displacements.col(i) = displacement.value(i, weight);
       result.von_mises[i] =
