@@ -62,18 +62,18 @@ std::vector<std::string> faces_at(const geometry::Brep& brep, EdgeId edge) {
 }
 
 void check_shell(const BrepFile& solid, const geometry::BoundaryReport& boundary) {
-  if (!boundary.free_edges.empty()) {
-    const EdgeId edge = boundary.free_edges.front();
-    refuse_edge(
-        solid, edge,
-        fmt::format("the shell is open, only {} ends here", fmt::join(faces_at(solid.brep, edge), ", ")));
-  }
   if (!boundary.overused_edges.empty()) {
     const EdgeId edge = boundary.overused_edges.front();
     const auto names = faces_at(solid.brep, edge);
     refuse_edge(
         solid, edge,
         fmt::format("{} faces meet here ({}); an edge has two", names.size(), fmt::join(names, ", ")));
+  }
+  if (!boundary.free_edges.empty()) {
+    const EdgeId edge = boundary.free_edges.front();
+    refuse_edge(
+        solid, edge,
+        fmt::format("the shell is open, only {} ends here", fmt::join(faces_at(solid.brep, edge), ", ")));
   }
   if (!boundary.misoriented_edges.empty())
     refuse_edge(solid, boundary.misoriented_edges.front(),
