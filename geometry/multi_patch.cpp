@@ -6,9 +6,9 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/union_find.hpp"
 #include "geometry/conformity.hpp"
 #include "geometry/interface_search.hpp"
 #include "geometry/measures.hpp"
@@ -95,19 +95,11 @@ std::string MultiPatch::label(PatchFace face) const {
 }
 
 std::vector<std::vector<PatchId>> MultiPatch::bodies() const {
-  // Every patch points to a patch of its body with a smaller number; the smallest points to itself.
-  std::vector<int> leader(patches_.size());
-  std::iota(leader.begin(), leader.end(), 0);
-  const auto find = [&](int i) {
-    while (leader[static_cast<std::size_t>(i)] != i) i = leader[static_cast<std::size_t>(i)];
-    return i;
-  };
-  for (const Interface& i : interfaces_) {
-    const auto [low, high] = std::minmax({find(i.first.patch.value), find(i.second.patch.value)});
-    leader[static_cast<std::size_t>(high)] = low;
-  }
+  UnionFind joined(patch_count());
+  for (const Interface& i : interfaces_) joined.unite(i.first.patch.value, i.second.patch.value);
   std::vector<std::vector<PatchId>> found(patches_.size());
-  for (int i = 0; i < patch_count(); ++i) found[static_cast<std::size_t>(find(i))].push_back(PatchId(i));
+  for (int i = 0; i < patch_count(); ++i)
+    found[static_cast<std::size_t>(joined.find(i))].push_back(PatchId(i));
   std::erase_if(found, [](const auto& body) { return body.empty(); });
   return found;
 }

@@ -326,7 +326,7 @@ void add_parameterize_command(CLI::App& app, CommandLine& line) {
   parameterize->add_flag("!--no-optimize", command.input.options.optimize,
                          "Moves no control points where a patch is folded or poor, only reports it");
   parameterize
-      ->add_option("--same-point", command.input.files.complex.same_point,
+      ->add_option("--same-point", command.input.files.assembly.same_point,
                    "Points of two blocks this close, as a share of the size, are one")
       ->capture_default_str();
   parameterize->add_option("--method", command.method, "shared, or paper for comparison")

@@ -40,7 +40,7 @@ std::string histogram_text(const ParameterizationReport& report) {
 segmentation::Parameterization parameterized(const BlocksInput& input, const Progress& progress) {
   progress("reading blocks", 0);
   segmentation::ReadBlocks blocks = segmentation::read_blocks(input.files, progress);
-  segmentation::Parameterization result = segmentation::parameterize(blocks.complex, input.options, progress);
+  segmentation::Parameterization result = segmentation::parameterize(blocks.model, input.options, progress);
   result.report.warnings = std::move(blocks.warnings);
   return result;
 }

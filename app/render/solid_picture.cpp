@@ -12,8 +12,9 @@
 #include "app/pictures/annotations.hpp"
 #include "app/plots/graph_drawing.hpp"
 #include "geometry/base/error.hpp"
-#include "geometry/brep/planar_drawing.hpp"
+#include "geometry/brep/brep_graph.hpp"
 #include "geometry/brep/tessellation.hpp"
+#include "geometry/topology/planar_drawing.hpp"
 
 namespace isopatch::app {
 namespace {

@@ -16,8 +16,8 @@
 namespace isopatch::app {
 namespace {
 
+using geometry::HexFaceUse;
 using segmentation::FaceReport;
-using segmentation::FaceUse;
 using segmentation::ParameterizationReport;
 
 double share(const std::vector<double>& parameters, int index) {
@@ -26,7 +26,7 @@ double share(const std::vector<double>& parameters, int index) {
 }
 
 /// The largest of what was there and the deviation, at all samples of one side of a patch.
-void add_side(const iga::PatchSamples& samples, const FaceReport& face, const FaceUse& use,
+void add_side(const iga::PatchSamples& samples, const FaceReport& face, const HexFaceUse& use,
               Eigen::MatrixXd& values) {
   const auto n = samples.sizes();
   const auto across = static_cast<std::size_t>(geometry::direction(use.side.side));
@@ -109,8 +109,8 @@ std::vector<SceneField> parameterization_fields(const ParameterizationReport& re
         1, count, known ? report.patches[p].certificate.lower / report.patches[p].volume : none));
   }
   for (const FaceReport& face : report.faces)
-    for (const FaceUse& use : face.uses) {
-      const auto p = static_cast<std::size_t>(use.side.block);
+    for (const HexFaceUse& use : face.uses) {
+      const auto p = static_cast<std::size_t>(use.side.block.value);
       add_side(samples.patches[p], face, use, deviation.values[p]);
     }
   return {deviation, bound};

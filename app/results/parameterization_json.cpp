@@ -6,7 +6,7 @@ namespace isopatch::app {
 namespace {
 
 using segmentation::FaceReport;
-using segmentation::FaceUse;
+using segmentation::HexFaceUse;
 using segmentation::ParameterizationReport;
 
 Json patch_json(const segmentation::PatchReport& patch) {
@@ -23,8 +23,8 @@ Json patch_json(const segmentation::PatchReport& patch) {
 
 Json face_json(const FaceReport& face) {
   Json sides = Json::array();
-  for (const FaceUse& use : face.uses)
-    sides.push_back(fmt::format("{}:{}", use.side.block, name(use.side.side)));
+  for (const HexFaceUse& use : face.uses)
+    sides.push_back(fmt::format("{}:{}", use.side.block.value, name(use.side.side)));
   return {{"name", face.name}, {"sides", sides}, {"deviation", face.deviation}, {"gap", face.gap}};
 }
 

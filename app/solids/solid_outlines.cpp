@@ -4,6 +4,7 @@
 
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/error.hpp"
+#include "geometry/brep/brep_graph.hpp"
 #include "geometry/brep/require_solid.hpp"
 #include "geometry/brep/tessellation.hpp"
 #include "geometry/io/read_gismo_solid.hpp"

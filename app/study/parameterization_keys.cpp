@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "app/study/study_keys.hpp"
-#include "segmentation/parameterization/assemble_complex.hpp"
+#include "segmentation/parameterization/assemble_model.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -32,7 +32,11 @@ Key<P> number_key(const std::string& name, const Range& range, double fallback, 
 }  // namespace
 
 const Keys<ParameterizationKeys>& parameterization_keys() {
-  static const std::vector<std::string> methods = {"shared", "paper"};
+  static const std::vector<std::string> methods = [] {
+    std::vector<std::string> names;
+    for (const auto method : segmentation::all_parameterization_methods) names.emplace_back(name(method));
+    return names;
+  }();
   static const Keys<P> keys = {
       custom_key<P>(
           "method", "\"shared\" or \"paper\"",
@@ -41,8 +45,8 @@ const Keys<ParameterizationKeys>& parameterization_keys() {
           "paper follows the five steps of the segmentation pipeline's paper, for comparison: 10 samples an "
           "edge, 343 control points a patch, averages at interfaces.",
           [](P& target, const ConfigValue& value) {
-            target.options.method =
-                segmentation::ParameterizationMethod(read_choice(value, "method", methods));
+            target.options.method = segmentation::all_parameterization_methods[static_cast<std::size_t>(
+                read_choice(value, "method", methods))];
           })
           .with_default("\"shared\""),
       number_key(
@@ -66,7 +70,7 @@ const Keys<ParameterizationKeys>& parameterization_keys() {
           [](P& target, const ConfigValue& value) { target.options.optimize = read_flag(value, "optimize"); })
           .with_default("true"),
       number_key(
-          "same_point", {0, 0.05, false, false}, segmentation::ComplexOptions{}.same_point,
+          "same_point", {0, 0.05, false, false}, segmentation::AssemblyOptions{}.same_point,
           [](P& target) -> double& { return target.same_point; },
           "Points of two blocks closer than this share of the size are one point."),
   };

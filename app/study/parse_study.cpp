@@ -83,7 +83,7 @@ std::optional<BlocksInput> read_blocks(const ModelKeys& keys, const Section& inp
       read_table<ParameterizationKeys>(how.table, how.place, "[parameterization]", parameterization_keys());
   blocks.options = options.options;
   blocks.options.names = {"parameterization.max_spans", "parameterization.tolerance"};
-  blocks.files.complex.same_point = options.same_point;
+  blocks.files.assembly.same_point = options.same_point;
   if (keys.gives_length_unit) blocks.files.length_unit = keys.length_unit;
   blocks.files.allow_partial = keys.allow_partial;
   blocks.files.limits = {keys.cad_time_limit, static_cast<std::uint64_t>(keys.cad_memory_limit)};

@@ -2,7 +2,7 @@
 
 #include "app/study/keys.hpp"
 #include "app/study/study.hpp"
-#include "segmentation/parameterization/assemble_complex.hpp"
+#include "segmentation/parameterization/assemble_model.hpp"
 
 namespace isopatch::app {
 
@@ -83,7 +83,7 @@ struct OutputKeys {
 
 struct ParameterizationKeys {
   segmentation::ParameterizationOptions options;
-  double same_point = segmentation::ComplexOptions{}.same_point;
+  double same_point = segmentation::AssemblyOptions{}.same_point;
 };
 
 /// The whole file: each section is read with its own keys.

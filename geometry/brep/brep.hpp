@@ -9,10 +9,10 @@
 
 #include "geometry/base/ids.hpp"
 #include "geometry/brep/brep_parts.hpp"
-#include "geometry/brep/edge_use.hpp"
 #include "geometry/brep/measure.hpp"
 #include "geometry/brep/tessellation.hpp"
 #include "geometry/splines/nurbs.hpp"
+#include "geometry/topology/edge_use.hpp"
 
 namespace isopatch::geometry {
 

@@ -8,7 +8,7 @@
 
 #include "geometry/base/angle.hpp"
 #include "geometry/base/ids.hpp"
-#include "geometry/brep/edge_use.hpp"
+#include "geometry/topology/edge_use.hpp"
 
 namespace isopatch::geometry {
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "geometry/brep/brep_graph.hpp"
 #include "geometry/brep/require_solid.hpp"
 
 namespace isopatch::geometry {

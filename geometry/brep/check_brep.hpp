@@ -6,8 +6,8 @@
 #include "geometry/brep/brep.hpp"
 #include "geometry/brep/contradictions.hpp"
 #include "geometry/brep/edge_angles.hpp"
-#include "geometry/brep/edge_graph.hpp"
-#include "geometry/brep/graph_connectivity.hpp"
+#include "geometry/topology/edge_graph.hpp"
+#include "geometry/topology/graph_connectivity.hpp"
 
 namespace isopatch::geometry {
 

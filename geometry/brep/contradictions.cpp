@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/brep/brep_graph.hpp"
 #include "geometry/brep/require_solid.hpp"
 #include "geometry/brep/tessellation.hpp"
 

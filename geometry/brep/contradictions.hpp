@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "geometry/brep/brep.hpp"
-#include "geometry/brep/edge_graph.hpp"
 #include "geometry/brep/solid_error.hpp"
+#include "geometry/topology/edge_graph.hpp"
 
 namespace isopatch::geometry {
 

@@ -7,10 +7,11 @@
 #include <optional>
 
 #include "geometry/base/error.hpp"
-#include "geometry/brep/edge_graph.hpp"
+#include "geometry/brep/brep_graph.hpp"
 #include "geometry/brep/module.hpp"
 #include "geometry/brep/require_solid.hpp"
 #include "geometry/brep/solid_error.hpp"
+#include "geometry/topology/edge_graph.hpp"
 
 namespace isopatch::geometry {
 namespace {

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "geometry/base/error.hpp"
+#include "geometry/brep/brep_graph.hpp"
 
 namespace isopatch::geometry {
 namespace {

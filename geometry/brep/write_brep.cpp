@@ -6,7 +6,7 @@
 
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/error.hpp"
-#include "geometry/brep/edge_graph.hpp"
+#include "geometry/brep/brep_graph.hpp"
 #include "geometry/brep/internal/file_format.hpp"
 #include "geometry/brep/make_brep.hpp"
 #include "geometry/brep/module.hpp"
@@ -14,6 +14,7 @@
 #include "geometry/io/read_gismo_solid.hpp"
 #include "geometry/io/read_off.hpp"
 #include "geometry/io/write_gismo_solid.hpp"
+#include "geometry/topology/edge_graph.hpp"
 
 namespace isopatch::geometry {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <numeric>
 
+#include "geometry/base/union_find.hpp"
 #include "geometry/collapse.hpp"
-#include "iga/internal/union_find.hpp"
 #include "iga/spaces/matching_spaces.hpp"
 
 namespace isopatch::iga {

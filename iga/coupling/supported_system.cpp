@@ -1,7 +1,7 @@
 #include "iga/coupling/supported_system.hpp"
 
 #include "geometry/base/error.hpp"
-#include "iga/internal/union_find.hpp"
+#include "geometry/base/union_find.hpp"
 
 namespace isopatch::iga {
 namespace {

@@ -110,8 +110,8 @@ class PatchCells {
     std::vector<std::array<NodeFields, 2>> buffers(static_cast<std::size_t>(omp_get_max_threads()));
     parallel_for(std::int64_t{across} * rows, [&](std::int64_t element, int thread) {
       const int e = static_cast<int>(element) % across, f = static_cast<int>(element) / across;
-      std::array<Packets, 2>& buffer = buffers[static_cast<std::size_t>(thread)];
-      Packets &values = buffer[0], &spare = buffer[1];
+      std::array<NodeFields, 2>& buffer = buffers[static_cast<std::size_t>(thread)];
+      NodeFields &values = buffer[0], &spare = buffer[1];
       values.resize(static_cast<std::size_t>((p + 1) * (q + 1) * (r + 1)));
       spare.resize(values.size());
       const auto for_each = [&](int last_i, int last_j, auto visit) {

@@ -46,14 +46,15 @@ bool flips(const geometry::FaceOrientation& orientation, std::size_t parameter) 
 SurfacePoints::SurfacePoints(const geometry::MultiPatch& model,
                              const std::vector<geometry::NurbsVolume>& patches,
                              const std::vector<geometry::GridParameters<3>>& parameters)
-    : patches_(patches), parameters_(parameters) {
+    : patches_(patches),
+      parameters_(parameters),
+      edges_(12 * static_cast<int>(patches.size())),
+      corners_(8 * static_cast<int>(patches.size())) {
   const int count = static_cast<int>(patches.size());
   for (int p = 0; p < count; ++p)
     for (const Side side : geometry::all_sides) faces_.push_back({{PatchId(p), side}, {}});
   collapsed_faces_.assign(faces_.size(), 0);
   collapsed_edges_.assign(static_cast<std::size_t>(12 * count), 0);
-  for (int i = 0; i < 12 * count; ++i) edges_.push_back({i, false});
-  for (int i = 0; i < 8 * count; ++i) corners_.push_back(i);
   for (const geometry::Interface& interface : model.interfaces()) {
     join(interface.first, interface.second, interface.orientation);
     if (interface.first < interface.second)
@@ -72,18 +73,18 @@ void SurfacePoints::join(const PatchFace& first, const PatchFace& second,
       const int here = edge_of(first, a, high);
       const int there = edge_of(second, b, high != flips(orientation, 1 - b));
       const bool turned = flips(orientation, b);
-      join_edges(here, there, turned);
-      join_corners(corner_of(here, false), corner_of(there, turned));
-      join_corners(corner_of(here, true), corner_of(there, !turned));
+      edges_.unite(here, there, turned);
+      corners_.unite(corner_of(here, false), corner_of(there, turned));
+      corners_.unite(corner_of(here, true), corner_of(there, !turned));
     }
   }
 }
 
 void SurfacePoints::join_collapsed(const geometry::MultiPatch& model) {
   const double tolerance = model.tolerance().same_point * model.size();
-  for (int i = 0; i < static_cast<int>(edges_.size()); ++i)
+  for (int i = 0; i < static_cast<int>(collapsed_edges_.size()); ++i)
     if (is_collapsed(model.patches()[static_cast<std::size_t>(i / 12)], patch_edge(i), tolerance)) {
-      join_corners(corner_of(i, false), corner_of(i, true));
+      corners_.unite(corner_of(i, false), corner_of(i, true));
       collapsed_edges_[static_cast<std::size_t>(i)] = 1;
     }
   for (const PatchFace& face : model.degenerate_faces())
@@ -91,43 +92,15 @@ void SurfacePoints::join_collapsed(const geometry::MultiPatch& model) {
       if (!is_collapsed(model.patch(face.patch), face.side, geometry::tangents(face.side)[a], tolerance))
         continue;
       collapsed_faces_[number(face)] = static_cast<char>(collapsed_faces_[number(face)] | (1 << a));
-      join_edges(edge_of(face, 1 - a, false), edge_of(face, 1 - a, true), false);
+      edges_.unite(edge_of(face, 1 - a, false), edge_of(face, 1 - a, true), false);
     }
-  for (int i = 0; i < static_cast<int>(edges_.size()); ++i)
+  for (int i = 0; i < static_cast<int>(collapsed_edges_.size()); ++i)
     if (collapsed_edges_[static_cast<std::size_t>(i)])
-      collapsed_edges_[static_cast<std::size_t>(edge_owner(i).edge)] = 1;
-}
-
-void SurfacePoints::join_corners(int a, int b) {
-  const auto root = [&](int i) {
-    while (corners_[static_cast<std::size_t>(i)] != i) i = corners_[static_cast<std::size_t>(i)];
-    return i;
-  };
-  a = root(a);
-  b = root(b);
-  corners_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-}
-
-void SurfacePoints::join_edges(int a, int b, bool turned) {
-  const EdgeOwner first = edge_owner(a), second = edge_owner(b);
-  if (first.edge == second.edge) return;
-  const bool between = turned != (first.turned != second.turned);
-  edges_[static_cast<std::size_t>(std::max(first.edge, second.edge))] = {std::min(first.edge, second.edge),
-                                                                         between};
-}
-
-SurfacePoints::EdgeOwner SurfacePoints::edge_owner(int edge) const {
-  EdgeOwner result{edge, false};
-  for (;;) {
-    const EdgeOwner& next = edges_[static_cast<std::size_t>(result.edge)];
-    if (next.edge == result.edge) return result;
-    result = {next.edge, result.turned != next.turned};
-  }
+      collapsed_edges_[static_cast<std::size_t>(edges_.find(i).root)] = 1;
 }
 
 Eigen::Vector3d SurfacePoints::corner(int corner) const {
-  while (corners_[static_cast<std::size_t>(corner)] != corner)
-    corner = corners_[static_cast<std::size_t>(corner)];
+  corner = corners_.find(corner);
   const geometry::NurbsVolume& patch = patches_[static_cast<std::size_t>(corner / 8)];
   const auto [m, n, o] = patch.sizes();
   return patch.control_points().col((corner & 1 ? m - 1 : 0) +
@@ -135,18 +108,18 @@ Eigen::Vector3d SurfacePoints::corner(int corner) const {
 }
 
 Eigen::Matrix3Xd SurfacePoints::edge(int edge) const {
-  const EdgeOwner owner = edge_owner(edge);
-  const auto p = static_cast<std::size_t>(owner.edge / 12);
+  const SignedUnionFind::Member owner = edges_.find(edge);
+  const auto p = static_cast<std::size_t>(owner.root / 12);
   const geometry::NurbsVolume& patch = patches_[p];
-  const geometry::PatchEdge e = patch_edge(owner.edge);
+  const geometry::PatchEdge e = patch_edge(owner.root);
   const auto along = static_cast<std::size_t>(e.along);
   const std::vector<int> indices = geometry::edge_control_points(patch.sizes(), e);
   const geometry::NurbsCurve curve({patch.knots()[along]}, patch.control_points()(Eigen::all, indices),
                                    patch.weights()(indices));
   Eigen::Matrix3Xd points = geometry::points_on_grid(curve, {parameters_[p][along]});
-  if (owner.turned) points = points.rowwise().reverse().eval();
+  if (owner.against) points = points.rowwise().reverse().eval();
   const Eigen::Vector3d low = corner(corner_of(edge, false)), high = corner(corner_of(edge, true));
-  if (collapsed_edges_[static_cast<std::size_t>(owner.edge)]) points.colwise() = low;
+  if (collapsed_edges_[static_cast<std::size_t>(owner.root)]) points.colwise() = low;
   points.leftCols<1>() = low;
   points.rightCols<1>() = high;
   return points;

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "geometry/base/union_find.hpp"
 #include "geometry/multi_patch.hpp"
 #include "geometry/splines/grid.hpp"
 
@@ -32,16 +33,9 @@ class SurfacePoints {
     geometry::PatchFace face;
     geometry::FaceOrientation orientation;  // from this face to the owner
   };
-  struct EdgeOwner {
-    int edge = 0;         // 12 a patch
-    bool turned = false;  // whether the owner runs the other way
-  };
   void join(const geometry::PatchFace& first, const geometry::PatchFace& second,
             const geometry::FaceOrientation& orientation);
   void join_collapsed(const geometry::MultiPatch& model);
-  void join_corners(int a, int b);
-  void join_edges(int a, int b, bool turned);
-  EdgeOwner edge_owner(int edge) const;
   Eigen::Vector3d corner(int corner) const;
   Eigen::Matrix3Xd edge(int edge) const;
   Eigen::Matrix3Xd inside(const geometry::PatchFace& face) const;
@@ -51,8 +45,8 @@ class SurfacePoints {
   std::vector<FaceOwner> faces_;       // 6 a patch
   std::vector<char> collapsed_faces_;  // bit 1: along its first tangent direction, bit 2: along its second
   std::vector<char> collapsed_edges_;  // 12 a patch; true of owners if it is of any that they own
-  std::vector<EdgeOwner> edges_;       // 12 a patch; the next one on the way to the owner
-  std::vector<int> corners_;           // 8 a patch; likewise
+  SignedUnionFind edges_;              // 12 a patch
+  UnionFind corners_;                  // 8 a patch
 };
 
 }  // namespace isopatch::iga

@@ -8,8 +8,8 @@
 #include <numeric>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/union_find.hpp"
 #include "geometry/splines/transfer.hpp"
-#include "iga/internal/union_find.hpp"
 
 namespace isopatch::iga {
 namespace {

@@ -56,6 +56,20 @@ class CheckLayers(unittest.TestCase):
         self.rejects({"geometry/io/a.hpp": "", "geometry/models/b.cpp": '#include "geometry/io/a.hpp"\n'},
                      "geometry/models/b.cpp:1", "geometry/models may not include geometry/io")
 
+    def test_rejects_solids_in_the_combinatorics(self):
+        room = "segmentation/decomposition/combinatorics"
+        self.accepts({"geometry/topology/a.hpp": "", room + "/b.cpp": '#include "geometry/topology/a.hpp"\n'})
+        for other in ("geometry/brep", "geometry/hex", "geometry", "segmentation/decomposition/cutting"):
+            for path in (room + "/b.cpp", room + "/tests/b_test.cpp"):
+                self.rejects({other + "/a.hpp": "", path: f'#include "{other}/a.hpp"\n'}, path + ":1",
+                             f"{room} may not include {other}")
+
+    def test_rejects_decompositions_in_the_parameterization(self):
+        self.rejects({"segmentation/decomposition/a.hpp": "",
+                      "segmentation/parameterization/b.cpp": '#include "segmentation/decomposition/a.hpp"\n'},
+                     "segmentation/parameterization/b.cpp:1",
+                     "segmentation/parameterization may not include segmentation/decomposition")
+
     def test_rejects_the_program_below_it(self):
         self.rejects({"app/a.hpp": "", "iga/deep/b.hpp": '#include "app/a.hpp"\n'}, "iga/deep/b.hpp:2",
                      "iga may not include app")

@@ -1,4 +1,4 @@
-#include "segmentation/parameterization/arc_length.hpp"
+#include "segmentation/parameterization/internal/arc_length.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

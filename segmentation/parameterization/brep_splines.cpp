@@ -1,4 +1,4 @@
-#include "segmentation/parameterization/brep_splines.hpp"
+#include "segmentation/parameterization/internal/brep_splines.hpp"
 
 #include <algorithm>
 

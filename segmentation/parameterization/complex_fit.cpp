@@ -1,4 +1,4 @@
-#include "segmentation/parameterization/complex_fit.hpp"
+#include "segmentation/parameterization/internal/complex_fit.hpp"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include "geometry/base/error.hpp"
 #include "geometry/splines/grid.hpp"
 #include "geometry/splines/transfer.hpp"
-#include "segmentation/parameterization/coons.hpp"
-#include "segmentation/parameterization/edge_samples.hpp"
-#include "segmentation/parameterization/start_knots.hpp"
+#include "segmentation/parameterization/internal/coons.hpp"
+#include "segmentation/parameterization/internal/edge_samples.hpp"
+#include "segmentation/parameterization/internal/start_knots.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -21,22 +21,14 @@ constexpr int samples_a_span = 8;
 constexpr double for_edges = 0.4;
 constexpr double for_faces = 0.8;
 
-struct Use {
-  int edge = 0;  ///< of the complex
-  bool reversed = false;
-};
-
-Use edge_of(const HexComplex& complex, int block, int cube_edge) {
-  const int edge = complex.block_edges[static_cast<std::size_t>(block)][static_cast<std::size_t>(cube_edge)];
-  for (const EdgeUse& use : complex.edges[static_cast<std::size_t>(edge)].uses)
-    if (use.block == block && use.edge == cube_edge) return {edge, use.reversed};
-  throw Error(ErrorCode::internal, "an edge of a complex does not know its block");
+std::size_t number_of(HexEdgeId edge) {
+  return static_cast<std::size_t>(edge.value);
 }
 
-KnotVector knots_along(const HexComplex& complex, const ComplexFit& fit, int block, int direction) {
-  const Use use = edge_of(complex, block, 4 * direction);
-  const KnotVector knots = edge_knots(complex, fit, static_cast<std::size_t>(use.edge));
-  return use.reversed ? reversed(knots) : knots;
+KnotVector knots_along(const HexComplex& complex, const ComplexFit& fit, BlockId block, int direction) {
+  const BlockEdge edge{block, 4 * direction};
+  const KnotVector knots = edge_knots(complex, fit, number_of(complex.topology.at(edge)));
+  return is_reversed(complex.topology, edge) ? reversed(knots) : knots;
 }
 
 /// The sides of a face as the complex' edges; `turned` says whether the edge runs against the face's frame.
@@ -46,12 +38,12 @@ struct FaceSide {
 };
 
 std::array<FaceSide, 4> sides_of(const HexComplex& complex, std::size_t face) {
-  const BlockSide first = complex.faces[face].uses[0].side;
-  const auto edges = side_edges(first.side);
+  const BlockSide first = complex.topology.faces[face].uses[0].side;
+  const auto edges = geometry::side_edges(first.side);
   std::array<FaceSide, 4> result;
   for (std::size_t k = 0; k < 4; ++k) {
-    const Use use = edge_of(complex, first.block, edges[k]);
-    result[k] = {static_cast<std::size_t>(use.edge), use.reversed};
+    const BlockEdge edge{first.block, edges[k]};
+    result[k] = {number_of(complex.topology.at(edge)), is_reversed(complex.topology, edge)};
   }
   return result;
 }
@@ -98,7 +90,7 @@ struct FaceTarget {
 };
 
 FaceTarget face_target(const HexComplex& complex, std::size_t face, const Shares& s, const Shares& t) {
-  const FaceMap& map = complex.map(complex.faces[face].uses[0].side);
+  const FaceMap& map = complex.map(complex.topology.faces[face]);
   const auto sides = sides_of(complex, face);
   std::array<Eigen::Matrix2Xd, 4> shift;
   std::array<Eigen::Matrix3Xd, 4> off;
@@ -124,8 +116,8 @@ FaceTarget face_target(const HexComplex& complex, std::size_t face, const Shares
 using Marks = std::vector<std::vector<bool>>;
 
 void mark(Marks& marks, const HexComplex& complex, std::size_t edge, std::size_t span, bool turned_around) {
-  const ComplexEdge& found = complex.edges[edge];
-  auto& spans = marks[static_cast<std::size_t>(found.sheet)];
+  const HexEdge& found = complex.topology.edges[edge];
+  auto& spans = marks[static_cast<std::size_t>(found.sheet.value)];
   spans[found.against_sheet != turned_around ? spans.size() - 1 - span : span] = true;
 }
 
@@ -139,7 +131,7 @@ bool any(const Marks& marks) {
 bool halve(const HexComplex& complex, ComplexFit& fit, Marks marks) {
   bool changed = false;
   for (std::size_t k = 0; k < marks.size(); ++k) {
-    if (complex.sheets[k].symmetric)
+    if (complex.topology.sheets[k].symmetric)
       for (std::size_t i = 0; i < marks[k].size(); ++i)
         if (marks[k][i]) marks[k][marks[k].size() - 1 - i] = true;
     const std::vector<double> breaks = fit.sheets[k].breaks();
@@ -182,9 +174,8 @@ Marks fit_edges(const HexComplex& complex, ComplexFit& fit, double tolerance) {
     const KnotVector knots = edge_knots(complex, fit, e);
     const Shares at = fitting_parameters(knots, samples_a_span);
     const EdgeSamples samples = sample_edge(complex, e, at);
-    const auto& ends = complex.edges[e].vertices;
-    fit.edges[e] = fit_curve(knots, at, samples.points, complex.vertices[static_cast<std::size_t>(ends[0])],
-                             complex.vertices[static_cast<std::size_t>(ends[1])]);
+    const auto& ends = complex.topology.edges[e].vertices;
+    fit.edges[e] = fit_curve(knots, at, samples.points, complex.vertex(ends[0]), complex.vertex(ends[1]));
     const Eigen::Matrix3Xd points =
         geometry::points_on_grid(geometry::NurbsCurve({knots}, fit.edges[e]), {at});
     const Eigen::VectorXd errors = (points - samples.points).colwise().norm();
@@ -266,9 +257,9 @@ double distance(const SpaceCurve& curve, const Eigen::Vector3d& point, double t)
 /// Counts the distance of a face's sides from the edges that the solid has there: its surface alone does not
 /// tell where the solid ends. Where already the fit's aim is off them, no knots mend it.
 void measure_edges(const HexComplex& complex, ComplexFit& fit, std::size_t face) {
-  const BlockSide first = complex.faces[face].uses[0].side;
+  const BlockSide first = complex.topology.faces[face].uses[0].side;
   const FaceMap& map = complex.map(first);
-  const double known_to = complex.blocks[static_cast<std::size_t>(first.block)].edge_uncertainty;
+  const double known_to = complex.block(first.block).edge_uncertainty;
   DeviationGrid& grid = fit.face_deviations[face];
   const auto n = static_cast<Eigen::Index>(grid.s.size()), m = static_cast<Eigen::Index>(grid.t.size());
   const Eigen::Matrix3Xd points = geometry::points_on_grid(
@@ -294,7 +285,7 @@ void measure_edges(const HexComplex& complex, ComplexFit& fit, std::size_t face)
 
 Marks fit_faces(const HexComplex& complex, ComplexFit& fit, double tolerance) {
   Marks marks = no_marks(fit);
-  for (std::size_t f = 0; f < complex.faces.size(); ++f) {
+  for (std::size_t f = 0; f < complex.topology.faces.size(); ++f) {
     const FittedFace fitted = fit_face(complex, fit, f);
     if (fitted.errors.maxCoeff() > for_faces * tolerance)
       mark_face(marks, complex, f, fitted.knots, fitted.at, fitted.target.points, fitted.errors, tolerance);
@@ -326,17 +317,17 @@ ComplexFit fit(const HexComplex& complex, const FitOptions& options) {
   fit.most_spans = most_spans(fit.sheets, options);
   fit.edges.resize(complex.edges.size());
   fit.edge_gap.assign(complex.edges.size(), 0);
-  fit.faces.resize(complex.faces.size());
-  fit.face_deviation.assign(complex.faces.size(), 0);
-  fit.face_deviations.resize(complex.faces.size());
-  fit.off_edges.assign(complex.faces.size(), 0);
+  fit.faces.resize(complex.topology.faces.size());
+  fit.face_deviation.assign(complex.topology.faces.size(), 0);
+  fit.face_deviations.resize(complex.topology.faces.size());
+  fit.off_edges.assign(complex.topology.faces.size(), 0);
   for (;; ++fit.rounds) {
     Marks marks = fit_edges(complex, fit, tolerance);
     const bool edges_open = any(marks);
     if (edges_open && halve(complex, fit, marks)) continue;
     marks = fit_faces(complex, fit, tolerance);
     if (any(marks) && halve(complex, fit, marks)) continue;
-    for (std::size_t f = 0; f < complex.faces.size(); ++f) measure_edges(complex, fit, f);
+    for (std::size_t f = 0; f < complex.topology.faces.size(); ++f) measure_edges(complex, fit, f);
     return fit;
   }
 }
@@ -347,23 +338,23 @@ void refit_face(const HexComplex& complex, ComplexFit& fit, std::size_t face) {
 }
 
 KnotVector edge_knots(const HexComplex& complex, const ComplexFit& fit, std::size_t edge) {
-  const ComplexEdge& found = complex.edges[edge];
-  const KnotVector& knots = fit.sheets[static_cast<std::size_t>(found.sheet)];
+  const HexEdge& found = complex.topology.edges[edge];
+  const KnotVector& knots = fit.sheets[static_cast<std::size_t>(found.sheet.value)];
   return found.against_sheet ? reversed(knots) : knots;
 }
 
 std::array<KnotVector, 2> face_knots(const HexComplex& complex, const ComplexFit& fit, std::size_t face) {
-  const BlockSide first = complex.faces[face].uses[0].side;
+  const BlockSide first = complex.topology.faces[face].uses[0].side;
   const auto along = geometry::tangents(first.side);
   return {knots_along(complex, fit, first.block, along[0]), knots_along(complex, fit, first.block, along[1])};
 }
 
-std::array<KnotVector, 3> block_knots(const HexComplex& complex, const ComplexFit& fit, int block) {
+std::array<KnotVector, 3> block_knots(const HexComplex& complex, const ComplexFit& fit, BlockId block) {
   return {knots_along(complex, fit, block, 0), knots_along(complex, fit, block, 1),
           knots_along(complex, fit, block, 2)};
 }
 
-std::vector<int> points_in_block(const HexComplex& complex, const ComplexFit& fit, const FaceUse& use) {
+std::vector<int> points_in_block(const HexComplex& complex, const ComplexFit& fit, const HexFaceUse& use) {
   const auto knots = block_knots(complex, fit, use.side.block);
   const std::array<int, 3> sizes{knots[0].size(), knots[1].size(), knots[2].size()};
   const std::vector<int> on_side = geometry::face_control_points(sizes, use.side.side);
@@ -382,16 +373,16 @@ std::vector<int> points_in_block(const HexComplex& complex, const ComplexFit& fi
   return result;
 }
 
-Eigen::Matrix3Xd block_net(const HexComplex& complex, const ComplexFit& fit, int block) {
+Eigen::Matrix3Xd block_net(const HexComplex& complex, const ComplexFit& fit, BlockId block) {
   const auto knots = block_knots(complex, fit, block);
   Eigen::Matrix3Xd net =
       Eigen::Matrix3Xd::Zero(3, Eigen::Index(knots[0].size()) * knots[1].size() * knots[2].size());
-  for (const int f : complex.block_faces[static_cast<std::size_t>(block)])
-    for (const FaceUse& use : complex.faces[static_cast<std::size_t>(f)].uses) {
+  for (const HexFaceId f : complex.topology.block(block).faces)
+    for (const HexFaceUse& use : complex.topology.face(f).uses) {
       if (use.side.block != block) continue;
       const std::vector<int> where = points_in_block(complex, fit, use);
       for (std::size_t i = 0; i < where.size(); ++i)
-        net.col(where[i]) = fit.faces[static_cast<std::size_t>(f)].col(static_cast<Eigen::Index>(i));
+        net.col(where[i]) = fit.faces[static_cast<std::size_t>(f.value)].col(static_cast<Eigen::Index>(i));
     }
   return coons_net(knots, net);
 }

@@ -1,4 +1,4 @@
-#include "segmentation/parameterization/coons.hpp"
+#include "segmentation/parameterization/internal/coons.hpp"
 
 namespace isopatch::segmentation {
 namespace {

@@ -1,9 +1,9 @@
-#include "segmentation/parameterization/edge_pace.hpp"
+#include "segmentation/parameterization/internal/edge_pace.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "segmentation/parameterization/edge_samples.hpp"
+#include "segmentation/parameterization/internal/edge_samples.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -37,7 +37,7 @@ std::array<EdgeSide, 2> sides_at(const Hexahedron& block, int edge) {
   std::array<EdgeSide, 2> result;
   std::size_t found = 0;
   for (const Side side : geometry::all_sides) {
-    const auto edges = side_edges(side);
+    const auto edges = geometry::side_edges(side);
     const auto at = std::find(edges.begin(), edges.end(), edge);
     if (at != edges.end() && found < 2)
       result[found++] = {&block.face(side), static_cast<std::size_t>(at - edges.begin())};
@@ -121,12 +121,12 @@ std::optional<Candidate> candidate_of(const std::array<EdgeSide, 2>& sides) {
 }
 
 /// An edge's points in all faces around it, in the edge's direction, as its paces have them.
-std::vector<Eigen::Matrix3Xd> paths(const HexComplex& complex, const ComplexEdge& edge,
+std::vector<Eigen::Matrix3Xd> paths(const HexComplex& complex, const HexEdge& edge,
                                     const std::vector<SidePace>& paces, int pieces) {
   std::vector<Eigen::Matrix3Xd> result;
   for (std::size_t u = 0; u < edge.uses.size(); ++u) {
-    const EdgeUse& use = edge.uses[u];
-    for (const EdgeSide& side : sides_at(complex.blocks[static_cast<std::size_t>(use.block)], use.edge)) {
+    const HexEdgeUse& use = edge.uses[u];
+    for (const EdgeSide& side : sides_at(complex.block(use.edge.block), use.edge.edge)) {
       Eigen::Matrix3Xd points(3, pieces + 1);
       for (int i = 0; i <= pieces; ++i) {
         const double share = double(use.reversed ? pieces - i : i) / pieces;
@@ -151,11 +151,11 @@ bool is_steady(const Eigen::Matrix3Xd& path) {
 }
 
 /// The paces of an edge in its uses' blocks, in the cubes' directions; empty for arc length.
-std::vector<SidePace> settled(const HexComplex& complex, ComplexEdge& edge) {
+std::vector<SidePace> settled(const HexComplex& complex, const HexEdge& edge, EdgeShape& shape) {
   std::vector<SidePace> paces;
   std::vector<KnotVector> knots;
-  for (const EdgeUse& use : edge.uses) {
-    const auto found = candidate_of(sides_at(complex.blocks[static_cast<std::size_t>(use.block)], use.edge));
+  for (const HexEdgeUse& use : edge.uses) {
+    const auto found = candidate_of(sides_at(complex.block(use.edge.block), use.edge.edge));
     paces.push_back(found ? found->pace : identity);
     if (found)
       for (const KnotVector& k : found->knots) knots.push_back(use.reversed ? reversed(k) : k);
@@ -163,7 +163,7 @@ std::vector<SidePace> settled(const HexComplex& complex, ComplexEdge& edge) {
   if (knots.empty()) return {};
   const auto found = paths(complex, edge, paces, 32);
   if (!agree(found, complex.size) || !is_steady(found.front())) return {};
-  edge.knots = std::move(knots);
+  shape.knots = std::move(knots);
   return paces;
 }
 
@@ -171,16 +171,18 @@ std::vector<SidePace> settled(const HexComplex& complex, ComplexEdge& edge) {
 
 void settle_paces(HexComplex& complex) {
   std::vector<std::array<SidePace, 12>> paces(complex.blocks.size());
-  for (ComplexEdge& edge : complex.edges) {
-    const std::vector<SidePace> found = settled(complex, edge);
-    for (std::size_t u = 0; u < found.size(); ++u)
-      paces[static_cast<std::size_t>(edge.uses[u].block)][static_cast<std::size_t>(edge.uses[u].edge)] =
-          found[u];
+  for (std::size_t e = 0; e < complex.edges.size(); ++e) {
+    const HexEdge& edge = complex.topology.edges[e];
+    const std::vector<SidePace> found = settled(complex, edge, complex.edges[e]);
+    for (std::size_t u = 0; u < found.size(); ++u) {
+      const BlockEdge at = edge.uses[u].edge;
+      paces[static_cast<std::size_t>(at.block.value)][static_cast<std::size_t>(at.edge)] = found[u];
+    }
   }
   for (std::size_t b = 0; b < complex.blocks.size(); ++b)
     for (const Side side : geometry::all_sides) {
       std::array<SidePace, 4> of_face;
-      const auto edges = side_edges(side);
+      const auto edges = geometry::side_edges(side);
       for (std::size_t k = 0; k < 4; ++k) of_face[k] = paces[b][static_cast<std::size_t>(edges[k])];
       FaceMap& map = complex.maps[b][static_cast<std::size_t>(side)];
       if (std::any_of(of_face.begin(), of_face.end(), [](const SidePace& pace) { return bool(pace); }))
@@ -190,11 +192,11 @@ void settle_paces(HexComplex& complex) {
 
 bool has_paces(const HexComplex& complex) {
   return std::any_of(complex.edges.begin(), complex.edges.end(),
-                     [](const ComplexEdge& edge) { return !edge.knots.empty(); });
+                     [](const EdgeShape& edge) { return !edge.knots.empty(); });
 }
 
 HexComplex without_paces(HexComplex complex) {
-  for (ComplexEdge& edge : complex.edges) edge.knots.clear();
+  for (EdgeShape& edge : complex.edges) edge.knots.clear();
   for (auto& maps : complex.maps)
     for (FaceMap& map : maps) map = face_map(map.face());
   settle_edges(complex);

@@ -1,4 +1,4 @@
-#include "segmentation/parameterization/edge_samples.hpp"
+#include "segmentation/parameterization/internal/edge_samples.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -85,13 +85,13 @@ struct Source {
 std::vector<Source> sources_of(const HexComplex& complex, std::size_t edge,
                                const std::vector<double>& shares) {
   std::vector<Source> sources;
-  for (const EdgeUse& use : complex.edges[edge].uses)
+  for (const HexEdgeUse& use : complex.topology.edges[edge].uses)
     for (const Side side : geometry::all_sides) {
-      const auto edges = side_edges(side);
-      const auto found = std::find(edges.begin(), edges.end(), use.edge);
+      const auto edges = geometry::side_edges(side);
+      const auto found = std::find(edges.begin(), edges.end(), use.edge.edge);
       if (found == edges.end()) continue;
       const int k = static_cast<int>(found - edges.begin());
-      const FaceMap& map = complex.map({use.block, side});
+      const FaceMap& map = complex.map({use.edge.block, side});
       const std::vector<double> own = use.reversed ? turned(shares) : shares;
       sources.push_back({&map, map.side_domain(k, own), map.side_points(k, own)});
     }
@@ -114,9 +114,8 @@ Eigen::Matrix3Xd mean_outline(const HexComplex& complex, std::size_t edge, const
   };
   Eigen::Matrix3Xd points = mean(sources);
   const Eigen::Matrix3Xd ends = mean(sources_of(complex, edge, {0, 1}));
-  const auto& vertices = complex.edges[edge].vertices;
-  const Eigen::Vector3d first = complex.vertices[static_cast<std::size_t>(vertices[0])];
-  const Eigen::Vector3d last = complex.vertices[static_cast<std::size_t>(vertices[1])];
+  const auto& ends_of_edge = complex.topology.edges[edge].vertices;
+  const Eigen::Vector3d first = complex.vertex(ends_of_edge[0]), last = complex.vertex(ends_of_edge[1]);
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     const double x = shares[static_cast<std::size_t>(i)];
     points.col(i) += (1 - x) * (first - ends.col(0)) + x * (last - ends.col(1));
@@ -163,9 +162,10 @@ void settle_edges(HexComplex& complex) {
     for (const Side side : geometry::all_sides)
       for (int s = 0; s < 2; ++s)
         for (int t = 0; t < 2; ++t) {
-          const FaceMap& map = complex.map({static_cast<int>(b), side});
-          const int vertex = complex.block_vertices[b][static_cast<std::size_t>(side_corner(side, s, t))];
-          around[static_cast<std::size_t>(vertex)].push_back({&map, map.domain_point(s, t)});
+          const BlockId block(static_cast<int>(b));
+          const FaceMap& map = complex.map({block, side});
+          const auto vertex = complex.topology.at(BlockCorner{block, geometry::side_corner(side, s, t)});
+          around[static_cast<std::size_t>(vertex.value)].push_back({&map, map.domain_point(s, t)});
         }
   for (std::size_t v = 0; v < around.size(); ++v) {
     const CommonPoint found = common_point(complex.vertices[v], around[v], complex.size);

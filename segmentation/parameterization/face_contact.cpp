@@ -1,4 +1,4 @@
-#include "segmentation/parameterization/face_contact.hpp"
+#include "segmentation/parameterization/internal/face_contact.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -16,7 +16,7 @@ Parameter<2> clamped(const Parameter<2>& p) {
 }
 
 // Gauss-Newton on the face map, kept in the unit square.
-double refined_distance(const FaceMap& face, const Eigen::Vector3d& point, Parameter<2> at) {
+FaceFoot refined_foot(const FaceMap& face, const Eigen::Vector3d& point, Parameter<2> at) {
   constexpr double step = 1e-5;
   double best = (face.point(at[0], at[1]) - point).norm();
   for (int i = 0; i < 10; ++i) {
@@ -35,7 +35,7 @@ double refined_distance(const FaceMap& face, const Eigen::Vector3d& point, Param
     best = distance;
     at = next;
   }
-  return best;
+  return {at, best};
 }
 
 std::vector<FaceOrientation> orientations() {
@@ -55,7 +55,7 @@ const std::vector<double>& coarse() {
 
 }  // namespace
 
-double distance(const FaceMap& face, const Eigen::Vector3d& point, double reach) {
+FaceFoot foot(const FaceMap& face, const Eigen::Vector3d& point, double reach) {
   const Eigen::Matrix3Xd grid = face.grid(coarse(), coarse());
   Eigen::Index nearest = 0;
   const double found = (grid.colwise() - point).colwise().norm().minCoeff(&nearest);
@@ -63,10 +63,10 @@ double distance(const FaceMap& face, const Eigen::Vector3d& point, double reach)
   double cell = 0;
   for (Eigen::Index k = 0; k + n + 1 < grid.cols(); ++k)
     cell = std::max(cell, (grid.col(k + n + 1) - grid.col(k)).norm());
-  if (found > reach + 2 * cell) return found;
-  return refined_distance(
-      face, point,
-      {coarse()[static_cast<std::size_t>(nearest % n)], coarse()[static_cast<std::size_t>(nearest / n)]});
+  const Parameter<2> start(coarse()[static_cast<std::size_t>(nearest % n)],
+                           coarse()[static_cast<std::size_t>(nearest / n)]);
+  if (found > reach + 2 * cell) return {start, found};
+  return refined_foot(face, point, start);
 }
 
 FaceContact contact(const FaceMap& first, const FaceMap& second) {
@@ -103,7 +103,7 @@ FaceContact contact(const FaceMap& first, const FaceMap& second) {
   for (const double s : {0.2, 0.5, 0.8})
     for (const double t : {0.2, 0.5, 0.8}) {
       const Eigen::Vector3d point = first.point(s, t);
-      const double away = refined_distance(second, point, best.orientation(Parameter<2>(s, t)));
+      const double away = refined_foot(second, point, best.orientation(Parameter<2>(s, t))).distance;
       if (away > best.distance) {
         best.distance = away;
         best.place = point;

@@ -1,13 +1,13 @@
-#include "segmentation/parameterization/face_map.hpp"
+#include "segmentation/parameterization/internal/face_map.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 
 #include "geometry/splines/grid.hpp"
-#include "segmentation/parameterization/mean_value_map.hpp"
-#include "segmentation/parameterization/outline.hpp"
-#include "segmentation/parameterization/spline_fit.hpp"
+#include "segmentation/parameterization/internal/mean_value_map.hpp"
+#include "segmentation/parameterization/internal/outline.hpp"
+#include "segmentation/parameterization/internal/spline_fit.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -19,13 +19,6 @@ std::vector<double> equal_steps(int cells) {
   std::vector<double> result;
   for (int i = 0; i <= cells; ++i) result.push_back(double(i) / cells);
   return result;
-}
-
-std::array<DomainCurve, 4> by_arc_length(const FaceMap& map) {
-  return {[&map](double s) { return map.domain_point(s, 0); },
-          [&map](double s) { return map.domain_point(s, 1); },
-          [&map](double t) { return map.domain_point(0, t); },
-          [&map](double t) { return map.domain_point(1, t); }};
 }
 
 /// What leads from the blend to the mean-value map, as a spline with `spans` spans a direction.
@@ -63,6 +56,16 @@ FaceMap::FaceMap(QuadFace face, std::array<SidePace, 4> paces)
 double FaceMap::side_parameter(int side, double share) const {
   const auto k = static_cast<std::size_t>(side);
   return paces_[k] ? paces_[k](share) : arcs_[k].parameter(share);
+}
+
+double FaceMap::side_share(int side, double t) const {
+  double low = 0, high = 1;
+  if (t <= low || t >= high) return std::clamp(t, low, high);
+  for (int i = 0; i < 50; ++i) {
+    const double middle = (low + high) / 2;
+    (side_parameter(side, middle) < t ? low : high) = middle;
+  }
+  return (low + high) / 2;
 }
 
 Eigen::Matrix2Xd FaceMap::side_domain(int side, const std::vector<double>& shares) const {
@@ -156,8 +159,10 @@ FaceMap face_map(const QuadFace& face, const std::array<SidePace, 4>& paces) {
   const FaceMap blend(face, paces);
   double best = smallest_sine(blend);
   if (best > good_sine) return blend;
+  const std::optional<DomainMesh> mesh = face.mesh ? face.mesh() : std::nullopt;
+  if (!mesh) return blend;
   FaceMap result = blend;
-  const MeanValueMap mean_value(by_arc_length(blend), face.surface);
+  const MeanValueMap mean_value(blend, *mesh);
   for (const int spans : {4, 8, 16, 32}) {
     FaceMap candidate = blend.moved(displacement(blend, mean_value, spans));
     candidate.kind_ = FaceMapKind::mean_value;

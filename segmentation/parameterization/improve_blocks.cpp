@@ -1,9 +1,10 @@
-#include "segmentation/parameterization/improve_blocks.hpp"
+#include "segmentation/parameterization/internal/improve_blocks.hpp"
 
 #include <algorithm>
 #include <map>
 #include <set>
 
+#include "geometry/hex/cube.hpp"
 #include "geometry/scaled_jacobian.hpp"
 #include "geometry/splines/transfer.hpp"
 
@@ -26,7 +27,7 @@ Eigen::Vector3d mean_lengths(const std::array<int, 3>& n, const Eigen::Matrix3Xd
   for (int e = 0; e < 12; ++e) {
     const int d = e / 4;
     std::array<int, 3> at{};
-    const std::array<int, 2> others = other_directions(d);
+    const std::array<int, 2> others = geometry::other_directions(d);
     for (std::size_t i = 0; i < 2; ++i)
       at[static_cast<std::size_t>(others[i])] = (e >> i & 1) ? n[static_cast<std::size_t>(others[i])] - 1 : 0;
     Eigen::Vector3d last = net.col(index_of(n, at[0], at[1], at[2]));
@@ -154,29 +155,28 @@ geometry::NurbsSurface displacement(const SlidingFace& face, const Eigen::Vector
 
 /// The problem of faces sliding on their surfaces.
 struct SlidingProblem {
-  std::vector<int> blocks;                   ///< of the complex
+  std::vector<BlockId> blocks;               ///< of the complex
   std::vector<MovableBlock> movable;         ///< one each
   std::map<std::size_t, SlidingFace> faces;  ///< by face of the complex
 };
 
 SlidingProblem sliding_problem(const HexComplex& complex, const ComplexFit& fit, const BlockNets& nets,
-                               const std::vector<int>& poor_blocks) {
+                               const std::vector<BlockId>& poor_blocks) {
   SlidingProblem problem;
-  std::set<int> blocks;
-  for (const int b : poor_blocks)
-    for (const int f : complex.block_faces[static_cast<std::size_t>(b)]) {
-      problem.faces[static_cast<std::size_t>(f)] = {};
-      for (const FaceUse& use : complex.faces[static_cast<std::size_t>(f)].uses)
-        blocks.insert(use.side.block);
+  std::set<BlockId> blocks;
+  for (const BlockId b : poor_blocks)
+    for (const HexFaceId f : complex.topology.block(b).faces) {
+      problem.faces[static_cast<std::size_t>(f.value)] = {};
+      for (const HexFaceUse& use : complex.topology.face(f).uses) blocks.insert(use.side.block);
     }
   int variables = 0;
-  std::map<int, Triplets> moves;
+  std::map<BlockId, Triplets> moves;
   for (auto& [f, face] : problem.faces) {
-    const FaceMap& map = complex.map(complex.faces[f].uses[0].side);
+    const FaceMap& map = complex.map(complex.topology.faces[f]);
     face = {variables, face_knots(complex, fit, f), map.domain_size()};
     const auto tangents = tangents_at_greville(map, face.knots, face.step);
     const int n = face.knots[0].size(), m = face.knots[1].size();
-    for (const FaceUse& use : complex.faces[f].uses) {
+    for (const HexFaceUse& use : complex.topology.faces[f].uses) {
       const std::vector<int> where = points_in_block(complex, fit, use);
       int variable = face.first_variable;
       for (int j = 1; j + 1 < m; ++j)
@@ -189,9 +189,9 @@ SlidingProblem sliding_problem(const HexComplex& complex, const ComplexFit& fit,
     }
     variables += 2 * std::max(n - 2, 0) * std::max(m - 2, 0);
   }
-  for (const int b : blocks) {
+  for (const BlockId b : blocks) {
     const auto knots = block_knots(complex, fit, b);
-    const auto& net = nets.nets[static_cast<std::size_t>(b)];
+    const auto& net = nets.nets[static_cast<std::size_t>(b.value)];
     const Eigen::Vector3d lengths = mean_lengths(sizes_of(knots), net);
     variables = add_interior(moves[b], sizes_of(knots), step_of(lengths), variables);
     problem.blocks.push_back(b);
@@ -221,10 +221,10 @@ std::optional<FoldedEdge> folded_edge(const geometry::NurbsVolume& volume) {
   std::optional<FoldedEdge> worst;
   for (int e = 0; e < 12; ++e) {
     geometry::Parameter<3> at;
-    const auto others = other_directions(e / 4);
+    const auto others = geometry::other_directions(geometry::edge_direction(e));
     for (std::size_t i = 0; i < 2; ++i) at[others[i]] = e >> i & 1;
     for (int i = 0; i <= steps; ++i) {
-      at[e / 4] = double(i) / steps;
+      at[geometry::edge_direction(e)] = double(i) / steps;
       const double scaled = geometry::scaled_jacobian(volume.jacobian(at));
       if (scaled <= 0 && (!worst || scaled < worst->scaled_jacobian)) worst = {at, volume.point(at), scaled};
     }
@@ -286,23 +286,22 @@ ImprovedNet improve_interior(const std::array<KnotVector, 3>& knots, const Eigen
   return best;
 }
 
-bool slide_faces(HexComplex& complex, ComplexFit& fit, BlockNets& blocks, const std::vector<int>& poor_blocks,
-                 double wanted_quality, const OptimizationOptions& options) {
+bool slide_faces(HexComplex& complex, ComplexFit& fit, BlockNets& blocks,
+                 const std::vector<BlockId>& poor_blocks, double wanted_quality,
+                 const OptimizationOptions& options) {
   const SlidingProblem problem = sliding_problem(complex, fit, blocks, poor_blocks);
   const OptimizedShapes found = optimize_shapes(problem.movable, options);
   blocks.evaluations += found.evaluations;
   HexComplex new_complex = complex;
   ComplexFit new_fit = fit;
   for (const auto& [f, face] : problem.faces) {
-    const BlockSide first = complex.faces[f].uses[0].side;
-    FaceMap& map =
-        new_complex.maps[static_cast<std::size_t>(first.block)][static_cast<std::size_t>(first.side)];
+    FaceMap& map = new_complex.map(complex.topology.faces[f].uses[0].side);
     if (slide(map, face, found.variables) > 0) refit_face(new_complex, new_fit, f);
   }
   BlockNets changed = blocks;
   bool better = false, worse = false;
   for (std::size_t i = 0; i < problem.blocks.size(); ++i) {
-    const auto b = static_cast<std::size_t>(problem.blocks[i]);
+    const auto b = static_cast<std::size_t>(problem.blocks[i].value);
     const auto knots = block_knots(complex, fit, problem.blocks[i]);
     const std::array<int, 3> n = sizes_of(knots);
     Eigen::Matrix3Xd net = block_net(new_complex, new_fit, problem.blocks[i]);

@@ -1,57 +1,35 @@
-#include "segmentation/parameterization/mean_value_map.hpp"
+#include "segmentation/parameterization/internal/mean_value_map.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include "segmentation/parameterization/outline.hpp"
-#include "segmentation/parameterization/triangulation.hpp"
+#include "segmentation/parameterization/internal/face_map.hpp"
+#include "segmentation/parameterization/internal/mesh_refinement.hpp"
+#include "segmentation/parameterization/internal/outline.hpp"
 
 namespace isopatch::segmentation {
 namespace {
 
-constexpr int points_a_side = 40;
-constexpr int inner_points = 1200;
+constexpr int outline_pieces = 32;
+constexpr int wanted_triangles = 2400;
 
-/// The outline of the square, counterclockwise from its corner (0, 0).
-std::vector<Eigen::Vector2d> square_outline() {
-  std::vector<Eigen::Vector2d> result;
-  for (int k = 0; k < 4; ++k)
-    for (int i = 0; i < points_a_side; ++i) {
-      const double x = double(i) / points_a_side;
-      result.push_back(k == 0   ? Eigen::Vector2d(x, 0)
-                       : k == 1 ? Eigen::Vector2d(1, x)
-                       : k == 2 ? Eigen::Vector2d(1 - x, 1)
-                                : Eigen::Vector2d(0, 1 - x));
-    }
-  return result;
-}
-
-Eigen::Vector2d on_outline(const std::array<DomainCurve, 4>& sides, const Eigen::Vector2d& p) {
-  if (p[1] == 0) return sides[0](p[0]);
-  if (p[0] == 1) return sides[3](p[1]);
-  return p[1] == 1 ? sides[1](p[0]) : sides[2](p[1]);
-}
-
-bool share_a_side(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  for (int d = 0; d < 2; ++d)
-    if (a[d] == b[d] && (a[d] == 0 || a[d] == 1)) return true;
-  return false;
-}
-
-/// Factors that make a domain's two directions about as long as they are on the surface.
-Eigen::Vector2d stretches(const std::vector<Eigen::Vector2d>& outline, const DomainSurface& surface) {
-  Eigen::AlignedBox2d box;
-  for (const auto& p : outline) box.extend(p);
-  Eigen::Vector2d sum(0, 0);
-  for (const auto& p : outline)
-    for (int d = 0; d < 2; ++d) {
-      const double step = 1e-3 * box.sizes()[d] * (p[d] > box.center()[d] ? -1 : 1);
-      sum[d] += (surface(p + step * Eigen::Vector2d::Unit(d)) - surface(p)).norm() / std::abs(step);
-    }
-  return sum[0] > 0 && sum[1] > 0 ? Eigen::Vector2d(sum / sum.maxCoeff()) : Eigen::Vector2d(1, 1);
+/// Where a point of the outline goes.
+Eigen::Vector2d on_square(const FaceMap& map, const OutlinePoint& point) {
+  const double share = map.side_share(point.side, point.t);
+  switch (point.side) {
+    case 0:
+      return {share, 0};
+    case 1:
+      return {share, 1};
+    case 2:
+      return {0, share};
+    default:
+      return {1, share};
+  }
 }
 
 /// The sum over both triangles at edge ij of tan(angle at i / 2), divided by the edge's length.
@@ -103,27 +81,15 @@ std::vector<Eigen::Vector2d> solve(const Eigen::SparseMatrix<double>& weight,
 
 }  // namespace
 
-MeanValueMap::MeanValueMap(const std::array<DomainCurve, 4>& sides, const DomainSurface& surface) {
-  std::vector<Eigen::Vector2d> square = square_outline();
-  std::vector<Eigen::Vector2d> outline;
-  for (const auto& p : square) outline.push_back(on_outline(sides, p));
-  Eigen::Vector2d stretch = stretches(outline, surface);
-  double doubled = 0;
-  for (std::size_t i = 0; i < outline.size(); ++i)
-    doubled += doubled_area({0, 0}, outline[i], outline[(i + 1) % outline.size()]);
-  if (doubled < 0) stretch[1] = -stretch[1];
-  for (auto& p : outline) p = p.cwiseProduct(stretch);
-  Triangulation mesh = triangulate(outline, inner_points);
-  divide_edges(mesh, [&](int a, int b) {
-    return std::max(a, b) < mesh.outline &&
-           share_a_side(square[static_cast<std::size_t>(a)], square[static_cast<std::size_t>(b)]);
-  });
+MeanValueMap::MeanValueMap(const FaceMap& blend, const DomainMesh& given) {
+  const QuadFace& face = blend.face();
+  DomainMesh mesh = refined(given, face.sides, face.surface, outline_pieces, wanted_triangles);
+  std::vector<Eigen::Vector2d> square;
+  for (const OutlinePoint& point : mesh.outline) square.push_back(on_square(blend, point));
   std::vector<Eigen::Vector3d> points;
-  for (const auto& p : mesh.points) {
-    domain_.emplace_back(p.cwiseQuotient(stretch));
-    points.push_back(surface(domain_.back()));
-  }
-  triangles_ = mesh.triangles;
+  for (const auto& p : mesh.points) points.push_back(face.surface(p));
+  domain_ = std::move(mesh.points);
+  triangles_ = std::move(mesh.triangles);
   square_ = solve(weights(points, triangles_), square);
   smallest_area_ = std::numeric_limits<double>::infinity();
   for (const auto& t : triangles_)

@@ -1,4 +1,4 @@
-#include "segmentation/parameterization/outline.hpp"
+#include "segmentation/parameterization/internal/outline.hpp"
 
 #include <algorithm>
 

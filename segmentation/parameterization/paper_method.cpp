@@ -1,12 +1,13 @@
-#include "segmentation/parameterization/paper_method.hpp"
+#include "segmentation/parameterization/internal/paper_method.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>
 #include <map>
 
+#include "geometry/base/union_find.hpp"
 #include "geometry/splines/grid.hpp"
 #include "geometry/splines/tensor.hpp"
-#include "segmentation/parameterization/coons.hpp"
+#include "segmentation/parameterization/internal/coons.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -52,7 +53,7 @@ Eigen::Matrix3Xd fitted(Eigen::Matrix3Xd points) {
 }
 
 /// Where the points of a face, in its frame, lie in the net of the block that uses it.
-std::vector<int> points_of(const FaceUse& use) {
+std::vector<int> points_of(const HexFaceUse& use) {
   const int n = paper_knots().size();
   const std::vector<int> on_side = geometry::face_control_points({n, n, n}, use.side.side);
   std::vector<int> result;
@@ -69,38 +70,30 @@ std::vector<int> points_of(const FaceUse& use) {
 /// Replaces control points that are one by their mean; which are one is transitive around edges and vertices.
 void average(const HexComplex& complex, std::vector<Eigen::Matrix3Xd>& nets) {
   const auto n = static_cast<int>(nets.front().cols());
-  std::vector<int> parent(nets.size() * static_cast<std::size_t>(n));
-  for (std::size_t i = 0; i < parent.size(); ++i) parent[i] = static_cast<int>(i);
-  const auto root = [&](int i) {
-    while (parent[static_cast<std::size_t>(i)] != i) i = parent[static_cast<std::size_t>(i)];
-    return i;
-  };
-  for (const ComplexFace& face : complex.faces) {
+  const int count = n * static_cast<int>(nets.size());
+  UnionFind same(count);
+  for (const HexFace& face : complex.topology.faces) {
     if (face.uses.size() < 2) continue;
     const std::vector<int> first = points_of(face.uses[0]), second = points_of(face.uses[1]);
-    for (std::size_t i = 0; i < first.size(); ++i) {
-      const int a = root(n * face.uses[0].side.block + first[i]);
-      const int b = root(n * face.uses[1].side.block + second[i]);
-      parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-    }
+    for (std::size_t i = 0; i < first.size(); ++i)
+      same.unite(n * face.uses[0].side.block.value + first[i], n * face.uses[1].side.block.value + second[i]);
   }
   std::map<int, std::pair<Eigen::Vector3d, int>> sums;
   const auto point = [&](int i) { return nets[static_cast<std::size_t>(i / n)].col(i % n); };
-  for (int i = 0; i < static_cast<int>(parent.size()); ++i) {
-    auto& [sum, count] = sums.try_emplace(root(i), Eigen::Vector3d::Zero(), 0).first->second;
+  for (int i = 0; i < count; ++i) {
+    auto& [sum, members] = sums.try_emplace(same.find(i), Eigen::Vector3d::Zero(), 0).first->second;
     sum += point(i);
-    ++count;
+    ++members;
   }
-  for (int i = 0; i < static_cast<int>(parent.size()); ++i) {
-    const auto& [sum, count] = sums.at(root(i));
-    if (count > 1) point(i) = sum / count;
+  for (int i = 0; i < count; ++i) {
+    const auto& [sum, members] = sums.at(same.find(i));
+    if (members > 1) point(i) = sum / members;
   }
 }
 
-DeviationGrid deviations(const HexComplex& complex, const ComplexFace& face,
-                         const geometry::NurbsVolume& patch) {
+DeviationGrid deviations(const HexComplex& complex, const HexFace& face, const geometry::NurbsVolume& patch) {
   const BlockSide side = face.uses[0].side;
-  const Hexahedron& block = complex.blocks[static_cast<std::size_t>(side.block)];
+  const Hexahedron& block = complex.block(side.block);
   const std::vector<double> at = equal_shares(33);
   const Eigen::Matrix3Xd points =
       geometry::points_on_grid(geometry::face_surface(patch, side.side), {at, at});
@@ -117,9 +110,9 @@ PaperPatches paper_patches(const HexComplex& complex) {
   for (const Eigen::Matrix3Xd& net : nets)
     result.patches.emplace_back(
         geometry::NurbsVolume::KnotVectors{paper_knots(), paper_knots(), paper_knots()}, net);
-  for (const ComplexFace& face : complex.faces)
+  for (const HexFace& face : complex.topology.faces)
     result.face_deviations.push_back(
-        deviations(complex, face, result.patches[static_cast<std::size_t>(face.uses[0].side.block)]));
+        deviations(complex, face, result.patches[static_cast<std::size_t>(face.uses[0].side.block.value)]));
   return result;
 }
 

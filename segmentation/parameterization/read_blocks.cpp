@@ -12,8 +12,7 @@
 #include "geometry/brep/contradictions.hpp"
 #include "geometry/brep/read_brep.hpp"
 #include "geometry/brep/solid_error.hpp"
-#include "segmentation/parameterization/assemble_complex.hpp"
-#include "segmentation/parameterization/brep_solid.hpp"
+#include "segmentation/parameterization/assemble_model.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -39,9 +38,7 @@ geometry::BrepSet bodies_of(const std::filesystem::path& path, const geometry::R
   return set;
 }
 
-int block_named(const std::string& name, const std::vector<Hexahedron>& blocks, const std::string& where) {
-  std::vector<std::string> names;
-  for (const Hexahedron& block : blocks) names.push_back(block.name);
+int block_named(const std::string& name, const std::vector<std::string>& names, const std::string& where) {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end())
     throw Error(ErrorCode::invalid_argument,
@@ -66,7 +63,7 @@ std::string BlockNames::add(const std::string& body) {
 }
 
 std::vector<ListedPair> parse_pairs(const std::string& text, const std::string& source,
-                                    const std::vector<Hexahedron>& blocks) {
+                                    const std::vector<std::string>& blocks) {
   std::vector<ListedPair> result;
   std::istringstream lines(text);
   std::string line;
@@ -91,19 +88,23 @@ ReadBlocks read_blocks(const BlockFiles& files, const Progress& progress) {
   if (files.files.empty()) throw Error(ErrorCode::invalid_argument, "no file of a block is given");
   geometry::ReadBrepOptions options = block_reading(files);
   options.progress = progress;
-  std::vector<Hexahedron> blocks;
+  std::vector<geometry::BrepFile> solids;
+  std::vector<std::string> called;
   std::vector<std::string> warnings;
   BlockNames names;
   for (const std::filesystem::path& path : files.files) {
-    const geometry::BrepSet set = bodies_of(path, options);
+    geometry::BrepSet set = bodies_of(path, options);
     for (const std::string& warning : set.warnings)
       warnings.push_back(fmt::format("{}: {}", path.string(), warning));
-    for (const geometry::BrepFile& body : set.bodies)
-      blocks.push_back(hexahedron(hex_solid(body.brep, names.add(body.name), body.largest_correction)));
+    for (geometry::BrepFile& body : set.bodies) {
+      body.name = names.add(body.name);
+      called.push_back(body.name);
+      solids.push_back(std::move(body));
+    }
   }
-  if (!files.pairs) return {hex_complex(std::move(blocks), files.complex), std::move(warnings)};
-  const auto pairs = parse_pairs(read_file(*files.pairs), files.pairs->string(), blocks);
-  return {hex_complex(std::move(blocks), pairs, files.complex), std::move(warnings)};
+  if (!files.pairs) return {hex_model(std::move(solids), files.assembly), std::move(warnings)};
+  const auto pairs = parse_pairs(read_file(*files.pairs), files.pairs->string(), called);
+  return {hex_model(std::move(solids), pairs, files.assembly), std::move(warnings)};
 }
 
 }  // namespace isopatch::segmentation

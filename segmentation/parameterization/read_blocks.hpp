@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "geometry/brep/read_brep.hpp"
-#include "segmentation/parameterization/assemble_complex.hpp"
-#include "segmentation/parameterization/hex_complex.hpp"
+#include "segmentation/parameterization/assemble_model.hpp"
+#include "segmentation/parameterization/hex_model.hpp"
 
 namespace isopatch::segmentation {
 
@@ -20,12 +20,12 @@ struct BlockFiles {
   std::optional<double> length_unit;                ///< as of `geometry::ReadBrepOptions`
   bool allow_partial = false;                       ///< likewise
   GuardLimits limits = {.seconds = 0, .bytes = 0};  ///< likewise
-  ComplexOptions complex;
+  AssemblyOptions assembly;
 };
 
 /// Blocks put together, and what the files gave cause to say.
 struct ReadBlocks {
-  HexComplex complex;
+  HexModel model;
   std::vector<std::string> warnings;
 };
 
@@ -33,7 +33,7 @@ struct ReadBlocks {
 ///
 /// Blocks are called as `geometry::read_breps` calls the bodies; further ones of a name have "#1", "#2", ...
 /// behind it.
-/// @throws Error as `read_breps`, `hexahedron` and `hex_complex` do; SolidError where it is known which
+/// @throws Error as `read_breps` and `hex_model` do; SolidError where it is known which
 /// faces, edges and places are wrong
 ReadBlocks read_blocks(const BlockFiles& files, const Progress& progress = {});
 
@@ -51,9 +51,10 @@ class BlockNames {
 
 /// A list of pairs, one a line: block, number of its face, block, number of its face.
 /// @param source  of the text, for messages
+/// @param blocks  their names
 /// @throws Error bad_format        a line that is not so, with "source:line: "
 /// @throws Error invalid_argument  a block that there is not
 std::vector<ListedPair> parse_pairs(const std::string& text, const std::string& source,
-                                    const std::vector<Hexahedron>& blocks);
+                                    const std::vector<std::string>& blocks);
 
 }  // namespace isopatch::segmentation

@@ -1,4 +1,4 @@
-#include "segmentation/parameterization/shape_energy.hpp"
+#include "segmentation/parameterization/internal/shape_energy.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>

@@ -1,4 +1,4 @@
-#include "segmentation/parameterization/shape_optimization.hpp"
+#include "segmentation/parameterization/internal/shape_optimization.hpp"
 
 #include <nlopt.h>
 

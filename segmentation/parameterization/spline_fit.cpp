@@ -1,4 +1,4 @@
-#include "segmentation/parameterization/spline_fit.hpp"
+#include "segmentation/parameterization/internal/spline_fit.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "segmentation/parameterization/start_knots.hpp"
+#include "segmentation/parameterization/internal/start_knots.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ using geometry::KnotVector;
 constexpr double same_knot = 1e-7;
 
 /// Input that brings more spans along any direction is fitted anew.
-constexpr int most_spans = 256;
+constexpr int most_own_spans = 256;
 
 /// Inner breaks with multiplicities, increasing.
 struct Break {
@@ -46,14 +46,14 @@ void add_spline(Breaks& breaks, const KnotVector& knots, int degree, bool mirror
 }
 
 /// Half turns that the edge makes on its way, rounded up, if it goes around more than once.
-int winding_spans(const HexComplex& complex, const ComplexEdge& edge) {
+int winding_spans(const HexComplex& complex, const HexEdge& edge) {
   double turning = 0;
-  for (const EdgeUse& use : edge.uses)
+  for (const HexEdgeUse& use : edge.uses)
     for (const Side side : geometry::all_sides) {
-      const auto edges = side_edges(side);
+      const auto edges = geometry::side_edges(side);
       for (std::size_t k = 0; k < 4; ++k)
-        if (edges[k] == use.edge)
-          turning = std::max(turning, complex.map({use.block, side}).side_turning(static_cast<int>(k)));
+        if (edges[k] == use.edge.edge)
+          turning = std::max(turning, complex.map({use.edge.block, side}).side_turning(static_cast<int>(k)));
     }
   return turning > 2 * std::numbers::pi ? static_cast<int>(std::ceil(turning / std::numbers::pi)) : 1;
 }
@@ -69,25 +69,28 @@ KnotVector knots_of(const Breaks& breaks, int degree) {
 }  // namespace
 
 std::vector<KnotVector> start_knots(const HexComplex& complex, int degree, int spans) {
-  std::vector<int> equal(complex.sheets.size(), spans);
-  for (const ComplexEdge& edge : complex.edges) {
-    int& count = equal[static_cast<std::size_t>(edge.sheet)];
-    count = std::min(std::max(count, winding_spans(complex, edge)), most_spans);
+  const HexTopology& topology = complex.topology;
+  std::vector<int> equal(topology.sheets.size(), spans);
+  for (const HexEdge& edge : topology.edges) {
+    int& count = equal[static_cast<std::size_t>(edge.sheet.value)];
+    count = std::min(std::max(count, winding_spans(complex, edge)), most_own_spans);
   }
-  std::vector<Breaks> own(complex.sheets.size());
+  std::vector<Breaks> own(topology.sheets.size());
   for (std::size_t k = 0; k < own.size(); ++k) add_equal(own[k], equal[k]);
-  for (const ComplexEdge& edge : complex.edges) {
-    const auto k = static_cast<std::size_t>(edge.sheet);
-    for (const KnotVector& knots : edge.knots) {
+  for (std::size_t e = 0; e < complex.edges.size(); ++e) {
+    const HexEdge& edge = topology.edges[e];
+    const auto k = static_cast<std::size_t>(edge.sheet.value);
+    for (const KnotVector& knots : complex.edges[e].knots) {
       if (knots.degree() > degree) continue;
       add_spline(own[k], knots, degree, edge.against_sheet);
-      if (complex.sheets[k].symmetric) add_spline(own[k], knots, degree, !edge.against_sheet);
+      if (topology.sheets[k].symmetric) add_spline(own[k], knots, degree, !edge.against_sheet);
     }
   }
   std::vector<KnotVector> result;
   for (std::size_t k = 0; k < own.size(); ++k)
-    result.push_back(static_cast<int>(own[k].size()) < most_spans ? knots_of(own[k], degree)
-                                                                  : KnotVector::uniform(degree, equal[k]));
+    result.push_back(static_cast<int>(own[k].size()) < most_own_spans
+                         ? knots_of(own[k], degree)
+                         : KnotVector::uniform(degree, equal[k]));
   return result;
 }
 

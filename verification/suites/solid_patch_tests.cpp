@@ -7,12 +7,15 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <string>
+#include <vector>
 
+#include "geometry/brep/make_brep.hpp"
 #include "geometry/models/box.hpp"
 #include "geometry/models/cylinder.hpp"
 #include "geometry/models/twisted_beam.hpp"
 #include "iga/solution/solve_elasticity.hpp"
-#include "segmentation/parameterization/assemble_complex.hpp"
+#include "segmentation/parameterization/assemble_model.hpp"
 #include "segmentation/parameterization/parameterize.hpp"
 #include "segmentation/parameterization/read_blocks.hpp"
 #include "verification/claims/expect.hpp"
@@ -21,79 +24,55 @@
 namespace isopatch::verification {
 namespace {
 
-using geometry::Side;
-using segmentation::DomainCurve;
-using segmentation::HexSolid;
+using geometry::KnotVector;
+using geometry::NurbsCurve;
+using geometry::NurbsSurface;
+using geometry::TrimmedSurface;
 
-DomainCurve line(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
-  return [=](double t) -> Eigen::Vector2d { return (1 - t) * from + t * to; };
-}
-DomainCurve reversed(const DomainCurve& curve) {
-  return [=](double t) { return curve(1 - t); };
-}
-
-segmentation::SolidFace face_on(Side side, const segmentation::DomainSurface& surface,
-                                const std::array<DomainCurve, 4>& curves) {
-  using segmentation::side_corner;
-  return {
-      std::string(geometry::name(side)),
-      {side_corner(side, 0, 0), side_corner(side, 1, 0), side_corner(side, 1, 1), side_corner(side, 0, 1)},
-      {curves.begin(), curves.end()},
-      surface};
+NurbsCurve domain_line(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+  Eigen::Matrix3Xd points = Eigen::Matrix3Xd::Zero(3, 2);
+  points.topRows<2>() << from, to;
+  return {{KnotVector()}, points};
 }
 
-const std::array<DomainCurve, 4> unit_square = {line({0, 0}, {1, 0}), line({1, 0}, {1, 1}),
-                                                line({1, 1}, {0, 1}), line({0, 1}, {0, 0})};
+TrimmedSurface untrimmed(const NurbsSurface& surface) {
+  const Eigen::Vector2d a = surface.low(), c = surface.high(), b(c[0], a[1]), d(a[0], c[1]);
+  return {"", surface, {{domain_line(a, b), domain_line(b, c), domain_line(c, d), domain_line(d, a)}}};
+}
 
 /// The solid that a volume fills, by its six faces.
-HexSolid solid_of(const std::string& name, const geometry::NurbsVolume& volume) {
-  HexSolid solid{name, {}, {}};
-  const Eigen::Vector3d low = volume.low(), size = volume.high() - volume.low();
-  for (int c = 0; c < 8; ++c)
-    solid.vertices.push_back(
-        volume.point(low + size.cwiseProduct(Eigen::Vector3d(c & 1, (c >> 1) & 1, (c >> 2) & 1))));
-  for (const Side side : geometry::all_sides) {
-    const geometry::NurbsSurface surface = face_surface(volume, side);
-    const auto at = [surface](const Eigen::Vector2d& uv) -> Eigen::Vector3d {
-      return surface.point(surface.low() + uv.cwiseProduct(surface.high() - surface.low()));
-    };
-    solid.faces.push_back(face_on(side, at, unit_square));
-  }
-  return solid;
+geometry::BrepFile solid_of(const std::string& name, const geometry::NurbsVolume& volume) {
+  std::vector<TrimmedSurface> faces;
+  for (const geometry::Side side : geometry::all_sides)
+    faces.push_back(untrimmed(face_surface(volume, side)));
+  return {geometry::sew(faces).brep, name};
 }
 
 /// A slab between two plane faces that are trimmed by an outline with a dent: not convex.
-HexSolid dented_slab() {
-  const DomainCurve dent = [](double s) -> Eigen::Vector2d {
-    return {s, 0.3 * std::pow(std::sin(std::numbers::pi * s), 2)};
-  };
-  const std::array<DomainCurve, 4> outline = {dent, line({1, 0}, {1, 1}), line({1, 1}, {0, 1}),
-                                              line({0, 1}, {0, 0})};
-  constexpr double height = 0.4;
-  HexSolid solid{"trimmed non-convex face", {}, {}};
-  for (int c = 0; c < 8; ++c) solid.vertices.emplace_back(c & 1, (c >> 1) & 1, height * ((c >> 2) & 1));
-  for (const Side side : {Side::front, Side::back}) {
-    const double z = side == Side::back ? height : 0;
-    solid.faces.push_back(face_on(
-        side,
-        [z](const Eigen::Vector2d& uv) -> Eigen::Vector3d {
-          return {uv[0], uv[1], z};
-        },
-        outline));
+geometry::BrepFile dented_slab() {
+  const Eigen::Vector3d up(0, 0, 0.4);
+  const KnotVector knots = KnotVector::uniform(3, 8);
+  const std::vector<double> greville = knots.greville();
+  Eigen::Matrix3Xd points = Eigen::Matrix3Xd::Zero(3, knots.size());
+  for (int i = 0; i < knots.size(); ++i) {
+    const double s = greville[static_cast<std::size_t>(i)];
+    points.col(i) << s, 0.3 * std::pow(std::sin(std::numbers::pi * s), 2), 0;
   }
-  const std::array<std::pair<Side, DomainCurve>, 4> walls = {{{Side::south, outline[0]},
-                                                              {Side::east, outline[1]},
-                                                              {Side::north, reversed(outline[2])},
-                                                              {Side::west, reversed(outline[3])}}};
-  for (const auto& [side, wall] : walls)
-    solid.faces.push_back(face_on(
-        side,
-        [wall = wall](const Eigen::Vector2d& uv) -> Eigen::Vector3d {
-          const Eigen::Vector2d p = wall(uv[0]);
-          return {p[0], p[1], height * uv[1]};
-        },
-        unit_square));
-  return solid;
+  const std::vector<NurbsCurve> outline = {NurbsCurve({knots}, points), domain_line({1, 0}, {1, 1}),
+                                           domain_line({1, 1}, {0, 1}), domain_line({0, 1}, {0, 0})};
+  std::vector<TrimmedSurface> faces;
+  for (const double share : {0.0, 1.0}) {
+    Eigen::Matrix3Xd square(3, 4);
+    square << 0, 1, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0;
+    faces.push_back(
+        {"", NurbsSurface({KnotVector(), KnotVector()}, square.colwise() + share * up), {outline}});
+  }
+  for (const NurbsCurve& curve : outline) {
+    Eigen::Matrix3Xd wall(3, 2 * curve.size());
+    wall << curve.control_points(), curve.control_points().colwise() + up;
+    faces.push_back(untrimmed(NurbsSurface({curve.knots(0), KnotVector()}, wall)));
+  }
+  return {geometry::sew(faces).brep, "trimmed non-convex face"};
 }
 
 /// The field held on the first boundary face and caused by tractions on all others.
@@ -114,9 +93,9 @@ iga::ElasticityProblem pulled(const LinearField& field, const geometry::MultiPat
   return p;
 }
 
-void expect_passes(const std::string& name, const segmentation::HexComplex& complex,
+void expect_passes(const std::string& name, const segmentation::HexModel& hexahedra,
                    const std::vector<iga::Coupling>& couplings) {
-  const segmentation::Parameterization made = parameterize(complex);
+  const segmentation::Parameterization made = parameterize(hexahedra);
   EXPECT_TRUE(made.report.usable()) << name << ": " << testing::PrintToString(made.report.complaints());
   const LinearField field = generic_linear_field();
   const iga::ElasticityProblem problem = pulled(field, geometry::connect(made.patches));
@@ -132,9 +111,8 @@ void expect_passes(const std::string& name, const segmentation::HexComplex& comp
   }
 }
 
-void expect_passes(const HexSolid& solid) {
-  expect_passes(solid.name, segmentation::hex_complex({segmentation::hexahedron(solid)}),
-                {iga::Coupling::elimination});
+void expect_passes(const geometry::BrepFile& solid) {
+  expect_passes(solid.name, segmentation::hex_model({solid}), {iga::Coupling::elimination});
 }
 
 std::filesystem::path data_file(const std::string& name) {
@@ -147,7 +125,7 @@ void expect_passes(const std::string& file) {
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "needs " << path.string();
   segmentation::BlockFiles blocks;
   blocks.files = {path};
-  expect_passes(path.filename().string(), segmentation::read_blocks(blocks).complex,
+  expect_passes(path.filename().string(), segmentation::read_blocks(blocks).model,
                 {iga::Coupling::elimination});
 }
 
@@ -191,7 +169,7 @@ TEST(PatchTests, ChairStandOfNineSolids) {
     if (entry.path().extension() == ".xml") blocks.files.push_back(entry.path());
   std::sort(blocks.files.begin(), blocks.files.end());
   blocks.length_unit = 0.225;
-  expect_passes("chair stand", segmentation::read_blocks(blocks).complex,
+  expect_passes("chair stand", segmentation::read_blocks(blocks).model,
                 {iga::Coupling::elimination, iga::Coupling::lagrange});
 }
 

@@ -12,29 +12,15 @@
 #include <TopoDS_Solid.hxx>
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
 
+#include "geometry/base/union_find.hpp"
 #include "geometry/brep/opencascade/internal/solid_shapes.hpp"
 
 namespace isopatch::geometry {
 namespace {
 
 using Numbers = std::vector<std::size_t>;
-
-/// Sets that are joined two by two.
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-  std::size_t root(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::size_t a, std::size_t b) { parent_[root(b)] = root(a); }
-
- private:
-  Numbers parent_;
-};
 
 /// The faces at each edge that has a length; one twice at a seam.
 std::vector<Numbers> faces_at_edges(const std::vector<TopoDS_Face>& faces,
@@ -72,9 +58,9 @@ std::vector<std::array<std::size_t, 2>> touching_pairs(const std::vector<Numbers
 }
 
 /// Whether an edge has two faces of every set around it: bodies that meet there.
-bool two_of_each(const Numbers& faces, Sets& sets) {
-  std::map<std::size_t, int> count;
-  for (const std::size_t f : faces) ++count[sets.root(f)];
+bool two_of_each(const Numbers& faces, UnionFind& shells) {
+  std::map<int, int> count;
+  for (const std::size_t f : faces) ++count[shells.find(static_cast<int>(f))];
   return std::all_of(count.begin(), count.end(), [](const auto& entry) { return entry.second == 2; });
 }
 
@@ -85,27 +71,31 @@ std::vector<Numbers> shells_of(const std::vector<TopoDS_Face>& faces) {
   const auto pairs = touching_pairs(edges_of_faces, faces_at);
   std::set<std::size_t> paired;
   for (const auto& pair : pairs) paired.insert(pair.begin(), pair.end());
-  Sets sets(faces.size());
+  UnionFind sets(static_cast<int>(faces.size()));
+  const auto join = [&](std::size_t a, std::size_t b) {
+    sets.unite(static_cast<int>(a), static_cast<int>(b));
+  };
+  const auto root = [&](std::size_t f) { return static_cast<std::size_t>(sets.find(static_cast<int>(f))); };
   const auto is_free = [&](std::size_t f) { return !paired.contains(f); };
   for (const Numbers& at : faces_at)
-    if (at.size() == 2 && is_free(at[0]) && is_free(at[1])) sets.join(at[0], at[1]);
+    if (at.size() == 2 && is_free(at[0]) && is_free(at[1])) join(at[0], at[1]);
   for (const Numbers& at : faces_at)
     if (at.size() > 2 && std::all_of(at.begin(), at.end(), is_free) && !two_of_each(at, sets))
-      for (std::size_t i = 1; i < at.size(); ++i) sets.join(at[0], at[i]);
+      for (std::size_t i = 1; i < at.size(); ++i) join(at[0], at[i]);
   for (const auto& pair : pairs) {
     std::set<std::size_t> around;
     for (const std::size_t edge : edges_of_faces[pair[0]])
       for (const std::size_t f : faces_at[edge])
-        if (!paired.contains(f)) around.insert(sets.root(f));
+        if (!paired.contains(f)) around.insert(root(f));
     if (around.size() == 2) {
-      sets.join(*around.begin(), pair[0]);
-      sets.join(*around.rbegin(), pair[1]);
+      join(*around.begin(), pair[0]);
+      join(*around.rbegin(), pair[1]);
     } else if (!around.empty()) {  // no two bodies: one that touches itself, for the checks to find
-      for (const std::size_t f : pair) sets.join(*around.begin(), f);
+      for (const std::size_t f : pair) join(*around.begin(), f);
     }
   }
   std::map<std::size_t, Numbers> by_root;
-  for (std::size_t f = 0; f < faces.size(); ++f) by_root[sets.root(f)].push_back(f);
+  for (std::size_t f = 0; f < faces.size(); ++f) by_root[root(f)].push_back(f);
   std::vector<Numbers> shells;
   for (auto& entry : by_root) shells.push_back(std::move(entry.second));
   std::sort(shells.begin(), shells.end());  // by their first faces

@@ -6,10 +6,10 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
-#include <numeric>
 
 #include <fmt/format.h>
 
+#include "geometry/base/union_find.hpp"
 #include "geometry/brep/opencascade/internal/conversions.hpp"
 #include "geometry/brep/opencascade/internal/loop_curve.hpp"
 #include "geometry/brep/opencascade/internal/solid_shapes.hpp"
@@ -136,18 +136,14 @@ class Sewer {
     const std::size_t count = 2 * pieces_.size();
     std::vector<Eigen::Vector3d> ends(count);
     for (std::size_t i = 0; i < count; ++i) ends[i] = pieces_[i / 2].curve.point(i % 2 == 0 ? 0 : 1);
-    std::vector<std::size_t> leader(count);
-    std::iota(leader.begin(), leader.end(), std::size_t(0));
+    UnionFind together(static_cast<int>(count));
     const auto root = [&](std::size_t i) {
-      while (leader[i] != i) i = leader[i] = leader[leader[i]];
-      return i;
+      return static_cast<std::size_t>(together.find(static_cast<int>(i)));
     };
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t j = 0; j < i; ++j)
-        if ((ends[i] - ends[j]).norm() <= tolerance_) {
-          const std::size_t a = root(i), b = root(j);
-          leader[std::max(a, b)] = std::min(a, b);
-        }
+        if ((ends[i] - ends[j]).norm() <= tolerance_)
+          together.unite(static_cast<int>(i), static_cast<int>(j));
     std::vector<std::size_t> number(count, 0), members(count, 0);
     std::vector<Eigen::Vector3d> middle(count, Eigen::Vector3d::Zero());
     for (std::size_t i = 0; i < count; ++i) {

@@ -13,6 +13,8 @@ struct Altered {
   BrepTables tables;
   double volume_factor = 1;
   Eigen::Vector3d triangles_moved_by = Eigen::Vector3d::Zero();  ///< of the first face alone
+  FaceId moved_face = {};                                        ///< whose surface lies elsewhere
+  Eigen::Vector3d face_moved_by = Eigen::Vector3d::Zero();
 };
 
 class AlteredKernel final : public BrepKernel {
@@ -39,7 +41,8 @@ class AlteredKernel final : public BrepKernel {
     return kernel().domain_tangent(face, use, t);
   }
   Eigen::Vector3d point(FaceId face, const Eigen::Vector2d& uv) const override {
-    return kernel().point(face, uv);
+    const Eigen::Vector3d point = kernel().point(face, uv);
+    return face == altered_.moved_face ? Eigen::Vector3d(point + altered_.face_moved_by) : point;
   }
   Eigen::Matrix<double, 3, 2> derivatives(FaceId face, const Eigen::Vector2d& uv) const override {
     return kernel().derivatives(face, uv);

@@ -9,9 +9,9 @@
 #include "geometry/brep/make_brep.hpp"
 #include "geometry/brep/read_brep.hpp"
 #include "geometry/brep/tests/message_of.hpp"
-#include "geometry/brep/tests/sample_solids.hpp"
 #include "geometry/brep/tests/step_assembly.hpp"
 #include "geometry/brep/write_brep.hpp"
+#include "geometry/topology/tests/sample_solids.hpp"
 
 namespace isopatch::geometry {
 namespace {

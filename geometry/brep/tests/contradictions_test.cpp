@@ -11,8 +11,8 @@
 #include "geometry/brep/read_brep.hpp"
 #include "geometry/brep/tests/altered_kernel.hpp"
 #include "geometry/brep/tests/data_file.hpp"
-#include "geometry/brep/tests/sample_solids.hpp"
 #include "geometry/brep/tests/step_text.hpp"
+#include "geometry/topology/tests/sample_solids.hpp"
 
 namespace isopatch::geometry {
 namespace {

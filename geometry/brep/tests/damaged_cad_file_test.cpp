@@ -8,8 +8,8 @@
 #include "geometry/brep/make_brep.hpp"
 #include "geometry/brep/read_brep.hpp"
 #include "geometry/brep/step_units.hpp"
-#include "geometry/brep/tests/sample_solids.hpp"
 #include "geometry/brep/write_brep.hpp"
+#include "geometry/topology/tests/sample_solids.hpp"
 
 namespace isopatch::geometry {
 namespace {

@@ -12,7 +12,7 @@
 #include "geometry/brep/make_brep.hpp"
 #include "geometry/brep/read_brep.hpp"
 #include "geometry/brep/tests/data_file.hpp"
-#include "geometry/brep/tests/sample_solids.hpp"
+#include "geometry/topology/tests/sample_solids.hpp"
 
 namespace isopatch::geometry {
 namespace {

@@ -6,7 +6,7 @@
 #include "geometry/base/error.hpp"
 #include "geometry/brep/check_brep.hpp"
 #include "geometry/brep/tests/message_of.hpp"
-#include "geometry/brep/tests/sample_solids.hpp"
+#include "geometry/topology/tests/sample_solids.hpp"
 
 namespace isopatch::geometry {
 namespace {

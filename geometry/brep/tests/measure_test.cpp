@@ -10,9 +10,9 @@
 #include "geometry/brep/check_brep.hpp"
 #include "geometry/brep/make_brep.hpp"
 #include "geometry/brep/read_brep.hpp"
-#include "geometry/brep/tests/sample_solids.hpp"
 #include "geometry/brep/tests/step_text.hpp"
 #include "geometry/quadrature.hpp"
+#include "geometry/topology/tests/sample_solids.hpp"
 
 namespace isopatch::geometry {
 namespace {

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <ostream>
 
+#include "geometry/brep/brep_graph.hpp"
 #include "geometry/brep/check_brep.hpp"
 #include "geometry/brep/read_brep.hpp"
 #include "geometry/brep/tessellation.hpp"

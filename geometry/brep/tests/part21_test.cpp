@@ -8,8 +8,8 @@
 #include "geometry/base/error.hpp"
 #include "geometry/brep/step_products.hpp"
 #include "geometry/brep/step_units.hpp"
-#include "geometry/brep/tests/sample_solids.hpp"
 #include "geometry/brep/tests/step_assembly.hpp"
+#include "geometry/topology/tests/sample_solids.hpp"
 
 namespace isopatch::geometry {
 namespace {

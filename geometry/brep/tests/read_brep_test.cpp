@@ -12,9 +12,9 @@
 #include "geometry/brep/make_brep.hpp"
 #include "geometry/brep/tests/data_file.hpp"
 #include "geometry/brep/tests/message_of.hpp"
-#include "geometry/brep/tests/sample_solids.hpp"
 #include "geometry/brep/write_brep.hpp"
 #include "geometry/io/read_off.hpp"
+#include "geometry/topology/tests/sample_solids.hpp"
 
 namespace isopatch::geometry {
 namespace {

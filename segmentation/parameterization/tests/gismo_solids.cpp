@@ -1,7 +1,5 @@
 #include "segmentation/parameterization/tests/gismo_solids.hpp"
 
-#include <algorithm>
-#include <fstream>
 #include <memory>
 #include <pugixml.hpp>
 #include <sstream>
@@ -62,8 +60,8 @@ Eigen::Matrix3Xd points_of(const pugi::xml_node& geometry) {
   return points;
 }
 
-SolidFace face_of(const pugi::xml_node& node) {
-  SolidFace face;
+PlainFace face_of(const pugi::xml_node& node) {
+  PlainFace face;
   const pugi::xml_node geometry = node.child("Geometry");
   std::vector<RawKnots> knots;
   for (const auto& basis : geometry.child("Basis").children("Basis")) knots.push_back(knots_of(basis));
@@ -94,47 +92,17 @@ SolidFace face_of(const pugi::xml_node& node) {
 
 }  // namespace
 
-HexSolid gismo_solid(const std::string& path) {
+std::vector<PlainFace> gismo_faces(const std::string& path) {
   pugi::xml_document document;
   if (!document.load_file(path.c_str())) throw std::runtime_error("cannot read " + path);
   const pugi::xml_node root = document.child("xml");
-  std::vector<SolidFace> surfaces;
+  std::vector<PlainFace> surfaces, result;
   for (const auto& node : root.children("TrimSurface")) surfaces.push_back(face_of(node));
-  const pugi::xml_node solid = root.child("Solid");
-  HexSolid result;
-  const auto coordinates = numbers<double>(solid.child("Vertex"));
-  for (std::size_t i = 0; i + 2 < coordinates.size(); i += 3)
-    result.vertices.emplace_back(coordinates[i], coordinates[i + 1], coordinates[i + 2]);
-  const auto faces = numbers<int>(solid.child("Face"));
+  const auto faces = numbers<int>(root.child("Solid").child("Face"));
   for (std::size_t i = 0; i < faces.size();) {
     const auto count = static_cast<std::size_t>(faces[i]);
-    SolidFace face = surfaces.at(static_cast<std::size_t>(faces.at(i + count + 1)));
-    face.name = "face" + std::to_string(result.faces.size());
-    face.corners.assign(faces.begin() + static_cast<std::ptrdiff_t>(i) + 1,
-                        faces.begin() + static_cast<std::ptrdiff_t>(i + count) + 1);
-    result.faces.push_back(std::move(face));
+    result.push_back(surfaces.at(static_cast<std::size_t>(faces.at(i + count + 1))));
     i += count + 2;
-  }
-  return result;
-}
-
-ChairStand chair_stand(const std::string& folder) {
-  ChairStand result;
-  std::vector<std::string> names;
-  std::ifstream list(folder + "/segmented_objStandFiveParts_pairs.txt");
-  const auto block = [&](const std::string& name) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found != names.end()) return static_cast<int>(found - names.begin());
-    HexSolid solid = gismo_solid(folder + "/" + name + ".xml");
-    solid.name = name.substr(std::string("segmented_objStandFive").size());
-    result.blocks.push_back(hexahedron(solid));
-    names.push_back(name);
-    return static_cast<int>(names.size()) - 1;
-  };
-  std::string first, second;
-  for (int a = 0, b = 0; list >> first >> a >> second >> b;) {
-    const int i = block(first), j = block(second);
-    result.pairs.push_back({i, a, j, b});
   }
   return result;
 }

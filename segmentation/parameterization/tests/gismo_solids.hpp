@@ -1,22 +1,20 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "segmentation/parameterization/assemble_complex.hpp"
-#include "segmentation/parameterization/hex_complex.hpp"
-
 namespace isopatch::segmentation::test {
 
-/// A solid of trimmed surfaces as G+Smo writes it, read plainly and without a CAD kernel: the tests' second
-/// opinion.
-HexSolid gismo_solid(const std::string& path);
-
-/// The nine solids of the chair stand, and the pairs of the file beside them.
-struct ChairStand {
-  std::vector<Hexahedron> blocks;
-  std::vector<ListedPair> pairs;
+/// A trimmed surface: its outline's curves over [0, 1] in its domain.
+struct PlainFace {
+  std::vector<std::function<Eigen::Vector2d(double)>> curves;
+  std::function<Eigen::Vector3d(const Eigen::Vector2d&)> surface;
 };
-ChairStand chair_stand(const std::string& folder);
+
+/// The faces of a solid of trimmed surfaces as G+Smo writes it, read plainly and without a CAD kernel: the
+/// tests' second opinion.
+std::vector<PlainFace> gismo_faces(const std::string& path);
 
 }  // namespace isopatch::segmentation::test

@@ -5,7 +5,7 @@
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/brep/make_brep.hpp"
 #include "geometry/brep/solid_error.hpp"
-#include "segmentation/parameterization/brep_solid.hpp"
+#include "segmentation/parameterization/assemble_model.hpp"
 #include "segmentation/parameterization/read_blocks.hpp"
 #include "segmentation/parameterization/tests/checks.hpp"
 #include "segmentation/parameterization/tests/step_text.hpp"
@@ -20,7 +20,7 @@ auto blocks_of(const std::string& name, const std::string& text) {
   return [=] {
     const auto path = std::filesystem::temp_directory_path() / (name + ".step");
     write_file(path, text);
-    const HexComplex complex = read_blocks({.files = {path}}).complex;
+    read_blocks({.files = {path}});
   };
 }
 
@@ -55,9 +55,12 @@ TEST(Refusals, ATriangleAndAPentagonAreNamedByTheirVertices) {
   prism.vertices.resize(3, 6);
   prism.vertices << 0, 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 1, 1, 1;
   prism.faces = {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}};
-  EXPECT_THAT([&] { hexahedron(hex_solid(geometry::make_brep(prism), "prism")); },
-              ThrowsError(ErrorCode::unsupported,
-                          {"face 0 has 3 corners (vertices ", "makes three faces with four edges"}));
+  EXPECT_THAT(
+      [&] {
+        hex_model({{geometry::make_brep(prism), "prism"}});
+      },
+      ThrowsError(ErrorCode::unsupported,
+                  {"face 0 has 3 corners (vertices ", "makes three faces with four edges"}));
 }
 
 }  // namespace

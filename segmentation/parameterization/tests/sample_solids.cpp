@@ -1,128 +1,92 @@
 #include "segmentation/parameterization/tests/sample_solids.hpp"
 
+#include <Eigen/LU>
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <random>
+#include <vector>
 
-#include "segmentation/parameterization/coons.hpp"
+#include "geometry/brep/make_brep.hpp"
+#include "geometry/models/cylinder.hpp"
+#include "geometry/patch_face.hpp"
+#include "geometry/splines/grid.hpp"
+#include "geometry/splines/tensor.hpp"
+#include "segmentation/parameterization/tests/spline_blocks.hpp"
 
 namespace isopatch::segmentation::test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-DomainCurve line(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
-  return [=](double t) -> Eigen::Vector2d { return (1 - t) * from + t * to; };
-}
-
 Eigen::Vector3d corner_point(int corner) {
   return {double(corner & 1), double(corner >> 1 & 1), double(corner >> 2 & 1)};
 }
 
-/// A face with the frame of a side and the unit square as its domain.
-SolidFace square_face(Side side, DomainSurface surface) {
-  return {
-      "side " + std::string(geometry::name(side)),
-      {side_corner(side, 0, 0), side_corner(side, 1, 0), side_corner(side, 1, 1), side_corner(side, 0, 1)},
-      {line({0, 0}, {1, 0}), line({1, 0}, {1, 1}), line({1, 1}, {0, 1}), line({0, 1}, {0, 0})},
-      std::move(surface)};
-}
-
-Eigen::Vector3d on_side(Side side, const Eigen::Vector2d& uv) {
-  Eigen::Vector3d p;
-  const auto along = geometry::tangents(side);
-  p[geometry::direction(side)] = geometry::is_high(side) ? 1 : 0;
-  p[along[0]] = uv[0];
-  p[along[1]] = uv[1];
-  return p;
-}
-
 }  // namespace
 
-HexSolid mapped_cube(const std::string& name,
-                     const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& map) {
-  HexSolid solid;
-  solid.name = name;
-  for (int c = 0; c < 8; ++c) solid.vertices.push_back(map(corner_point(c)));
-  for (const Side side : geometry::all_sides)
-    solid.faces.push_back(square_face(
-        side, [=](const Eigen::Vector2d& uv) -> Eigen::Vector3d { return map(on_side(side, uv)); }));
-  return solid;
+geometry::BrepFile solid_of(const std::string& name, const geometry::NurbsVolume& volume) {
+  return {solid_of(volume), name};
 }
 
-HexSolid quarter_tube() {
-  return mapped_cube("quarter tube", [](const Eigen::Vector3d& p) -> Eigen::Vector3d {
-    const double r = 1 + p[0], a = pi / 2 * p[1];
-    return {r * std::cos(a), r * std::sin(a), 1.5 * p[2]};
-  });
+geometry::NurbsVolume interpolated(const std::array<geometry::KnotVector, 3>& knots, const Map& map) {
+  geometry::NurbsVolume samples = bent(knots, map);
+  Eigen::Matrix3Xd points = samples.control_points();
+  for (int d = 0; d < 3; ++d) {
+    const geometry::KnotVector& along = knots[static_cast<std::size_t>(d)];
+    const Eigen::MatrixXd basis(geometry::collocation(along, along.greville()));
+    points = geometry::apply_along<3>(points, samples.sizes(), d, Eigen::MatrixXd(basis.inverse()));
+  }
+  return {knots, points};
 }
 
-HexSolid twisted_bar() {
+geometry::BrepFile mapped_cube(const std::string& name, const Map& map) {
+  const auto knots = geometry::KnotVector::uniform(3, 12);
+  return solid_of(name, interpolated({knots, knots, knots}, map));
+}
+
+geometry::BrepFile quarter_tube() {
+  const geometry::CylinderOptions options{.inner_radius = 1, .outer_radius = 2, .height = 1.5};
+  return solid_of("quarter tube", geometry::cylinder_model(options).patches[0]);
+}
+
+geometry::BrepFile twisted_bar() {
   return mapped_cube("twisted bar", [](const Eigen::Vector3d& p) -> Eigen::Vector3d {
     const double a = 2 * pi / 3 * p[2], x = p[0] - 0.5, y = p[1] - 0.5;
     return {x * std::cos(a) - y * std::sin(a), x * std::sin(a) + y * std::cos(a), 4 * p[2]};
   });
 }
 
-HexSolid hilly_cube() {
+geometry::BrepFile hilly_cube() {
   return mapped_cube("hilly cube", [](const Eigen::Vector3d& p) -> Eigen::Vector3d {
     const double hill = 0.3 * std::sin(pi * p[0]) * std::sin(pi * p[1]) + 0.1 * std::sin(2 * pi * p[0]);
     return {p[0], p[1], p[2] * (1 + hill)};
   });
 }
 
-HexSolid trimmed_slab() {
-  constexpr double height = 0.4, hump = 0.38;
-  const auto bump = [](double t) { return hump * std::pow(std::sin(pi * t), 2); };
-  const std::array<DomainCurve, 4> sides{[=](double s) -> Eigen::Vector2d {
-                                           return {s, bump(s)};
-                                         },
-                                         line({0, 1}, {1, 1}),
-                                         [=](double t) -> Eigen::Vector2d {
-                                           return {bump(t), t};
-                                         },
-                                         line({1, 0}, {1, 1})};
-  HexSolid solid;
-  solid.name = "trimmed slab";
-  for (int c = 0; c < 8; ++c)
-    solid.vertices.push_back(corner_point(c).cwiseProduct(Eigen::Vector3d(1, 1, height)));
-  const auto reversed = [](DomainCurve curve) { return [=](double t) { return curve(1 - t); }; };
-  for (const Side side : geometry::all_sides) {
-    SolidFace face = square_face(side, {});
-    if (geometry::direction(side) == 2) {
-      const double z = side == Side::back ? height : 0;
-      face.surface = [=](const Eigen::Vector2d& uv) -> Eigen::Vector3d { return {uv[0], uv[1], z}; };
-      face.curves = {sides[0], sides[3], reversed(sides[1]), reversed(sides[2])};
-    } else {
-      const DomainCurve wall = sides[side == Side::south   ? 0
-                                     : side == Side::north ? 1
-                                     : side == Side::west  ? 2
-                                                           : 3];
-      face.surface = [=](const Eigen::Vector2d& uv) -> Eigen::Vector3d {
-        const Eigen::Vector2d p = wall(uv[0]);
-        return {p[0], p[1], height * uv[1]};
-      };
-    }
-    solid.faces.push_back(face);
-  }
-  return solid;
+geometry::BrepFile trimmed_slab() {
+  const auto hump = [](double t) { return 0.38 * std::pow(std::sin(pi * t), 2); };
+  const auto knots = geometry::KnotVector::uniform(3, 16);
+  return {slab_between(outline_curve(knots, [&](double s) { return Eigen::Vector2d(s, hump(s)); }),
+                       outline_curve(knots, [](double s) { return Eigen::Vector2d(s, 1); }),
+                       outline_curve(knots, [&](double t) { return Eigen::Vector2d(hump(t), t); }),
+                       outline_curve(knots, [](double t) { return Eigen::Vector2d(1, t); }), 0.4),
+          "trimmed slab"};
 }
 
-HexSolid straight(const std::string& name, const std::array<Eigen::Vector3d, 8>& corners) {
-  return mapped_cube(name, [=](const Eigen::Vector3d& p) -> Eigen::Vector3d {
-    Eigen::Vector3d sum(0, 0, 0);
-    for (int c = 0; c < 8; ++c) {
-      const Eigen::Vector3d q = corner_point(c);
-      double weight = 1;
-      for (int d = 0; d < 3; ++d) weight *= q[d] > 0 ? p[d] : 1 - p[d];
-      sum += weight * corners[static_cast<std::size_t>(c)];
-    }
-    return sum;
-  });
+geometry::BrepFile straight(const std::string& name, const std::array<Eigen::Vector3d, 8>& corners) {
+  Eigen::Matrix3Xd net(3, 8);
+  for (int c = 0; c < 8; ++c) net.col(c) = corners[static_cast<std::size_t>(c)];
+  const geometry::KnotVector line;
+  return solid_of(name, {{line, line, line}, net});
 }
 
-HexSolid random_hexahedron(std::uint32_t seed, double amount) {
+geometry::BrepFile brick(const std::string& name, const Eigen::Vector3d& low, const Eigen::Vector3d& size) {
+  std::array<Eigen::Vector3d, 8> corners;
+  for (int c = 0; c < 8; ++c) corners[static_cast<std::size_t>(c)] = low + size.cwiseProduct(corner_point(c));
+  return straight(name, corners);
+}
+
+geometry::BrepFile random_hexahedron(std::uint32_t seed, double amount) {
   std::mt19937 random(seed);
   const auto number = [&] { return 2.0 * random() / 4294967295.0 - 1; };
   const auto knots = geometry::KnotVector::bezier(3);
@@ -146,9 +110,7 @@ HexSolid random_hexahedron(std::uint32_t seed, double amount) {
     if (ends < 3) move += 0.5 * amount * Eigen::Vector3d(number(), number(), number());
     net.col(i) += move;
   }
-  const auto volume = std::make_shared<const geometry::NurbsVolume>(all, net);
-  return mapped_cube("random " + std::to_string(seed),
-                     [=](const Eigen::Vector3d& p) -> Eigen::Vector3d { return volume->point(p); });
+  return solid_of("random " + std::to_string(seed), {all, net});
 }
 
 }  // namespace isopatch::segmentation::test

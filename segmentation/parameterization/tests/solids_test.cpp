@@ -1,11 +1,18 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
+#include "geometry/brep/make_brep.hpp"
 #include "geometry/brep/read_brep.hpp"
-#include "segmentation/parameterization/assemble_complex.hpp"
-#include "segmentation/parameterization/brep_solid.hpp"
+#include "geometry/brep/tests/altered_kernel.hpp"
+#include "geometry/measures.hpp"
+#include "geometry/topology/tests/sample_solids.hpp"
+#include "segmentation/parameterization/assemble_model.hpp"
+#include "segmentation/parameterization/internal/hex_complex.hpp"
+#include "segmentation/parameterization/internal/mean_value_map.hpp"
 #include "segmentation/parameterization/parameterize.hpp"
 #include "segmentation/parameterization/read_blocks.hpp"
 #include "segmentation/parameterization/tests/checks.hpp"
@@ -18,8 +25,8 @@ namespace {
 
 using test::ThrowsError;
 
-Parameterization patch_of(const HexSolid& solid, const ParameterizationOptions& options = {}) {
-  return parameterize(hex_complex({hexahedron(solid)}), options);
+Parameterization patch_of(const geometry::BrepFile& solid, const ParameterizationOptions& options = {}) {
+  return parameterize(hex_model({solid}), options);
 }
 
 void expect_usable(const Parameterization& made) {
@@ -50,12 +57,21 @@ TEST(Solids, ADoublyCurvedFaceIsFittedToTheTolerance) {
 }
 
 TEST(Solids, ATrimmedFaceWhoseBlendFoldsTakesTheMeanValueMap) {
-  const Hexahedron block = hexahedron(test::trimmed_slab());
-  const FaceMap blend(block.face(Side::back));
-  EXPECT_LT(smallest_sine(blend), 0);
-  const FaceMap map = face_map(block.face(Side::back));
-  EXPECT_EQ(map.kind(), FaceMapKind::mean_value);
-  EXPECT_GT(smallest_sine(map), 0);
+  const Hexahedron block = hexahedra(hex_model({test::trimmed_slab()})).front();
+  int folded = 0;
+  for (const QuadFace& face : block.faces) {
+    if (smallest_sine(FaceMap(face)) >= 0) continue;
+    ++folded;
+    const FaceMap map = face_map(face);
+    EXPECT_EQ(map.kind(), FaceMapKind::mean_value);
+    EXPECT_GT(smallest_sine(map), 0);
+    // The triangles that it stands on fill the face and lose nothing.
+    const std::optional<DomainMesh> mesh = face.mesh();
+    ASSERT_TRUE(mesh.has_value());
+    const MeanValueMap plain(FaceMap(face), *mesh);
+    EXPECT_GT(plain.smallest_area(), 0);
+  }
+  EXPECT_EQ(folded, 2);
 }
 
 TEST(Solids, PolyhedraAndStepFilesComeOutExactly) {
@@ -65,7 +81,7 @@ TEST(Solids, PolyhedraAndStepFilesComeOutExactly) {
     ISOPATCH_NEEDS(path);
     BlockFiles files;
     files.files = {path};
-    const Parameterization made = parameterize(read_blocks(files).complex);
+    const Parameterization made = parameterize(read_blocks(files).model);
     expect_usable(made);
     EXPECT_LT(made.report.worst_face().deviation, 1e-12 * made.report.size);
     EXPECT_NEAR(made.report.patches[0].volume, geometry::read_brep(path).brep.volume(),
@@ -86,48 +102,51 @@ TEST(Solids, ACornerThatNoPatchHasIsReportedWithItsPlace) {
                                                           testing::HasSubstr("180 degrees")));
 }
 
-// Twelve cells along six turns tell nothing: the volume has to be looked at more closely.
 TEST(Solids, ThatWindComeOutRightHandedEitherWay) {
+  const auto line = geometry::KnotVector();
   for (const bool mirrored : {false, true}) {
-    const HexSolid spring = test::mapped_cube("spring", [=](const Eigen::Vector3d& p) {
-      return test::helix(mirrored ? Eigen::Vector3d(p[0], 1 - p[1], p[2]) : p, 6);
-    });
-    const Parameterization made = patch_of(spring, {.fit = {.max_spans = 256}});
+    const geometry::NurbsVolume spring =
+        test::bent({geometry::KnotVector::uniform(3, 96), line, line}, [=](const Eigen::Vector3d& p) {
+          return test::helix(mirrored ? Eigen::Vector3d(p[0], 1 - p[1], p[2]) : p, 6);
+        });
+    const Parameterization made = patch_of(test::solid_of("spring", spring), {.fit = {.max_spans = 256}});
     expect_usable(made);
-    // The section runs around the axis at its middle radius, 1.
-    EXPECT_NEAR(made.report.patches[0].volume, 12 * std::numbers::pi * 0.04, 0.01);
+    EXPECT_NEAR(made.report.patches[0].volume, std::abs(geometry::volume(spring)), 0.01);
   }
 }
 
-// With eight turns all samples of a single span lie at one angle: that must not pass for a straight line.
+// With eight turns all samples of a single span lie at one angle: that must not pass for a straight line. Its
+// degree is too high for its knots to be kept.
 TEST(Solids, TurnsAreNotMissedBetweenSamples) {
-  const HexSolid spring =
-      test::mapped_cube("spring", [](const Eigen::Vector3d& p) { return test::helix(p, 8); });
-  const Parameterization made = patch_of(spring, {.fit = {.tolerance = 1e-2}});
-  EXPECT_NEAR(made.report.patches[0].volume, 16 * std::numbers::pi * 0.04, 0.05);
+  const auto line = geometry::KnotVector();
+  const geometry::NurbsVolume spring = test::bent({geometry::KnotVector::uniform(5, 128), line, line},
+                                                  [](const Eigen::Vector3d& p) { return test::helix(p, 8); });
+  const Parameterization made = patch_of(test::solid_of("spring", spring), {.fit = {.tolerance = 1e-2}});
+  EXPECT_NEAR(made.report.patches[0].volume, std::abs(geometry::volume(spring)), 0.05);
 }
 
 TEST(Solids, OfNoVolumeAreRefused) {
+  const geometry::BrepFile sound = test::brick("sheet", {0, 0, 0}, {1, 1, 1});
+  const geometry::Brep flat =
+      geometry::test::altered(sound.brep, [](auto& altered) { altered.volume_factor = 1e-14; });
   EXPECT_THAT(
-      [] {
-        hexahedron(test::mapped_cube("sheet", [](const Eigen::Vector3d& p) -> Eigen::Vector3d {
-          return {p[0] + 0.2 * p[2], p[1] + 0.3 * p[2], 0};
-        }));
+      [&] {
+        hex_model({{flat, "sheet"}});
       },
       ThrowsError(ErrorCode::invalid_argument, {"'sheet'", "no volume"}));
 }
 
-/// A cube that knows its edges in space, the surface of its top `off` above them.
-HexSolid lid_off_its_edges(double off) {
-  HexSolid solid = test::mapped_cube("box", [](const Eigen::Vector3d& p) { return p; });
-  for (SolidFace& face : solid.faces)
-    for (const DomainCurve& curve : face.curves)
-      face.edges.push_back({[curve, surface = face.surface](double t) { return surface(curve(t)); }});
-  SolidFace& top = solid.faces[static_cast<std::size_t>(Side::back)];
-  top.surface = [plain = top.surface, off](const Eigen::Vector2d& uv) -> Eigen::Vector3d {
-    return plain(uv) + Eigen::Vector3d(0, 0, off);
-  };
-  return solid;
+/// A cube, the surface of one of its faces `off` beside its edges.
+geometry::BrepFile lid_off_its_edges(double off) {
+  const geometry::BrepFile sound = test::brick("box", {0, 0, 0}, {1, 1, 1});
+  const FaceId top(5);
+  const Eigen::Vector3d out = sound.brep.outward_normal(top, {0.5, 0.5});
+  return {geometry::test::altered(sound.brep,
+                                  [&](auto& altered) {
+                                    altered.moved_face = top;
+                                    altered.face_moved_by = off * out;
+                                  }),
+          "box"};
 }
 
 TEST(Solids, ASurfaceOffItsOwnEdgesIsADeviation) {
@@ -137,8 +156,8 @@ TEST(Solids, ASurfaceOffItsOwnEdgesIsADeviation) {
   EXPECT_NEAR(made.report.worst_face().off_edges, 0.05, 1e-9);
   EXPECT_THAT(made.report.complaints()[0], testing::HasSubstr("off its own edges"));
   // What sewing has closed is known before.
-  HexSolid sewn = lid_off_its_edges(0.001);
-  sewn.edge_uncertainty = 0.001;
+  geometry::BrepFile sewn = lid_off_its_edges(0.001);
+  sewn.largest_correction = 0.001;
   EXPECT_LT(patch_of(sewn).report.worst_face().deviation, 1e-9);
   expect_usable(patch_of(lid_off_its_edges(0)));
 }
@@ -167,90 +186,127 @@ TEST(Solids, OptionsOutOfRangeAreNamed) {
               ThrowsError(ErrorCode::invalid_argument, {"wanted_quality is 1"}));
 }
 
-/// A cube with something wrong.
-HexSolid cube() {
-  HexSolid solid = test::mapped_cube("part", [](const Eigen::Vector3d& p) { return p; });
-  for (std::size_t f = 0; f < 6; ++f) solid.faces[f].name = "face " + std::to_string(f);
-  return solid;
-}
-
 TEST(BadSolids, AnOpenShellNamesTheEdge) {
-  HexSolid solid = cube();
-  solid.faces.pop_back();
-  EXPECT_THAT([&] { hexahedron(solid); },
-              ThrowsError(ErrorCode::not_conforming,
-                          {"'part'", "vertices 4 (0, 0, 1)", "shell is open", "only face 2 "}));
+  geometry::Polyhedron open = geometry::test::block(1, 1, 1);
+  open.faces.pop_back();
+  const geometry::Brep shell = geometry::make_brep(open, {.accept_open = true});
+  EXPECT_THAT(
+      [&] {
+        hex_model({{shell, "part"}});
+      },
+      ThrowsError(ErrorCode::not_conforming, {"'part'", "vertices ", "shell is open, only face "}));
 }
 
 TEST(BadSolids, ANonManifoldEdgeNamesItsFaces) {
-  HexSolid solid = cube();
-  solid.faces.push_back(solid.faces[2]);
-  solid.faces.back().name = "extra";
+  geometry::Polyhedron wall = geometry::test::block(1, 1, 1);
+  wall.faces.push_back({0, 1, 7, 6});
+  const geometry::Brep shell = geometry::make_brep(wall, {.accept_open = true});
   EXPECT_THAT(
-      [&] { hexahedron(solid); },
-      ThrowsError(ErrorCode::not_conforming, {"'part'", "3 faces meet here", "'extra'", "vertices 0"}));
+      [&] {
+        hex_model({{shell, "part"}});
+      },
+      ThrowsError(ErrorCode::not_conforming, {"'part'", "3 faces meet here", "face 6", "vertices 0"}));
 }
 
 TEST(BadSolids, AFiveCorneredFaceIsNamed) {
-  HexSolid solid = cube();
-  solid.faces[3].corners.push_back(8);
-  solid.faces[3].curves.push_back(solid.faces[3].curves[0]);
-  EXPECT_THAT([&] { hexahedron(solid); },
-              ThrowsError(ErrorCode::unsupported, {"'part', face 3 has 5 corners", "four", "Cut the solid"}));
-}
-
-TEST(BadSolids, AFaceWithTooFewCornersSaysWhatToDo) {
-  for (const std::size_t count : {1u, 2u, 3u}) {
-    HexSolid solid = cube();
-    solid.faces[3].corners.resize(count);
-    solid.faces[3].curves.resize(count);
-    solid.faces[3].name = "lid";
-    const std::string corners =
-        count == 1 ? "1 corner (vertex" : std::to_string(count) + " corners (vertices";
-    EXPECT_THAT([&] { hexahedron(solid); },
-                ThrowsError(ErrorCode::unsupported, {"face 'lid' has " + corners, "Cut the solid"}));
-  }
+  EXPECT_THAT(
+      [] {
+        hex_model({{geometry::make_brep(geometry::test::prism(5)), "part"}});
+      },
+      ThrowsError(ErrorCode::unsupported, {"'part', face 5 has 5 corners", "four", "Cut the solid"}));
 }
 
 TEST(BadSolids, AnEdgeOfNoLengthIsNamed) {
-  HexSolid solid = cube();
-  for (auto& curve : solid.faces[4].curves) curve = [](double) -> Eigen::Vector2d { return {0.5, 0.5}; };
-  EXPECT_THAT([&] { hexahedron(solid); },
-              ThrowsError(ErrorCode::invalid_argument, {"face 4", "vertices 0 and 1", "no length"}));
+  const geometry::BrepFile sound = test::brick("part", {0, 0, 0}, {1, 1, 1});
+  const geometry::Brep brep =
+      geometry::test::altered(sound.brep, [](auto& altered) { altered.tables.edges[3].length = 1e-12; });
+  EXPECT_THAT(
+      [&] {
+        hex_model({{brep, "part"}});
+      },
+      ThrowsError(ErrorCode::invalid_argument, {"'part'", "vertices", "no length"}));
 }
 
 TEST(BadSolids, ASelfIntersectingFaceIsNamedWithThePlace) {
-  HexSolid solid = cube();
-  // The outline bulges over the opposite side.
-  solid.faces[5].curves[0] = [](double t) -> Eigen::Vector2d {
-    return {t, 1.2 * std::sin(std::numbers::pi * t)};
+  // The southern outline bulges over the northern one.
+  const auto knots = geometry::KnotVector::uniform(3, 12);
+  const auto line = [](const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+    return test::outline_curve(geometry::KnotVector(),
+                               [=](double t) -> Eigen::Vector2d { return (1 - t) * from + t * to; });
   };
-  EXPECT_THAT([&] { hexahedron(solid); },
-              ThrowsError(ErrorCode::invalid_argument, {"face 5", "crosses itself", "1)"}));
+  const geometry::Brep bulging = test::slab_between(
+      test::outline_curve(knots,
+                          [](double s) { return Eigen::Vector2d(s, 0.7 * std::sin(std::numbers::pi * s)); }),
+      line({0, 0.5}, {1, 0.5}), line({0, 0}, {0, 0.5}), line({1, 0}, {1, 0.5}), 1);
+  EXPECT_THAT(
+      [&] {
+        hex_model({{bulging, "part"}});
+      },
+      ThrowsError(ErrorCode::invalid_argument, {"'part', face 0", "crosses itself at ("}));
 }
 
 TEST(BadSolids, AnotherGraphThanACubesIsRefused) {
-  HexSolid prism = cube();
-  // A vertex renamed in all its faces joins two of the cube's.
-  for (SolidFace& face : prism.faces)
-    for (int& corner : face.corners)
-      if (corner == 7) corner = 0;
-  EXPECT_THAT([&] { hexahedron(prism); }, ThrowsError(ErrorCode::unsupported, {"'part'"}));
+  // Two cubes, one on the other, in one.
+  geometry::Polyhedron tower;
+  tower.vertices.resize(3, 12);
+  for (int i = 0; i < 12; ++i) tower.vertices.col(i) << (i & 1), (i >> 1 & 1), i / 4;
+  tower.faces = {{0, 2, 3, 1}, {8, 9, 11, 10}};
+  for (const int low : {0, 4})
+    for (const std::array<int, 2>& side : {std::array{0, 1}, {1, 3}, {3, 2}, {2, 0}})
+      tower.faces.push_back({low + side[0], low + side[1], low + side[1] + 4, low + side[0] + 4});
+  EXPECT_THAT(
+      [&] {
+        hex_model({{geometry::make_brep(tower), "tower"}});
+      },
+      ThrowsError(ErrorCode::unsupported,
+                  {"'tower' is no topological hexahedron", "12 vertices, 20 edges and 10 faces"}));
 }
 
-TEST(BadSolids, APartialContactIsFoundAndRefusedByName) {
-  const auto shifted = [](const std::string& name, const Eigen::Vector3d& low, const Eigen::Vector3d& size) {
-    return hexahedron(test::mapped_cube(
-        name, [=](const Eigen::Vector3d& p) -> Eigen::Vector3d { return low + size.cwiseProduct(p); }));
-  };
-  const HexComplex complex =
-      hex_complex({shifted("large", {0, 0, 0}, {1, 2, 1}), shifted("small", {1, 0, 0}, {1, 1, 1})});
-  ASSERT_EQ(complex.partial_contacts.size(), 1u);
-  EXPECT_EQ(complex.label(complex.partial_contacts[0].part), "small:side west");
-  EXPECT_EQ(complex.label(complex.partial_contacts[0].whole), "large:side east");
-  EXPECT_THAT(
-      [&] { parameterize(complex); },
-      ThrowsError(ErrorCode::unsupported, {"small:side west", "only a part of face large:side east"}));
+HexModel large_and_small() {
+  return hex_model({test::brick("large", {0, 0, 0}, {1, 2, 1}), test::brick("small", {1, 0, 0}, {1, 1, 1})});
+}
+
+TEST(TJoints, AreRefusedByName) {
+  const HexModel model = large_and_small();
+  ASSERT_EQ(model.topology.t_joints.size(), 1u);
+  EXPECT_THAT([&] { parameterize(model); },
+              ThrowsError(ErrorCode::unsupported, {"small:face ", "only a part of face large:face "}));
+}
+
+TEST(TJoints, SayWhereThePartLiesAndWhichEdgesItDivides) {
+  const HexModel model = large_and_small();
+  EXPECT_NO_THROW(geometry::validate(model.topology));
+  ASSERT_EQ(model.topology.t_joints.size(), 1u);
+  const geometry::TJoint& joint = model.topology.t_joints[0];
+  EXPECT_EQ(joint.whole.block, geometry::BlockId(0));
+  ASSERT_EQ(joint.parts.size(), 1u);
+  EXPECT_EQ(joint.parts[0].side.block, geometry::BlockId(1));
+  ASSERT_TRUE(joint.parts[0].rectangle.has_value());
+  const geometry::SideRectangle& half = *joint.parts[0].rectangle;
+  EXPECT_NEAR((half.high[0] - half.low[0]) * (half.high[1] - half.low[1]), 0.5, 1e-6);
+  // One edge and the vertices at its ends are common; two edges are divided in their middles.
+  EXPECT_EQ(model.topology.vertex_count, 14);
+  EXPECT_EQ(model.topology.edges.size(), 23u);
+  ASSERT_EQ(model.topology.split_edges.size(), 2u);
+  for (const geometry::SplitEdge& split : model.topology.split_edges) {
+    ASSERT_EQ(split.at.size(), 1u);
+    EXPECT_NEAR(split.at[0].share, 0.5, 1e-6);
+  }
+}
+
+TEST(TJoints, MayHaveSeveralParts) {
+  const HexModel model =
+      hex_model({test::brick("large", {0, 0, 0}, {1, 2, 1}), test::brick("first", {1, 0, 0}, {1, 0.5, 1}),
+                 test::brick("second", {1, 0.5, 0}, {1, 1.5, 1})});
+  ASSERT_EQ(model.topology.t_joints.size(), 1u);
+  EXPECT_EQ(model.topology.t_joints[0].parts.size(), 2u);
+  // What the two have in common divides the large one's edges once.
+  EXPECT_EQ(model.topology.vertex_count, 16);
+  ASSERT_EQ(model.topology.split_edges.size(), 2u);
+  for (const geometry::SplitEdge& split : model.topology.split_edges) {
+    ASSERT_EQ(split.at.size(), 1u);
+    EXPECT_NEAR(std::abs(split.at[0].share - 0.5), 0.25, 1e-6);
+  }
 }
 
 }  // namespace

@@ -1,10 +1,13 @@
 #include "segmentation/parameterization/tests/spline_blocks.hpp"
 
+#include <Eigen/LU>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "geometry/brep/make_brep.hpp"
 #include "geometry/patch_face.hpp"
+#include "geometry/splines/grid.hpp"
 
 namespace isopatch::segmentation::test {
 namespace {
@@ -53,6 +56,37 @@ geometry::NurbsVolume bent(const std::array<KnotVector, 3>& knots,
     for (const double v : at[1])
       for (const double u : at[0]) points.col(column++) = map({u, v, w});
   return {knots, points};
+}
+
+geometry::NurbsCurve outline_curve(const KnotVector& knots,
+                                   const std::function<Eigen::Vector2d(double)>& map) {
+  const std::vector<double> at = knots.greville();
+  Eigen::MatrixXd points(static_cast<Eigen::Index>(at.size()), 2);
+  for (std::size_t i = 0; i < at.size(); ++i)
+    points.row(static_cast<Eigen::Index>(i)) = map(at[i]).transpose();
+  const Eigen::MatrixXd basis(geometry::collocation(knots, at));
+  Eigen::Matrix3Xd net = Eigen::Matrix3Xd::Zero(3, points.rows());
+  net.topRows<2>() = basis.partialPivLu().solve(points).transpose();
+  return {{knots}, net};
+}
+
+geometry::Brep slab_between(const NurbsCurve& south, const NurbsCurve& north, const NurbsCurve& west,
+                            const NurbsCurve& east, double height) {
+  const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(),
+                        up = height * Eigen::Vector3d::UnitZ();
+  const auto backwards = [](const NurbsCurve& curve) {
+    return NurbsCurve({reversed(curve.knots(0))}, curve.control_points().rowwise().reverse());
+  };
+  const std::vector<NurbsCurve> loop = {south, east, backwards(north), backwards(west)};
+  const auto wall = [&](const NurbsCurve& curve) {
+    Eigen::Matrix3Xd points(3, 2 * curve.control_points().cols());
+    points << curve.control_points(), curve.control_points().colwise() + up;
+    return untrimmed(NurbsSurface({curve.knots(0), KnotVector()}, points));
+  };
+  return geometry::sew({TrimmedSurface{"", plane(Eigen::Vector3d::Zero(), x, y), {loop}},
+                        TrimmedSurface{"", plane(up, x, y), {loop}}, wall(south), wall(north), wall(west),
+                        wall(east)})
+      .brep;
 }
 
 geometry::Brep wavy_top_over_planes(const KnotVector& knots) {

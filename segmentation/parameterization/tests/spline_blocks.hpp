@@ -15,6 +15,16 @@ geometry::Brep solid_of(const geometry::NurbsVolume& volume);
 geometry::NurbsVolume bent(const std::array<geometry::KnotVector, 3>& knots,
                            const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& map);
 
+/// A plane curve through points of a map of [0, 1], in the domain of a plane.
+geometry::NurbsCurve outline_curve(const geometry::KnotVector& knots,
+                                   const std::function<Eigen::Vector2d(double)>& map);
+
+/// A slab over a plane region: south, north (along x), west and east (along y) outlines within the unit
+/// square; top and bottom are trimmed out of unit squares, the walls are extruded.
+geometry::Brep slab_between(const geometry::NurbsCurve& south, const geometry::NurbsCurve& north,
+                            const geometry::NurbsCurve& west, const geometry::NurbsCurve& east,
+                            double height);
+
 /// A block with a wavy top: plane faces all around, cut out of larger planes along the spline edges of the
 /// top.
 /// @param knots  of the top, which is extruded along y

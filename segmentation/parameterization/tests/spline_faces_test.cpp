@@ -5,8 +5,7 @@
 #include "geometry/base/error.hpp"
 #include "geometry/brep/write_brep.hpp"
 #include "geometry/measures.hpp"
-#include "segmentation/parameterization/assemble_complex.hpp"
-#include "segmentation/parameterization/brep_solid.hpp"
+#include "segmentation/parameterization/assemble_model.hpp"
 #include "segmentation/parameterization/parameterize.hpp"
 #include "segmentation/parameterization/read_blocks.hpp"
 #include "segmentation/parameterization/tests/checks.hpp"
@@ -15,6 +14,7 @@
 namespace isopatch::segmentation {
 namespace {
 
+using geometry::KnotVector;
 using geometry::NurbsVolume;
 
 /// Knots of unequal spans, the second one double if the degree allows.
@@ -45,8 +45,7 @@ TEST(SplineFaces, AreExactOnTheirOwnKnots) {
     SCOPED_TRACE(degree);
     const NurbsVolume given =
         test::bent({uneven(degree, {0.11, 0.3, 0.34, 0.7}), uneven(2, {0.4}), uneven(1, {})}, wave);
-    const Parameterization made =
-        parameterize(hex_complex({hexahedron(hex_solid(test::solid_of(given), "block"))}));
+    const Parameterization made = parameterize(hex_model({{test::solid_of(given), "block"}}));
     expect_exact(made, geometry::volume(given));
     EXPECT_EQ(made.report.rounds, 0);
   }
@@ -54,18 +53,18 @@ TEST(SplineFaces, AreExactOnTheirOwnKnots) {
 
 TEST(SplineFaces, OfADegreeAboveThePatchesAreFittedToTheTolerance) {
   const NurbsVolume given = test::bent({uneven(4, {0.3}), uneven(1, {}), uneven(1, {})}, wave);
-  const HexComplex complex = hex_complex({hexahedron(hex_solid(test::solid_of(given), "block"))});
-  const Parameterization cubic = parameterize(complex);
+  const HexModel model = hex_model({{test::solid_of(given), "block"}});
+  const Parameterization cubic = parameterize(model);
   EXPECT_TRUE(cubic.report.usable());
   EXPECT_GT(cubic.report.worst_face().deviation, 1e-10 * cubic.report.size);
   ParameterizationOptions options;
   options.fit.degree = 4;
-  expect_exact(parameterize(complex, options), geometry::volume(given));
+  expect_exact(parameterize(model, options), geometry::volume(given));
 }
 
 TEST(SplineFaces, OverPlanesAreExactToo) {
   const geometry::Brep solid = test::wavy_top_over_planes(uneven(3, {0.1, 0.2, 0.35, 0.5, 0.6, 0.8, 0.9}));
-  const Parameterization made = parameterize(hex_complex({hexahedron(hex_solid(solid, "block"))}));
+  const Parameterization made = parameterize(hex_model({{solid, "block"}}));
   expect_exact(made, solid.volume());
   EXPECT_EQ(made.report.rounds, 0);
 }
@@ -74,7 +73,7 @@ TEST(SplineFaces, SurviveAStepFile) {
   const auto path = std::filesystem::temp_directory_path() / "isopatch_wavy_top.step";
   const geometry::Brep solid = test::wavy_top_over_planes(uneven(3, {0.1, 0.2, 0.35, 0.5, 0.6, 0.8, 0.9}));
   geometry::write_brep(path, solid);
-  const Parameterization made = parameterize(read_blocks({.files = {path}}).complex);
+  const Parameterization made = parameterize(read_blocks({.files = {path}}).model);
   std::filesystem::remove(path);
   expect_exact(made, solid.volume());
 }
@@ -90,8 +89,7 @@ TEST(SplineFaces, TwoBlocksThatShareOneHaveTheKnotsOfBoth) {
     return map({p[1], p[2], p[0]});
   });
   const Parameterization made =
-      parameterize(hex_complex({hexahedron(hex_solid(test::solid_of(first), "first")),
-                                hexahedron(hex_solid(test::solid_of(second), "second"))}));
+      parameterize(hex_model({{test::solid_of(first), "first"}, {test::solid_of(second), "second"}}));
   ASSERT_EQ(made.patches.listed_interfaces.size(), 1u);
   expect_exact(made, geometry::volume(first) + geometry::volume(second));
   EXPECT_EQ(test::coincident_but_different_points(made.patches), 0);
@@ -103,8 +101,7 @@ TEST(SplineFaces, WithPacesThatStopAreRunThroughByArcLength) {
   Eigen::Matrix3Xd points = given.control_points();
   for (Eigen::Index i = 0; i < points.cols(); i += 4) points.col(i + 1) = points.col(i);
   given = {given.knots(), points};
-  const Parameterization made =
-      parameterize(hex_complex({hexahedron(hex_solid(test::solid_of(given), "block"))}));
+  const Parameterization made = parameterize(hex_model({{test::solid_of(given), "block"}}));
   EXPECT_TRUE(made.report.usable()) << testing::PrintToString(made.report.complaints());
 }
 
@@ -115,12 +112,12 @@ TEST(SplineFaces, GiveWayToArcLengthWhereThatMakesBetterPatches) {
                                          const double y = p[1], slow = y * y * (0.8 + 0.2 * y) + 0.05 * y;
                                          return {p[0], p[2] > 0.5 ? slow : 1.05 * y, 0.3 * p[2]};
                                        });
-  const HexComplex complex = hex_complex({hexahedron(hex_solid(test::solid_of(given), "block"))});
+  const HexModel model = hex_model({{test::solid_of(given), "block"}});
   ParameterizationOptions options;
   options.optimize = false;
-  const double kept = parameterize(complex, options).report.patches[0].quality.min_scaled_jacobian;
+  const double kept = parameterize(model, options).report.patches[0].quality.min_scaled_jacobian;
   options.wanted_quality = 0.98;
-  const double other = parameterize(complex, options).report.patches[0].quality.min_scaled_jacobian;
+  const double other = parameterize(model, options).report.patches[0].quality.min_scaled_jacobian;
   EXPECT_LT(kept, 0.95);
   EXPECT_GT(other, 0.98);
 }
@@ -128,8 +125,7 @@ TEST(SplineFaces, GiveWayToArcLengthWhereThatMakesBetterPatches) {
 TEST(Sense, OfABlockThatWindsIsThatOfItsSolid) {
   const NurbsVolume given = test::bent({KnotVector::uniform(3, 96), uneven(1, {}), uneven(1, {})},
                                        [](const Eigen::Vector3d& p) { return test::helix(p, 6); });
-  const Parameterization made =
-      parameterize(hex_complex({hexahedron(hex_solid(test::solid_of(given), "spring"))}));
+  const Parameterization made = parameterize(hex_model({{test::solid_of(given), "spring"}}));
   EXPECT_TRUE(made.report.usable()) << testing::PrintToString(made.report.complaints());
   EXPECT_GT(made.report.patches[0].quality.min_scaled_jacobian, 0.8);
   EXPECT_NEAR(made.report.patches[0].volume, std::abs(geometry::volume(given)),
@@ -141,8 +137,7 @@ TEST(Sense, OfABlockThatWindsIsThatOfItsSolid) {
 TEST(Sense, TurnsMayHaveMoreSpansThanAStraightBlock) {
   const NurbsVolume given = test::bent({KnotVector::uniform(5, 48), uneven(1, {}), uneven(1, {})},
                                        [](const Eigen::Vector3d& p) { return test::helix(p, 6); });
-  const Parameterization made =
-      parameterize(hex_complex({hexahedron(hex_solid(test::solid_of(given), "spring"))}));
+  const Parameterization made = parameterize(hex_model({{test::solid_of(given), "spring"}}));
   EXPECT_TRUE(made.report.usable()) << testing::PrintToString(made.report.complaints());
   EXPECT_GT(made.patches.patches[0].knots()[0].element_count() +
                 made.patches.patches[0].knots()[1].element_count() +

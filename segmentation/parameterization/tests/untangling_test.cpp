@@ -5,10 +5,10 @@
 #include <ctime>
 #include <random>
 
-#include "segmentation/parameterization/assemble_complex.hpp"
-#include "segmentation/parameterization/improve_blocks.hpp"
+#include "segmentation/parameterization/assemble_model.hpp"
+#include "segmentation/parameterization/internal/improve_blocks.hpp"
+#include "segmentation/parameterization/internal/shape_energy.hpp"
 #include "segmentation/parameterization/parameterize.hpp"
-#include "segmentation/parameterization/shape_energy.hpp"
 #include "segmentation/parameterization/tests/checks.hpp"
 #include "segmentation/parameterization/tests/sample_solids.hpp"
 
@@ -92,7 +92,7 @@ Share share(double amount, int count, int first_seed) {
   for (int i = 0; i < count; ++i) {
     const auto solid = test::random_hexahedron(static_cast<std::uint32_t>(first_seed + i), amount);
     const std::clock_t start = std::clock();
-    const Parameterization made = parameterize(hex_complex({hexahedron(solid)}));
+    const Parameterization made = parameterize(hex_model({solid}));
     result.seconds += double(std::clock() - start) / CLOCKS_PER_SEC;
     const PatchReport& patch = made.report.patches[0];
     result.before += patch.certified_before;

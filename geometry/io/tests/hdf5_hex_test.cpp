@@ -1,0 +1,92 @@
+#include "geometry/io/hdf5_hex.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "geometry/base/atomic_file.hpp"
+#include "geometry/base/error.hpp"
+#include "geometry/hex/assemble_topology.hpp"
+
+namespace isopatch::geometry {
+namespace {
+
+class Hdf5Hex : public testing::Test {
+ protected:
+  Hdf5Hex() : path_(std::filesystem::temp_directory_path() / fmt::format("isopatch_hex_{}.h5", ::getpid())) {}
+  ~Hdf5Hex() override { std::filesystem::remove(path_); }
+
+  Hdf5Reader stored(const Hdf5Writer& writer) const {
+    write_file(path_, writer.image());
+    return Hdf5Reader(path_);
+  }
+  std::filesystem::path path_;
+};
+
+/// A ring that closes with half a turn, and a T-joint at it.
+HexTopology sample_complex() {
+  HexContacts contacts;
+  for (int b = 0; b < 4; ++b)
+    contacts.sides.push_back({{BlockId(b), Side::east},
+                              {BlockId((b + 1) % 4), Side::west},
+                              {.flip_first = b == 3, .flip_second = b == 3},
+                              1.0 / (3 + b)});
+  HexTopology topology = assembled_topology(5, contacts);
+  const BlockSide whole{BlockId(1), Side::north};
+  topology.t_joints = {
+      {whole,
+       {{{BlockId(4), Side::south},
+         {},
+         {{0, 0}, {1.0 / 3, 0}, {1.0 / 3, 1}, {0, 1}},
+         SideRectangle{{0, 0}, {1.0 / 3, 1}}},
+        {{BlockId(3), Side::north}, SideRectangle{{0.5, 0}, {1, 1}}, {{0.9, 0.1}, {1, 0.2}, {0.8, 0.3}}}}}};
+  topology.split_edges = {{HexEdgeId(7), {{HexVertexId(19), 0.1}, {HexVertexId(2), 0.7}}}};
+  return topology;
+}
+
+TEST_F(Hdf5Hex, AComplexComesBackEqual) {
+  const HexTopology topology = sample_complex();
+  ASSERT_NO_THROW(validate(topology));
+  Hdf5Writer writer;
+  write_hex_topology(writer, "/complex", topology);
+  EXPECT_EQ(read_hex_topology(stored(writer), "/complex"), topology);
+  EXPECT_NE(topology, HexTopology{});
+}
+
+TEST_F(Hdf5Hex, AnEmptyComplexComesBackEqual) {
+  Hdf5Writer writer;
+  write_hex_topology(writer, "/complex", {});
+  EXPECT_EQ(read_hex_topology(stored(writer), "/complex"), HexTopology{});
+}
+
+TEST_F(Hdf5Hex, FacesOfSolidsComeBackEqual) {
+  BlockFaces faces(2);
+  for (std::size_t b = 0; b < 2; ++b)
+    for (int side = 0; side < 6; ++side)
+      faces[b][static_cast<std::size_t>(side)] = {static_cast<int>(b), FaceId(5 - side),
+                                                  fmt::format("f{}", side)};
+  faces[1][2].name = "B\xC3\xBChne:\n2";
+  faces[1][2].colour = "#00ff7f";
+  faces[0][0].name = "";
+  Hdf5Writer writer;
+  write_block_faces(writer, "/faces", faces);
+  EXPECT_EQ(read_block_faces(stored(writer), "/faces"), faces);
+}
+
+TEST_F(Hdf5Hex, NumbersThatAreNoComplexAreRefused) {
+  HexTopology broken = sample_complex();
+  broken.blocks[2].edges[3] = HexEdgeId(5000);
+  Hdf5Writer writer;
+  write_hex_topology(writer, "/complex", broken);
+  EXPECT_THROW(read_hex_topology(stored(writer), "/complex"), Error);
+  // A list that ends within a record.
+  Hdf5Writer shorter;
+  shorter.write("/faces/faces", std::vector<std::int64_t>{0, 1, 5});
+  shorter.write("/faces/texts", "abc");
+  EXPECT_THROW(read_block_faces(stored(shorter), "/faces"), Error);
+}
+
+}  // namespace
+}  // namespace isopatch::geometry

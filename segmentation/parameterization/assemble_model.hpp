@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "segmentation/parameterization/hex_model.hpp"
+
+namespace isopatch::segmentation {
+
+/// Two faces that are one, by the numbers that they have in their solids.
+struct ListedPair {
+  int first_block = 0, first_face = 0;
+  int second_block = 0, second_face = 0;
+};
+
+struct AssemblyOptions {
+  /// Points of two blocks closer than this share of the size are one. Range (0, 0.05).
+  double same_point = 1e-3;
+};
+void validate(const AssemblyOptions& options);
+
+/// Puts solids together by a list of pairs.
+/// @throws Error invalid_argument  a block or face that does not exist, a face in two pairs, no block
+/// @throws Error not_conforming    a pair that does not meet: names the pair, the distance and the place
+/// @throws Error unsupported       a solid that is no topological hexahedron: names what is in the way
+HexModel hex_model(std::vector<geometry::BrepFile> solids, const std::vector<ListedPair>& pairs,
+                   const AssemblyOptions& options = {});
+
+/// Finds the pairs from the geometry alone, and the T-joints: sides that lie in larger ones.
+/// @throws Error as above
+/// @cost O(faces^2)
+HexModel hex_model(std::vector<geometry::BrepFile> solids, const AssemblyOptions& options = {});
+
+}  // namespace isopatch::segmentation

@@ -1,0 +1,49 @@
+#include "segmentation/parameterization/internal/patch_set.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace isopatch::segmentation {
+namespace {
+
+geometry::PatchFace patch_face(geometry::BlockSide side) {
+  return {PatchId(side.block.value), side.side};
+}
+
+void add_face(std::vector<geometry::Boundary>& boundaries, const std::string& name,
+              geometry::BlockSide side) {
+  auto found = std::find_if(boundaries.begin(), boundaries.end(),
+                            [&](const auto& boundary) { return boundary.name == name; });
+  if (found == boundaries.end()) found = boundaries.insert(boundaries.end(), {name, {}});
+  found->faces.push_back(patch_face(side));
+}
+
+std::vector<geometry::Boundary> boundaries_of(const HexModel& model) {
+  std::vector<geometry::BlockSide> outer;
+  for (const geometry::HexFace& face : model.topology.faces)
+    if (face.uses.size() == 1) outer.push_back(face.uses.front().side);
+  std::vector<geometry::Boundary> result;
+  for (const geometry::BlockSide side : outer)
+    add_face(result, model.solids.size() > 1 ? label_of(model, side) : model.face(side).name, side);
+  for (const geometry::BlockSide side : outer) {
+    const geometry::BlockFace& face = model.face(side);
+    if (!face.colour.empty() && face.colour != face.name) add_face(result, face.colour, side);
+  }
+  return result;
+}
+
+}  // namespace
+
+geometry::PatchSet patch_set(const HexModel& model, std::vector<geometry::NurbsVolume> patches) {
+  geometry::PatchSet set;
+  set.patches = std::move(patches);
+  set.boundaries = boundaries_of(model);
+  for (const geometry::BrepFile& solid : model.solids) set.names.push_back(solid.name);
+  for (const geometry::HexFace& face : model.topology.faces)
+    if (face.uses.size() > 1)
+      set.listed_interfaces.emplace_back(patch_face(face.uses[0].side), patch_face(face.uses[1].side));
+  return set;
+}
+
+}  // namespace isopatch::segmentation
