@@ -6,7 +6,7 @@ namespace isopatch::app {
 namespace {
 
 using segmentation::FaceReport;
-using segmentation::HexFaceUse;
+using geometry::HexFaceUse;
 using segmentation::ParameterizationReport;
 
 Json patch_json(const segmentation::PatchReport& patch) {
