@@ -118,8 +118,14 @@ std::string names_of(const HexComplex& complex, const ComplexFace& face) {
   return name;
 }
 
-/// Outer faces under the names of the solids' faces, with the block's in front where there are several; then
-/// under their colours.
+/// "#ff0000".
+bool is_colour_text(const std::string& text) {
+  return text.size() == 7 && text[0] == '#' &&
+         text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+}
+
+/// Outer faces under the names of the solids' faces, with the block's in front where there are several, or
+/// "face:" in front of names that are those of colours; then under their colours.
 std::vector<geometry::Boundary> boundaries(const HexComplex& complex) {
   std::vector<geometry::Boundary> result;
   const auto add = [&](const std::string& name, const geometry::PatchFace& face) {
@@ -136,10 +142,11 @@ std::vector<geometry::Boundary> boundaries(const HexComplex& complex) {
     }
   };
   each_outer([&](const BlockSide& side, const QuadFace& face) {
-    add(complex.blocks.size() > 1 ? complex.label(side) : face.name, {PatchId(side.block), side.side});
+    const std::string name = complex.blocks.size() > 1 ? complex.label(side) : face.name;
+    add(is_colour_text(name) ? "face:" + name : name, {PatchId(side.block), side.side});
   });
   each_outer([&](const BlockSide& side, const QuadFace& face) {
-    if (!face.colour.empty() && face.colour != face.name) add(face.colour, {PatchId(side.block), side.side});
+    if (!face.colour.empty()) add(face.colour, {PatchId(side.block), side.side});
   });
   return result;
 }
