@@ -15,6 +15,7 @@
 
 #include "app/results/write_fields.hpp"
 #include "app/run/run_study.hpp"
+#include "app/study/parse_study.hpp"
 #include "geometry/base/atomic_writer.hpp"
 #include "iga/coupling/rigid_motions.hpp"
 #include "iga/coupling/supported_system.hpp"
