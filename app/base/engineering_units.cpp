@@ -2,41 +2,53 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "app/base/place_text.hpp"
+#include "app/base/unit_prefixes.hpp"
 
 namespace isopatch::app {
 namespace {
 
 struct Prefix {
-  double factor;
-  const char* symbol;
+  double factor = 1;
+  std::string_view symbol = "";
 };
-constexpr std::array<Prefix, 7> prefixes = {
-    {{1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "u"}, {1e-9, "n"}}};
+
+Prefix prefix_of(std::string_view symbol) {
+  return {prefix_factor(symbol), symbol};
+}
+
+constexpr std::array<std::string_view, 7> prefixes = {"G", "M", "k", "", "m", "u", "n"};
 /// Of m, for areas and volumes, with the centimetres that people use there.
-constexpr std::array<Prefix, 4> length_prefixes = {{{1, ""}, {1e-2, "c"}, {1e-3, "m"}, {1e-6, "u"}}};
+constexpr std::array<std::string_view, 4> length_prefixes = {"", "c", "m", "u"};
 
 Prefix suitable_power(double magnitude, int power) {
-  for (const Prefix& prefix : length_prefixes)
-    if (magnitude >= std::pow(prefix.factor, power)) return {std::pow(prefix.factor, power), prefix.symbol};
-  return {std::pow(length_prefixes.back().factor, power), length_prefixes.back().symbol};
+  Prefix found;
+  for (const std::string_view symbol : length_prefixes) {
+    found = {std::pow(prefix_factor(symbol), power), symbol};
+    if (magnitude >= found.factor) break;
+  }
+  return found;
 }
 
 /// The largest prefix that leaves at least 1 before the decimal point; lengths stop at m.
 Prefix suitable(double value, std::string_view unit) {
   const double magnitude = std::abs(value);
-  if (!(magnitude > 0) || !std::isfinite(magnitude)) return {1, ""};
+  if (!(magnitude > 0) || !std::isfinite(magnitude)) return {};
   if (unit == "m^2") return suitable_power(magnitude, 2);
   if (unit == "m^3") return suitable_power(magnitude, 3);
-  for (const Prefix& prefix : prefixes) {
+  for (const std::string_view symbol : prefixes) {
+    const Prefix prefix = prefix_of(symbol);
     const bool length = unit == "m";
     if (length && prefix.factor > 1) continue;
     // 0.1 m reads better as 100 mm; machine parts come in millimetres.
     const double least = length && prefix.factor == 1 ? 10 : 1;
     if (magnitude >= least * prefix.factor) return prefix;
   }
-  return prefixes.back();
+  return prefix_of(prefixes.back());
 }
 
 }  // namespace
@@ -56,7 +68,7 @@ std::string with_unit(double value, std::string_view unit) {
   return fmt::format("{:.4g} {}{}", value / prefix.factor, prefix.symbol, unit);
 }
 
-UnitPrefix unit_for(double value, std::string_view unit) {
+ScaledUnit unit_for(double value, std::string_view unit) {
   if (unit.empty()) return {};
   const Prefix prefix = suitable(value, unit);
   return {prefix.factor, fmt::format("{}{}", prefix.symbol, unit)};
@@ -69,7 +81,7 @@ std::string place_with_unit(const Eigen::Vector3d& place, double model_size) {
   const auto digits = [&](double x) {
     return fmt::format("{:.6g}", std::round(x / step) * step * unit.factor + 0.0);
   };
-  return fmt::format("({}, {}, {}) {}", digits(place[0]), digits(place[1]), digits(place[2]), unit.unit);
+  return fmt::format("{} {}", triple_text(digits(place[0]), digits(place[1]), digits(place[2])), unit.unit);
 }
 
 std::string vector_with_unit(const Eigen::Vector3d& vector, std::string_view unit) {
@@ -78,7 +90,7 @@ std::string vector_with_unit(const Eigen::Vector3d& vector, std::string_view uni
   const auto digits = [&](double x) {
     return fmt::format("{:.4g}", std::abs(x) < 1e-7 * largest ? 0.0 : x / prefix.factor);
   };
-  return fmt::format("({}, {}, {}) {}{}", digits(vector[0]), digits(vector[1]), digits(vector[2]),
+  return fmt::format("{} {}{}", triple_text(digits(vector[0]), digits(vector[1]), digits(vector[2])),
                      prefix.symbol, unit);
 }
 

@@ -20,11 +20,11 @@ DisplayUnit model_length_unit(double model_size);
 std::string with_unit(double value, std::string_view unit);
 
 /// A unit with the prefix that suits a size: {1e6, "MPa"}; powers of m as above, no unit for pure numbers.
-struct UnitPrefix {
+struct ScaledUnit {
   double factor = 1;
   std::string symbol;
 };
-UnitPrefix unit_for(double value, std::string_view unit);
+ScaledUnit unit_for(double value, std::string_view unit);
 
 /// "(198.02, -179.69, -27.44) mm": metres, with the unit that suits a model of this size.
 std::string place_with_unit(const Eigen::Vector3d& place, double model_size);

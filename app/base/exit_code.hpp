@@ -1,5 +1,7 @@
 #pragma once
 
+#include "geometry/base/error.hpp"
+
 namespace isopatch::app {
 
 /// What the program tells the shell.
@@ -10,5 +12,8 @@ enum class ExitCode {
   file_problem = 3,  ///< a file that cannot be read or written
   interrupted = 130,
 };
+
+/// What the program tells the shell of an error.
+ExitCode exit_code(ErrorCode code);
 
 }  // namespace isopatch::app

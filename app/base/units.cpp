@@ -8,112 +8,14 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
-#include <vector>
 
+#include "app/base/unit_table.hpp"
 #include "geometry/base/error.hpp"
-#include "geometry/base/nearest_name.hpp"
 
 namespace isopatch::app {
 namespace {
 
 namespace dim = dimensions;
-
-// Factors are kept in extended precision, so that "1.1 mm" becomes the double nearest to 0.0011.
-struct Unit {
-  std::string_view symbol;
-  long double factor;
-  Dimension dimension;
-  bool takes_prefix;
-};
-
-constexpr Dimension power_dimension{.length = 2, .mass = 1, .time = -3};
-constexpr long double pound = 0.45359237L;                      // kg, exact
-constexpr long double pound_force = pound * 9.80665L;           // N, exact
-constexpr long double psi = pound_force / (0.0254L * 0.0254L);  // Pa
-
-constexpr std::array units = {
-    Unit{"m", 1, dim::length, true},
-    Unit{"g", 1e-3L, dim::mass, true},
-    Unit{"s", 1, {.time = 1}, true},
-    Unit{"N", 1, dim::force, true},
-    Unit{"Pa", 1, dim::pressure, true},
-    Unit{"J", 1, dim::energy, true},
-    Unit{"W", 1, power_dimension, true},
-    Unit{"t", 1000, dim::mass, false},
-    Unit{"bar", 1e5L, dim::pressure, false},
-    Unit{"in", 0.0254L, dim::length, false},
-    Unit{"ft", 0.3048L, dim::length, false},
-    Unit{"inch", 0.0254L, dim::length, false},  // as `info` calls them
-    Unit{"foot", 0.3048L, dim::length, false},
-    Unit{"lb", pound, dim::mass, false},
-    Unit{"lbf", pound_force, dim::force, false},
-    Unit{"psi", psi, dim::pressure, false},
-    Unit{"ksi", psi * 1000, dim::pressure, false},
-    Unit{"Msi", psi * 1000000, dim::pressure, false},
-    Unit{"rad", 1, dim::angle, false},
-    Unit{"deg", 3.14159265358979323846L / 180, dim::angle, false},
-    Unit{"\u00b0", 3.14159265358979323846L / 180, dim::angle, false},
-    Unit{"%", 0.01L, dim::none, false},
-    Unit{"B", 1, dim::data, false},
-    Unit{"kB", 1e3L, dim::data, false},
-    Unit{"MB", 1e6L, dim::data, false},
-    Unit{"GB", 1e9L, dim::data, false},
-    Unit{"TB", 1e12L, dim::data, false},
-    Unit{"KiB", 1024, dim::data, false},
-    Unit{"MiB", 1048576, dim::data, false},
-    Unit{"GiB", 1073741824, dim::data, false},
-    Unit{"TiB", 1099511627776, dim::data, false},
-};
-
-struct ReadPrefix {
-  std::string_view symbol;
-  long double factor;
-};
-constexpr std::array read_prefixes = {
-    ReadPrefix{"n", 1e-9L}, ReadPrefix{"u", 1e-6L}, ReadPrefix{"\u00b5", 1e-6L}, ReadPrefix{"\u03bc", 1e-6L},
-    ReadPrefix{"m", 1e-3L}, ReadPrefix{"c", 1e-2L}, ReadPrefix{"d", 1e-1L},      ReadPrefix{"k", 1e3L},
-    ReadPrefix{"M", 1e6L},  ReadPrefix{"G", 1e9L},
-};
-
-struct UnitScale {
-  long double factor = 1;
-  Dimension dimension;
-};
-
-std::optional<UnitScale> find_unit(std::string_view symbol) {
-  for (const Unit& unit : units)
-    if (unit.symbol == symbol) return UnitScale{unit.factor, unit.dimension};
-  for (const ReadPrefix& prefix : read_prefixes) {
-    if (!symbol.starts_with(prefix.symbol)) continue;
-    const std::string_view rest = symbol.substr(prefix.symbol.size());
-    for (const Unit& unit : units)
-      if (unit.takes_prefix && unit.symbol == rest)
-        return UnitScale{prefix.factor * unit.factor, unit.dimension};
-  }
-  return std::nullopt;
-}
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  return result;
-}
-
-std::string unknown_unit(std::string_view symbol) {
-  static const std::vector<std::string> known = {
-      "m",   "mm",  "um",  "cm",  "km",  "g", "kg", "mg", "t",  "s",  "ms",  "N",   "kN",  "MN",
-      "Pa",  "kPa", "MPa", "GPa", "bar", "J", "mJ", "kJ", "W",  "in", "ft",  "lb",  "lbf", "psi",
-      "ksi", "Msi", "rad", "deg", "%",   "B", "kB", "MB", "GB", "TB", "KiB", "MiB", "GiB", "TiB"};
-  for (const std::string& name : known)
-    if (lower(name) == lower(symbol))
-      return fmt::format("unknown unit '{}' (did you mean '{}'? Capitals matter)", symbol, name);
-  return fmt::format(
-      "unknown unit '{}'{}; known: m g s N Pa J W with prefixes (mm, kN, MPa, GPa, ...), t bar in ft lb "
-      "lbf "
-      "psi ksi Msi deg rad %, of memory B kB MB GB TB KiB MiB GiB TiB",
-      symbol, did_you_mean(symbol, known));
-}
 
 void raise(UnitScale& scale, int exponent) {
   scale.factor = std::pow(scale.factor, static_cast<long double>(exponent));

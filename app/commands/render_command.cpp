@@ -1,16 +1,35 @@
+#include "app/commands/render_command.hpp"
+
 #include <fmt/format.h>
 
-#include "app/base/exit_code.hpp"
-#include "app/commands/commands.hpp"
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/commands/input_options.hpp"
 #include "app/pictures/draw.hpp"
 #include "app/render/part_picture.hpp"
 #include "app/render/solid_picture.hpp"
-#include "app/study/solid_file.hpp"
+#include "app/solids/solid_input.hpp"
+#include "app/study/file_kind.hpp"
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/error.hpp"
 
 namespace isopatch::app {
 namespace {
+
+constexpr const char* render_examples = R"(Examples:
+  isopatch render results/results.h5 -o link.png     von Mises stress on the deformed shape
+  isopatch render results/results.h5 -o u.png --field displacement --component y --view front
+  isopatch render results/results.h5 -o s.png --range '0,300 MPa' --deformation 1 --edges elements
+  isopatch render results/results.h5 -o in.png --clip 'z=6 mm' --view top
+  isopatch render study.toml -o model.png            the study's model, coloured by patch
+  isopatch render study.toml -o held.png --field conditions    faces of its supports blue, of its loads red
+  isopatch render part.step -o part.png              a CAD solid: convex edges dark, others red, flat ones grey
+  isopatch render part.step -o graph.svg             its edge graph, drawn in the plane
+  isopatch render parts.step -o one.png --solid 1    one of several solids; without --solid all of them
+Without --range the colours span the values of 99.9 % of the surface (--percentile), so that a singular corner
+does not take them all; the largest value stands below the bar. Needs an X display; where there is none, Xvfb
+(Debian package xvfb) is started for the time of drawing.)";
 
 /// Refuses what could not be written before any work is done.
 void check_output(const std::filesystem::path& file, bool of_solid) {
@@ -74,14 +93,15 @@ ExitCode render_solid(const RenderCommand& command, const Console& console) {
 }  // namespace
 
 ExitCode render_command(const RenderCommand& command, const Console& console) {
-  const bool of_solid = is_solid_file(command.input.path);
+  const FileKind kind = kind_of(command.input.path);
+  const bool of_solid = holds_solids(kind);
   check_output(command.output, of_solid);
   if (of_solid) return render_solid(command, console);
   if (command.solid)
     throw Error(ErrorCode::invalid_argument,
                 fmt::format("--solid chooses one of the solids of a CAD file; {} holds patches",
                             command.input.path.string()));
-  const bool has_results = command.input.path.extension() == ".h5";
+  const bool has_results = kind == FileKind::results;
   const PictureOptions options = parse_picture_options(command.words, has_results);
   ProgressDisplay display(console);
   const Progress progress = display.progress();
@@ -96,6 +116,45 @@ ExitCode render_command(const RenderCommand& command, const Console& console) {
     console.out << fmt::format("{}: {} x {} pixels, {}\n", command.output.string(), options.size.width,
                                options.size.height, composed.description);
   return ExitCode::ok;
+}
+
+void add_render_command(CLI::App& app, CommandLine& line) {
+  const auto command = std::make_shared<RenderCommand>();
+  CLI::App& render =
+      add_command(app, line, "render", "Draws a model or results as a picture", render_examples,
+                  [command](const Console& console) { return render_command(*command, console); });
+  PictureWords& words = command->words;
+  const auto option = [&](const char* name, auto& target, const char* meaning, const char* type) {
+    return render.add_option(name, target, meaning)->type_name(type);
+  };
+  add_input(render, command->input);
+  option("-o,--output", command->output, "The picture (.png), or of a solid's edge graph (.svg)", "FILE")
+      ->required();
+  option("--field", words.field,
+         "von_mises, displacement, patch, jacobian, conditions (supports and loads of a study) or none; "
+         "default: "
+         "von_mises for results, else patch",
+         "NAME");
+  option("--component", words.component, "x, y or z of the displacement; default: its length", "AXIS");
+  option("--range", words.range, "The values of the first and the last colour, SI or with units", "LOW,HIGH");
+  option("--percentile", words.percentile, "How much of the surface the range holds without --range, %", "P")
+      ->capture_default_str();
+  option("--deformation", words.deformation, "Factor of the displacement in the picture; auto: well visible",
+         "FACTOR")
+      ->capture_default_str();
+  option("--view", words.view,
+         "iso, front, back, left, right, top, bottom, or X,Y,Z from the part to the eye", "VIEW")
+      ->capture_default_str();
+  option("--up", words.up, "What points upwards: x, y, z or X,Y,Z; default: z, along z y", "AXIS");
+  option("--zoom", words.zoom, "Above 1: larger than the picture", "F")->capture_default_str();
+  option("--size", words.size, "Pixels", "WxH")->capture_default_str();
+  option("--edges", words.edges, "Lines: patches, elements or none", "NAME")->capture_default_str();
+  option("--clip", words.clip, "Cuts the undeformed part: 'x=20 mm' keeps what lies below", "AXIS=POSITION");
+  option("--solid", command->solid, "Draws one solid of a file with several, from 0 as info counts them",
+         "N");
+  option("--caption", words.caption, "Instead of title and deformation; '' for none", "TEXT");
+  render.add_flag("--transparent-background", words.transparent, "No white behind the part");
+  render.add_flag("--no-bar", words.no_bar, "No colour bar");
 }
 
 }  // namespace isopatch::app

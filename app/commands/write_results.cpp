@@ -4,6 +4,7 @@
 
 #include "app/reports/report_page.hpp"
 #include "app/results/output_directory.hpp"
+#include "app/results/run_summary.hpp"
 #include "app/results/summary.hpp"
 #include "app/results/unfinished_results.hpp"
 #include "app/results/write_fields.hpp"
@@ -19,12 +20,21 @@ namespace {
 WrittenFields write_run_fields(const Study& study, StudyRun& run, const std::filesystem::path& folder,
                                const Progress& progress) {
   const geometry::MultiPatch& model = run.built.problem.discretization.model;
-  const auto groups = face_groups(run.built.supports, run.built.loads, model);
-  WrittenFields fields =
-      write_fields(run.solution.field, model, groups, study.output.field_options, folder, progress);
+  WrittenFields fields = write_fields(run.solution.field, model, face_groups(model, summarized(study, run)),
+                                      study.output.field_options, folder, progress);
   if (const auto warning = borrowed_warning(fields.borrowed, model.size()))
     run.built.warnings.push_back(*warning);
   return fields;
+}
+
+void write_run_report(const Study& study, const StudyRun& run, const geometry::PatchConnections& connections,
+                      const std::filesystem::path& folder) {
+  const iga::ElasticField& field = run.solution.field;
+  const geometry::MultiPatch model = geometry::connected(field.patches, connections);
+  const auto& solids = run.built.parameterization;
+  write_in(folder, "report.html",
+           report_html({field, model, study.text, summary_json(study, run), summarized(study, run),
+                        solids ? &*solids : nullptr}));
 }
 
 /// Writes all files of a run into a folder, the solution first.
@@ -32,30 +42,26 @@ std::vector<std::string> write_all(const Study& study, StudyRun& run, const std:
                                    const Progress& progress) {
   std::vector<std::string> written;
   const Stopwatch watch;
-  const iga::ElasticField& field = run.solution.field;
   const auto connections = geometry::connections_of(run.built.problem.discretization.model);
-  std::string summary = summary_json(study, run);
   if (study.output.hdf5) {
     progress("writing results.h5", 0);
     write_in(folder, "results.h5", [&](const geometry::ByteSink& sink) {
-      iga::write_hdf5(field, run.solution.multipliers, connections, study.text, summary, sink);
+      iga::write_hdf5(run.solution.field, run.solution.multipliers, connections, study.text,
+                      summary_json(study, run), sink);
     });
     written.emplace_back("results.h5");
   }
   if (study.output.fields) {
     const WrittenFields fields = write_run_fields(study, run, folder, progress);
     written.insert(written.end(), fields.collections.begin(), fields.collections.end());
-    if (fields.borrowed.count > 0) summary = summary_json(study, run);
   }
   if (study.output.report) {
     progress("writing report.html", 0);
-    const auto* solids = run.built.parameterization ? &*run.built.parameterization : nullptr;
-    const geometry::MultiPatch model = geometry::connected(field.patches, connections);
-    write_in(folder, "report.html", report_html(field, model, study.text, summary, solids));
+    write_run_report(study, run, connections, folder);
     written.emplace_back("report.html");
   }
   run.timings.push_back({"output", watch.seconds()});
-  write_in(folder, "summary.json", with_phase(summary, run.timings.back()));
+  write_in(folder, "summary.json", summary_json(study, run));
   written.emplace_back("summary.json");
   return written;
 }

@@ -1,6 +1,7 @@
 #include "app/problem/applied_region.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -14,35 +15,28 @@ std::string counted(std::size_t count, const char* one, const char* many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
+/// Whether the study's names say more than the labels of the faces.
+bool has_names(const AppliedRegion& region) {
+  return std::any_of(region.given.begin(), region.given.end(), [&](const std::string& name) {
+    return std::find(region.faces.begin(), region.faces.end(), name) == region.faces.end();
+  });
+}
+
+/// "bore, top and 3 more".
+std::string short_names(const AppliedRegion& region) {
+  constexpr std::size_t most = 4;
+  std::vector<std::string> names = region.given;
+  const std::size_t more = names.size() > most ? names.size() - most + 1 : 0;
+  if (more > 0) names.resize(most - 1);
+  return fmt::format("{}{}", fmt::join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
+}
+
+std::string faces_text(const AppliedRegion& region) {
+  const std::string count = counted(region.faces.size(), "face", "faces");
+  return has_names(region) ? fmt::format("{} ({})", short_names(region), count) : count;
+}
+
 }  // namespace
-
-std::string_view name(SupportKind kind) {
-  switch (kind) {
-    case SupportKind::symmetry:
-      return "symmetry";
-    case SupportKind::roller:
-      return "roller";
-    case SupportKind::displacement:
-      break;
-  }
-  return "displacement";
-}
-
-std::string_view name(LoadKind kind) {
-  switch (kind) {
-    case LoadKind::pressure:
-      return "pressure";
-    case LoadKind::force:
-      return "force";
-    case LoadKind::body_force:
-      return "body_force";
-    case LoadKind::gravity:
-      return "gravity";
-    case LoadKind::traction:
-      break;
-  }
-  return "traction";
-}
 
 AppliedRegion region_of(const std::string& name, std::string_view kind,
                         const std::vector<geometry::PatchFace>& faces, const ModelReport& report) {
@@ -79,8 +73,8 @@ std::string region_text(const AppliedRegion& region) {
   if (!region.edges.empty())
     return fmt::format("{}: {} on {} of patches", region.name, region.kind,
                        counted(region.edges.size(), "edge", "edges"));
-  return fmt::format("{}: {} on {}, {}", region.name, region.kind,
-                     counted(region.faces.size(), "face", "faces"), with_unit(region.area, "m^2"));
+  return fmt::format("{}: {} on {}, {}", region.name, region.kind, faces_text(region),
+                     with_unit(region.area, "m^2"));
 }
 
 }  // namespace isopatch::app

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/problem/model_report.hpp"
-#include "app/study/study.hpp"
+#include "iga/problem/problem.hpp"
 
 namespace isopatch::app {
 
@@ -21,10 +21,8 @@ struct AppliedRegion {
   Eigen::Vector3d total = Eigen::Vector3d::Zero();  ///< force of a load, N
   std::vector<std::string> edges = {};              ///< "0:east+back", in the input's naming
   std::string key = {};                             ///< what results call it: "left bore", or "support 1"
+  std::vector<std::string> given = {};              ///< names of its faces, as the study gives them
 };
-
-std::string_view name(SupportKind kind);
-std::string_view name(LoadKind kind);
 
 AppliedRegion region_of(const std::string& name, std::string_view kind,
                         const std::vector<geometry::PatchFace>& faces, const ModelReport& report);
@@ -34,7 +32,8 @@ AppliedRegion region_of(const std::string& name, std::string_view kind, const st
 AppliedRegion region_of(const std::string& name, std::string_view kind,
                         const std::vector<iga::SupportedEdge>& edges, const geometry::MultiPatch& model);
 
-/// "support 1 (left bore): displacement on 4 faces, 7.54 cm^2".
+/// "support 1 (left bore): displacement on bore_left (4 faces), 7.54 cm^2", or "on 4 faces" where the study
+/// names none, or each by its patch and side.
 std::string region_text(const AppliedRegion& region);
 
 }  // namespace isopatch::app

@@ -1,14 +1,23 @@
 #include "app/problem/build_problem.hpp"
+#include "app/base/place_tolerance.hpp"
 
 #include <fmt/format.h>
 
-#include "app/base/engineering_units.hpp"
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "app/base/overloaded.hpp"
 #include "app/base/place_outside.hpp"
-#include "app/base/place_tolerance.hpp"
+#include "app/base/place_text.hpp"
+#include "app/problem/attachment.hpp"
 #include "app/problem/edge_selection.hpp"
 #include "app/problem/loose_bodies.hpp"
+#include "app/problem/parameterized_model.hpp"
 #include "app/problem/plausibility.hpp"
 #include "app/problem/read_model_file.hpp"
+#include "app/problem/selection.hpp"
+#include "app/study/generated_models.hpp"
 #include "geometry/io/read_patches.hpp"
 #include "iga/problem/loads.hpp"
 #include "iga/solution/solver_choice.hpp"
@@ -55,33 +64,10 @@ std::vector<geometry::PatchFace> caught_faces(const FaceSelection& selection, co
   const MultiPatch& model = built.problem.discretization.model;
   SelectedFaces selected = select_faces(model, selection);
   regions.push_back(region_of(name, kind, selected.faces, built.report));
+  regions.back().given = selection.faces;
   const std::string warning = near_miss_warning(model, selection, name, selected);
   if (!warning.empty()) built.warnings.push_back({warning});
   return std::move(selected.faces);
-}
-
-void add_volume_load(const LoadInput& load, BuiltProblem& built) {
-  iga::ElasticityProblem& problem = built.problem;
-  const auto patches = select_patches(problem.discretization.model, load.patches);
-  built.loads.push_back(region_of(load.name, name(load.kind), patches, built.report));
-  const auto volume = [&](PatchId id) {
-    return built.report.patches[static_cast<std::size_t>(id.value)].volume;
-  };
-  Eigen::Vector3d& total = built.loads.back().total;
-  if (load.kind == LoadKind::body_force) {
-    for (const PatchId id : patches) total += volume(id) * load.vector;
-    problem.volume_loads.push_back(
-        {load.name, patches, [f = load.vector](const Eigen::Vector3d&) { return f; }});
-    return;
-  }
-  try {
-    for (auto& weight : iga::gravity(load.name, patches, load.vector, problem.materials))
-      problem.volume_loads.push_back(std::move(weight));
-  } catch (const Error& error) {
-    throw error_at(load.selection.place, error.what(), error.code());
-  }
-  for (const PatchId id : patches)
-    total += volume(id) * problem.materials[static_cast<std::size_t>(id.value)].density * load.vector;
 }
 
 Eigen::Vector3d total_of(const iga::SurfaceLoad& load, const iga::Discretization& discretization) {
@@ -94,18 +80,81 @@ Eigen::Vector3d total_of(const iga::SurfaceLoad& load, const iga::Discretization
   return total;
 }
 
-void add_load(const LoadInput& load, BuiltProblem& built) {
-  if (load.kind == LoadKind::body_force || load.kind == LoadKind::gravity)
-    return add_volume_load(load, built);
-  auto faces = caught_faces(load.selection, load.name, name(load.kind), built, built.loads);
-  auto& loads = built.problem.surface_loads;
-  if (load.kind == LoadKind::traction)
-    loads.push_back(iga::constant_traction(load.name, std::move(faces), load.vector));
-  else if (load.kind == LoadKind::pressure)
-    loads.push_back(iga::pressure_load(load.name, std::move(faces), load.pressure));
-  else
-    loads.push_back(iga::total_force(load.name, std::move(faces), load.vector, built.problem.discretization));
-  built.loads.back().total = total_of(loads.back(), built.problem.discretization);
+/// Adds a load to a problem and to the list of what loads caught.
+class LoadAdder {
+ public:
+  LoadAdder(const AppliedLoad& load, BuiltProblem& built) : load_(load), built_(built) {}
+
+  void operator()(const Traction& traction) {
+    add(iga::constant_traction(load_.name, faces_on(traction.selection), traction.value));
+  }
+  void operator()(const Pressure& pressure) {
+    add(iga::pressure_load(load_.name, faces_on(pressure.selection), pressure.value));
+  }
+  void operator()(const Force& force) {
+    add(iga::total_force(load_.name, faces_on(force.selection), force.value, built_.problem.discretization));
+  }
+  void operator()(const BodyForce& force) {
+    const auto patches = patches_in(force.patches);
+    for (const PatchId id : patches) total() += volume(id) * force.value;
+    built_.problem.volume_loads.push_back(
+        {load_.name, patches, [f = force.value](const Eigen::Vector3d&) { return f; }});
+  }
+  void operator()(const Gravity& gravity) {
+    const auto patches = patches_in(gravity.patches);
+    const auto& materials = built_.problem.materials;
+    try {
+      for (auto& weight : iga::gravity(load_.name, patches, gravity.value, materials))
+        built_.problem.volume_loads.push_back(std::move(weight));
+    } catch (const Error& error) {
+      throw error_at(load_.place, error.what(), error.code());
+    }
+    for (const PatchId id : patches)
+      total() += volume(id) * materials[static_cast<std::size_t>(id.value)].density * gravity.value;
+  }
+
+ private:
+  std::vector<geometry::PatchFace> faces_on(const FaceSelection& selection) {
+    return caught_faces(selection, load_.name, kind_name(load_), built_, built_.loads);
+  }
+  std::vector<PatchId> patches_in(const PatchSelection& selection) {
+    auto patches = select_patches(built_.problem.discretization.model, selection);
+    built_.loads.push_back(region_of(load_.name, kind_name(load_), patches, built_.report));
+    return patches;
+  }
+  void add(iga::SurfaceLoad load) {
+    total() = total_of(load, built_.problem.discretization);
+    built_.problem.surface_loads.push_back(std::move(load));
+  }
+  double volume(PatchId id) const { return built_.report.patches[static_cast<std::size_t>(id.value)].volume; }
+  Eigen::Vector3d& total() { return built_.loads.back().total; }
+
+  const AppliedLoad& load_;
+  BuiltProblem& built_;
+};
+
+/// A support's condition as the solver takes it.
+struct SupportCondition {
+  using Condition = decltype(iga::Support::condition);
+  Condition operator()(const HeldDisplacement& held) const { return held.displacement; }
+  Condition operator()(const Symmetry&) const { return iga::PlaneSupport{}; }
+  Condition operator()(const Roller& roller) const { return iga::PlaneSupport{roller.normal_displacement}; }
+};
+
+void add_support(const SupportInput& support, BuiltProblem& built) {
+  const MultiPatch& model = built.problem.discretization.model;
+  auto faces = caught_faces(support.selection, support.name, kind_name(support), built, built.supports);
+  std::vector<iga::SupportedEdge> edges;
+  const auto* held = std::get_if<HeldDisplacement>(&support.condition);
+  if (held && held->edges) {
+    edges = select_edges(model, faces, *held->edges, support.selection.place);
+    built.supports.back() = region_of(support.name, kind_name(support), edges, model);
+    built.supports.back().given = support.selection.faces;
+    faces.clear();
+  }
+  built.supports.back().key = support.key;
+  built.problem.supports.push_back(
+      {support.name, std::move(faces), std::visit(SupportCondition{}, support.condition), std::move(edges)});
 }
 
 // The names of the blocks that the patches were, if they were any.
@@ -116,43 +165,69 @@ std::vector<std::string> patch_names(const std::optional<segmentation::Parameter
   return names;
 }
 
-LocatedProbe locate_probe(const ProbeInput& probe, const iga::ElasticityProblem& problem) {
+LocatedProbe locate_probe(const ProbeInput& probe, const PatchParameter& where, const MultiPatch& model) {
+  if (where.patch >= model.patch_count())
+    throw error_at(probe.place, fmt::format("patch {} does not exist: the model has patches 0 to {}",
+                                            where.patch, model.patch_count() - 1));
+  const auto& patch = model.patch(PatchId(where.patch));
+  const auto parameter = model.from_input(PatchId(where.patch), where.parameter);
+  if (((parameter - patch.low()).array() < 0).any() || ((patch.high() - parameter).array() < 0).any())
+    throw error_at(probe.place, fmt::format("the parameter lies outside the patch's knots, {} to {}",
+                                            place_text(patch.low()), place_text(patch.high())));
+  return {probe.name, where.patch, parameter};
+}
+
+LocatedProbe locate_probe(const ProbeInput& probe, const Eigen::Vector3d& point,
+                          const iga::ElasticityProblem& problem) {
   const MultiPatch& model = problem.discretization.model;
-  if (probe.patch) {
-    if (*probe.patch >= model.patch_count())
-      throw error_at(probe.place, fmt::format("patch {} does not exist: the model has patches 0 to {}",
-                                              *probe.patch, model.patch_count() - 1));
-    const auto& patch = model.patch(PatchId(*probe.patch));
-    const auto parameter = model.from_input(PatchId(*probe.patch), probe.parameter);
-    if (((parameter - patch.low()).array() < 0).any() || ((patch.high() - parameter).array() < 0).any())
-      throw error_at(probe.place,
-                     fmt::format("the parameter lies outside the patch's knots, ({}, {}, {}) to ({}, {}, {})",
-                                 patch.low()[0], patch.low()[1], patch.low()[2], patch.high()[0],
-                                 patch.high()[1], patch.high()[2]));
-    return {probe.name, *probe.patch, parameter};
-  }
   iga::ElasticField undeformed;
   undeformed.patches = model.patches();
   for (const auto& patch : model.patches())
     undeformed.displacement.emplace_back(Eigen::Matrix3Xd::Zero(3, patch.size()));
   undeformed.materials = problem.materials;
-  const iga::Location location = iga::locate(undeformed, *probe.point);
+  const iga::Location location = iga::locate(undeformed, point);
   if (location.distance > place_tolerance * model.size())
-    throw error_at(probe.place, outside_text(model, *probe.point, location));
+    throw error_at(probe.place, outside_text(model, point, location));
   return {probe.name, location.patch, location.parameter};
+}
+
+LocatedProbe locate_probe(const ProbeInput& probe, const iga::ElasticityProblem& problem) {
+  if (const auto* point = std::get_if<Eigen::Vector3d>(&probe.where))
+    return locate_probe(probe, *point, problem);
+  return locate_probe(probe, std::get<PatchParameter>(probe.where), problem.discretization.model);
+}
+
+/// Patches of a source, before anything is attached to them.
+struct SourcePatches {
+  geometry::PatchSet set;
+  double length_unit = 1;  ///< m per unit of the patches
+  std::optional<segmentation::ParameterizationReport> parameterization = {};
+};
+
+SourcePatches patches_of(const ModelInput& input, const Progress& progress) {
+  return std::visit(Overloaded{[](const PatchFile& file) -> SourcePatches {
+                                 return {read_model_file(file.path), file.length_unit};
+                               },
+                               [&](const BlocksInput& solids) -> SourcePatches {
+                                 segmentation::Parameterization found = parameterized(solids, progress);
+                                 return {std::move(found.patches), 1, std::move(found.report)};
+                               },
+                               [&](const GeneratedInput& model) -> SourcePatches {
+                                 try {
+                                   return {generated_patches(model.dimensions), model.length_unit};
+                                 } catch (const Error& error) {
+                                   throw error_at(input.place, error.what(), error.code());
+                                 }
+                               }},
+                    input.source);
 }
 
 }  // namespace
 
 LoadedModel load_model(const ModelInput& input, const Progress& progress) {
-  if (input.blocks) {
-    segmentation::Parameterization found = parameterized(*input.blocks, progress);
-    geometry::PatchSet set = attached(std::move(found.patches), input.attachments);
-    return {geometry::connect(std::move(set), input.tolerance), std::move(found.report)};
-  }
-  geometry::PatchSet set = input.generator ? input.generator() : read_model_file(input.file);
-  set = attached(std::move(set), input.attachments);
-  return {geometry::connect(scaled(std::move(set), input.length_unit), input.tolerance), std::nullopt};
+  SourcePatches found = patches_of(input, progress);
+  geometry::PatchSet set = scaled(attached(std::move(found.set), input.attachments), found.length_unit);
+  return {geometry::connect(std::move(set), input.tolerance), std::move(found.parameterization)};
 }
 
 BuiltProblem build_problem(const Study& study, const Progress& progress) {
@@ -184,21 +259,9 @@ BuiltProblem build_problem(const Study& study, const LoadedModel& loaded, const 
   for (Warning& warning : loose_body_warnings(model, patch_names(built.parameterization)))
     built.warnings.push_back(std::move(warning));
   for (Warning& warning : input_warnings(study)) built.warnings.push_back(std::move(warning));
-  for (const SupportInput& support : study.supports) {
-    auto faces = caught_faces(support.selection, support.name, name(support.kind), built, built.supports);
-    std::vector<iga::SupportedEdge> edges;
-    if (support.edges) {
-      edges =
-          select_edges(built.problem.discretization.model, faces, *support.edges, support.selection.place);
-      built.supports.back() =
-          region_of(support.name, name(support.kind), edges, built.problem.discretization.model);
-      faces.clear();
-    }
-    built.supports.back().key = support.key;
-    built.problem.supports.push_back({support.name, std::move(faces), support.condition, std::move(edges)});
-  }
-  for (const LoadInput& load : study.loads) {
-    add_load(load, built);
+  for (const SupportInput& support : study.supports) add_support(support, built);
+  for (const AppliedLoad& load : study.loads) {
+    std::visit(LoadAdder(load, built), load.load);
     built.loads.back().key = load.key;
   }
   for (const ProbeInput& probe : study.probes) built.probes.push_back(locate_probe(probe, built.problem));

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/base/engineering_units.hpp"
+#include "app/base/place_text.hpp"
 #include "geometry/part_box.hpp"
 
 namespace isopatch::app {
@@ -81,9 +82,8 @@ std::vector<Warning> certificate_warnings(const MultiPatch& model, const ModelRe
     if (certificate.accepted()) continue;
     const PatchId id(static_cast<int>(i));
     const auto parameter = model.to_input(id, certificate.parameter);
-    const std::string place =
-        fmt::format("at parameter ({:.4g}, {:.4g}, {:.4g}), {}", parameter[0], parameter[1], parameter[2],
-                    place_with_unit(certificate.place, model.size()));
+    const std::string place = fmt::format("at parameter {}, {}", place_text(parameter, 4),
+                                          place_with_unit(certificate.place, model.size()));
     std::string text =
         certificate.sign == JacobianSign::negative
             ? fmt::format(

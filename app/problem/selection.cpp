@@ -30,26 +30,31 @@ bool contains(const std::vector<PatchFace>& faces, const PatchFace& face) {
   return std::find(faces.begin(), faces.end(), face) != faces.end();
 }
 
+/// "1:west", or "1:west of \"bore\"" where the study says it so.
+std::string as_given(const std::string& label, const std::string& text) {
+  return text == label ? label : fmt::format("{} of \"{}\"", label, text);
+}
+
 /// Refuses what is no boundary face, saying what it is.
+/// @param text  what the study calls it
 void check_boundary(const MultiPatch& model, const PatchFace& face, const std::string& text,
                     const Place& place) {
   if (contains(model.boundary_faces(), face)) return;
+  const std::string name = as_given(model.label(face), text);
   for (const auto& interface : model.interfaces()) {
     if (interface.first != face && interface.second != face) continue;
     const PatchFace other = interface.first == face ? interface.second : interface.first;
     throw error_at(place,
-                   fmt::format("face {} is no boundary: it is joined to {}", text, model.label(other)));
+                   fmt::format("face {} is no boundary: it is joined to {}", name, model.label(other)));
   }
-  throw error_at(place, fmt::format("face {} is collapsed to a curve or a point and has no area", text));
+  throw error_at(place, fmt::format("face {} is collapsed to a curve or a point and has no area", name));
 }
 
-/// Boundary faces, as isopatch names them; boundaries are named so already.
+/// Boundary faces, as isopatch names them.
 std::vector<PatchFace> named_faces(const MultiPatch& model, const std::string& text, const Place& place) {
-  std::vector<PatchFace> faces = faces_named(text, model.patch_count(), model.boundaries(), place);
-  const auto is_name = [&](const geometry::Boundary& boundary) { return boundary.name == text; };
-  if (std::none_of(model.boundaries().begin(), model.boundaries().end(), is_name))
-    faces.front() = model.from_input(faces.front());
-  for (const PatchFace& face : faces) check_boundary(model, face, model.label(face), place);
+  const auto faces = faces_named(text, model.patch_count(), model.boundaries(), place,
+                                 [&](const PatchFace& face) { return model.from_input(face); });
+  for (const PatchFace& face : faces) check_boundary(model, face, text, place);
   return faces;
 }
 

@@ -9,7 +9,6 @@
 
 #include "app/base/engineering_units.hpp"
 #include "app/pictures/annotations.hpp"
-#include "app/problem/largest_values.hpp"
 #include "geometry/base/error.hpp"
 
 namespace isopatch::app {
@@ -53,16 +52,16 @@ std::string in_picture(std::string text) {
 struct Colouring {
   ValueScale scale;
   ValueRange full;
-  UnitPrefix unit;
+  ScaledUnit unit;
   bool is_length_of_vector = false;  ///< never negative, so the scale begins at 0
 };
 
 /// The run's own largest value of the field, if it is one that runs look for.
 std::optional<double> largest_of(const LoadedInput& input, const PictureOptions& options) {
-  if (!input.result) return std::nullopt;
-  const LargestValues found = largest_values(input.result->summary);
-  if (options.field == PictureField::von_mises) return found.von_mises;
-  if (options.field == PictureField::displacement && !options.component) return found.displacement;
+  if (!input.summary) return std::nullopt;
+  if (options.field == PictureField::von_mises) return input.summary->largest_von_mises();
+  if (options.field == PictureField::displacement && !options.component)
+    return input.summary->max_displacement;
   return std::nullopt;
 }
 
@@ -85,7 +84,7 @@ Colouring colouring(const Surface& surface, const PictureOptions& options, std::
 }
 
 /// In the unit of the scale, so that all values of a picture compare.
-std::string value_text(double value, const UnitPrefix& unit) {
+std::string value_text(double value, const ScaledUnit& unit) {
   const double number = value / unit.factor;
   const bool long_one = std::abs(number) >= 1e4 && std::abs(number) < 1e7;
   return fmt::format("{}{}{}", long_one ? fmt::format("{:.0f}", number) : fmt::format("{:.4g}", number),

@@ -6,9 +6,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <utility>
 #include <vector>
 
+#include "app/base/choices.hpp"
 #include "app/base/units.hpp"
 #include "app/results/stored_results.hpp"
 #include "geometry/base/error.hpp"
@@ -21,23 +21,16 @@ namespace {
   throw Error(ErrorCode::invalid_argument, message);
 }
 
-template <typename Value>
-using Names = std::vector<std::pair<std::string, Value>>;
-
 /// The value of a name; an error lists the names and says which is nearest.
 template <typename Value>
-Value choose(const std::string& option, const std::string& name, const Names<Value>& known) {
-  std::vector<std::string> names;
-  for (const auto& [candidate, value] : known) {
-    if (candidate == name) return value;
-    names.push_back(candidate);
-  }
-  reject(fmt::format("{}: there is no '{}'{}; choose one of {}", option, name, did_you_mean(name, names),
-                     fmt::join(names, ", ")));
+Value choose(const std::string& option, const std::string& name, const Choices<Value>& known) {
+  if (const Value* found = find_choice(known, name)) return *found;
+  reject(fmt::format("{}: there is no '{}'{}; choose one of {}", option, name,
+                     did_you_mean(name, names(known)), fmt::join(names(known), ", ")));
 }
 
 PictureField field_of(const PictureWords& words, bool has_results) {
-  static const Names<PictureField> known = {
+  static const Choices<PictureField> known = {
       {"von_mises", PictureField::von_mises},   {"displacement", PictureField::displacement},
       {"patch", PictureField::patch},           {"jacobian", PictureField::jacobian},
       {"conditions", PictureField::conditions}, {"none", PictureField::none}};
@@ -49,7 +42,7 @@ PictureField field_of(const PictureWords& words, bool has_results) {
 }
 
 std::optional<int> component_of(const PictureWords& words, PictureField field) {
-  static const Names<int> known = {{"x", 0}, {"y", 1}, {"z", 2}};
+  static const Choices<int> known = {{"x", 0}, {"y", 1}, {"z", 2}};
   if (words.component.empty()) return std::nullopt;
   const int component = choose("--component", words.component, known);
   if (field != PictureField::displacement)
@@ -109,15 +102,15 @@ Eigen::Vector3d direction_of(const std::string& option, const std::string& text)
 }
 
 std::optional<Eigen::Vector3d> up_of(const std::string& text) {
-  static const Names<Eigen::Vector3d> known = {
+  static const Choices<Eigen::Vector3d> known = {
       {"x", Eigen::Vector3d::UnitX()}, {"y", Eigen::Vector3d::UnitY()}, {"z", Eigen::Vector3d::UnitZ()}};
   if (text.empty()) return std::nullopt;
   return text.find(',') == std::string::npos ? choose("--up", text, known) : direction_of("--up", text);
 }
 
 View view_of(const PictureWords& words) {
-  Names<View> known;
-  for (const std::string& name : view_names()) known.emplace_back(name, *named_view(name));
+  Choices<View> known;
+  for (const std::string& name : view_names()) known.push_back({name, *named_view(name)});
   const bool named = words.view.find(',') == std::string::npos;
   const Eigen::Vector3d toward_eye =
       named ? choose("--view", words.view, known).toward_eye : direction_of("--view", words.view);
@@ -145,7 +138,7 @@ PictureSize size_of(const std::string& text) {
 
 std::optional<Cut> cut_of(const std::string& text) {
   if (text.empty()) return std::nullopt;
-  static const Names<int> known = {{"x", 0}, {"y", 1}, {"z", 2}};
+  static const Choices<int> known = {{"x", 0}, {"y", 1}, {"z", 2}};
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos)
     reject(fmt::format("--clip: expected x, y or z with a position, such as 'x=20 mm', got '{}'", text));
@@ -161,7 +154,7 @@ void check_number(const std::string& option, double value, double least, double 
 }  // namespace
 
 PictureOptions parse_picture_options(const PictureWords& words, bool has_results) {
-  static const Names<PictureEdges> edges = {
+  static const Choices<PictureEdges> edges = {
       {"patches", PictureEdges::patches}, {"elements", PictureEdges::elements}, {"none", PictureEdges::none}};
   PictureOptions options;
   options.field = field_of(words, has_results);

@@ -9,7 +9,7 @@
 #include "app/reports/comparison_plots.hpp"
 #include "app/reports/comparison_report.hpp"
 #include "app/reports/report_scene.hpp"
-#include "app/results/summary.hpp"
+#include "app/results/run_summary.hpp"
 #include "geometry/patch_connections.hpp"
 
 namespace isopatch::app {
@@ -77,10 +77,9 @@ void add_marker(const ComparedStudy& finest, const char* name, const iga::Extrem
 std::string compare_html(const Study& study, const ComparedStudy& finest,
                          const std::vector<CouplingComparison>& levels, const std::string& json) {
   const iga::ElasticField& field = finest.run.solution.field;
-  const std::string summary = summary_json(study, finest.run);
   const geometry::MultiPatch model = geometry::connected(
       field.patches, geometry::connections_of(finest.run.built.problem.discretization.model));
-  Scene scene = report_scene(field, model, summary);
+  Scene scene = report_scene(field, model, summarized(study, finest.run));
   if (!finest.tractions.empty())
     scene.fields.push_back(
         traction_field(finest.run.built.problem.discretization, scene.samples, finest.tractions));

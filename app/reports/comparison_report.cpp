@@ -7,7 +7,6 @@
 #include "app/base/engineering_units.hpp"
 #include "app/base/internal/json_values.hpp"
 #include "app/base/provenance.hpp"
-#include "app/results/summary.hpp"
 
 namespace isopatch::app {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "app/base/engineering_units.hpp"
 #include "app/base/internal/cut_list.hpp"
+#include "app/base/place_text.hpp"
 #include "app/results/internal/json_regions.hpp"
 
 namespace isopatch::app {
@@ -47,8 +48,9 @@ std::string patches_text(const ModelReport& report, bool all) {
 }
 
 /// Three digits; what rounds to zero is 0.
-double rounded(double x) {
-  return std::round(1000 * x) / 1000 + 0.0;
+std::string normal_text(const Eigen::Vector3d& normal) {
+  const auto rounded = [](double x) { return fmt::format("{:.3f}", std::round(1000 * x) / 1000 + 0.0); };
+  return triple_text(rounded(normal[0]), rounded(normal[1]), rounded(normal[2]));
 }
 
 std::string faces_text(const MultiPatch& model, const ModelReport& report, bool all) {
@@ -57,9 +59,8 @@ std::string faces_text(const MultiPatch& model, const ModelReport& report, bool 
   std::string text = "\nboundary faces\n";
   for (std::size_t i = 0; i < shown; ++i) {
     const BoundaryFaceReport& face = report.boundary_faces[i];
-    text += fmt::format("  {:<10} {:>12}  centre {}, normal ({:.3f}, {:.3f}, {:.3f})\n", face.label,
-                        with_unit(face.area, "m^2"), place_with_unit(face.centre, model.size()),
-                        rounded(face.normal[0]), rounded(face.normal[1]), rounded(face.normal[2]));
+    text += fmt::format("  {:<10} {:>12}  centre {}, normal {}\n", face.label, with_unit(face.area, "m^2"),
+                        place_with_unit(face.centre, model.size()), normal_text(face.normal));
   }
   return text + cut(shown, total, "faces");
 }

@@ -1,27 +1,31 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "app/pages/page.hpp"
+#include "app/results/run_summary.hpp"
 #include "geometry/multi_patch.hpp"
+#include "iga/spaces/elastic_field.hpp"
 #include "segmentation/parameterization/parameterize.hpp"
 
 namespace isopatch::app {
 
-/// The report of a solved study, made of what results.h5 holds.
-///
-/// @param field    the solution
-/// @param model    of its patches; must outlive the page
-/// @param study    text of the study file
-/// @param summary  text of summary.json
+/// What the report of a solved study is made of: the run itself, or what results.h5 holds of it.
+struct ReportContent {
+  const iga::ElasticField& field;     ///< the solution
+  const geometry::MultiPatch& model;  ///< of its patches; must outlive the page
+  std::string study;                  ///< text of the study file
+  std::string summary_json;           ///< text of summary.json, which goes onto the page as it is
+  std::optional<RunSummary> summary;  ///< what it says; without one the text is left out
+  /// How solids became the model's patches, for more fields to colour by; may be null.
+  const segmentation::ParameterizationReport* solids = nullptr;
+};
+
 /// @cost  that of sample_part
-Page report_page(const iga::ElasticField& field, const geometry::MultiPatch& model, const std::string& study,
-                 const std::string& summary);
+Page report_page(const ReportContent& content);
 
 /// report_page as the text of report.html.
-/// @param solids  how solids became the model's patches, for more fields to colour by; may be null
-std::string report_html(const iga::ElasticField& field, const geometry::MultiPatch& model,
-                        const std::string& study, const std::string& summary,
-                        const segmentation::ParameterizationReport* solids = nullptr);
+std::string report_html(const ReportContent& content);
 
 }  // namespace isopatch::app

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <string>
-
 #include "app/pages/scene.hpp"
+#include "app/results/run_summary.hpp"
 #include "geometry/multi_patch.hpp"
 
 namespace isopatch::app {
@@ -11,8 +10,7 @@ namespace isopatch::app {
 /// largest values, warnings.
 ///
 /// @param model    of the field's patches; must outlive the scene
-/// @param summary  text of summary.json; what is missing in it is left out
 Scene report_scene(const iga::ElasticField& field, const geometry::MultiPatch& model,
-                   const std::string& summary, const iga::SamplingOptions& sampling = {});
+                   const RunSummary& summary, const iga::SamplingOptions& sampling = {});
 
 }  // namespace isopatch::app

@@ -2,9 +2,14 @@
 
 #include <fmt/format.h>
 
-#include "app/base/internal/json_values.hpp"
+#include <utility>
+#include <variant>
+
 #include "app/base/units.hpp"
 #include "app/problem/build_problem.hpp"
+#include "app/results/read_summary.hpp"
+#include "app/study/file_kind.hpp"
+#include "app/study/parse_study.hpp"
 #include "geometry/base/error.hpp"
 
 namespace isopatch::app {
@@ -17,10 +22,22 @@ std::string title_of(const Study& study, const std::filesystem::path& path) {
 LoadedInput load_result(const std::filesystem::path& path) {
   iga::StoredResult result = iga::read_result(path);
   geometry::MultiPatch model = iga::model_of(result);
-  const Json summary = Json::parse(result.summary, nullptr, false);
-  const bool titled = summary.is_object() && summary.contains("title") && summary["title"].is_string();
-  const std::string title = titled ? summary["title"].get<std::string>() : "";
-  return {std::move(model), std::move(result), title.empty() ? path.filename().string() : title};
+  std::optional<RunSummary> summary = read_summary(result.summary);
+  const std::string title = summary ? summary->title : "";
+  return {std::move(model), std::move(result), title.empty() ? path.filename().string() : title,
+          std::move(summary)};
+}
+
+LoadedInput load_study(const InputFile& input) {
+  const Study study = read_study(input.path, input.overrides);
+  LoadedInput result{load_model(study.model).model, std::nullopt, title_of(study, input.path)};
+  for (const SupportInput& support : study.supports) {
+    const auto* held = std::get_if<HeldDisplacement>(&support.condition);
+    if (!held || !held->edges) result.held.push_back(support.selection);
+  }
+  for (const AppliedLoad& load : study.loads)
+    if (const FaceSelection* selection = faces_of(load)) result.loaded.push_back(*selection);
+  return result;
 }
 
 }  // namespace
@@ -37,21 +54,10 @@ double length_unit(const InputFile& input) {
 }
 
 LoadedInput load_input(const InputFile& input) {
-  const auto extension = input.path.extension();
-  if (extension == ".h5") return load_result(input.path);
-  if (extension == ".toml") {
-    const Study study = read_study(input.path, input.overrides);
-    LoadedInput result{load_model(study.model).model, std::nullopt, title_of(study, input.path)};
-    for (const SupportInput& support : study.supports)
-      if (!support.edges) result.held.push_back(support.selection);
-    for (const LoadInput& load : study.loads)
-      if (load.kind != LoadKind::body_force && load.kind != LoadKind::gravity)
-        result.loaded.push_back(load.selection);
-    return result;
-  }
-  ModelInput model;
-  model.file = input.path;
-  model.length_unit = length_unit(input);
+  const FileKind kind = kind_of(input.path);
+  if (kind == FileKind::results) return load_result(input.path);
+  if (kind == FileKind::study) return load_study(input);
+  const ModelInput model{PatchFile{input.path, length_unit(input)}};
   return {load_model(model).model, std::nullopt, input.path.filename().string()};
 }
 

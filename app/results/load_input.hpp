@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/problem/selection.hpp"
+#include "app/results/run_summary.hpp"
 #include "geometry/base/guarded_process.hpp"
 #include "geometry/multi_patch.hpp"
 #include "iga/output/result_file.hpp"
@@ -43,6 +44,7 @@ struct LoadedInput {
   geometry::MultiPatch model;
   std::optional<iga::StoredResult> result;
   std::string title;                       ///< of the study; otherwise the file's name
+  std::optional<RunSummary> summary = {};  ///< of the results
   std::vector<FaceSelection> held = {};    ///< faces of the study's supports
   std::vector<FaceSelection> loaded = {};  ///< and of its loads
 };

@@ -2,20 +2,17 @@
 
 #include <fmt/format.h>
 #include <omp.h>
-#include <sys/resource.h>
 
-#include <numeric>
+#include <algorithm>
+#include <array>
 
 #include "app/base/engineering_units.hpp"
 #include "app/base/provenance.hpp"
 #include "app/problem/resolution_warning.hpp"
+#include "app/problem/selection.hpp"
 #include "app/results/internal/json_regions.hpp"
 #include "app/results/internal/parameterization_json.hpp"
 #include "iga/material/material.hpp"
-
-#ifndef ISOPATCH_VERSION
-#error "the build defines ISOPATCH_VERSION"
-#endif
 
 namespace isopatch::app {
 namespace {
@@ -90,24 +87,27 @@ Json materials_json(const Study& study, const StudyRun& run) {
   return result;
 }
 
-Json regions_json(const std::vector<AppliedRegion>& regions) {
+Json caught_json(const std::vector<AppliedRegion>& regions) {
   Json result = Json::array();
   for (const AppliedRegion& region : regions)
-    result.push_back(
-        {{"name", region.key}, {"kind", region.kind}, {"faces", region.faces}, {"area", region.area}});
+    result.push_back({{"name", region.key},
+                      {"kind", region.kind},
+                      {"given", region.given},
+                      {"faces", region.faces},
+                      {"area", region.area}});
   return result;
 }
 
 }  // namespace
 
 Json supports_json(const std::vector<AppliedRegion>& supports) {
-  Json result = regions_json(supports);
+  Json result = caught_json(supports);
   for (std::size_t i = 0; i < supports.size(); ++i) result[i]["edges"] = supports[i].edges;
   return result;
 }
 
 Json loads_json(const std::vector<AppliedRegion>& loads) {
-  Json result = regions_json(loads);
+  Json result = caught_json(loads);
   for (std::size_t i = 0; i < loads.size(); ++i) {
     result[i]["patches"] = loads[i].patches;
     result[i]["volume"] = loads[i].volume;
@@ -287,19 +287,9 @@ std::string summary_json(const Study& study, const StudyRun& run) {
       {"warning_places", places_json(run.built.warnings)},
       {"timings", timings_json(run)},
       {"parallel", {{"processes", study.options.processes.count()}, {"threads", omp_get_max_threads()}}},
-      {"memory", {{"peak_bytes", peak_memory_bytes() + run.bytes_elsewhere}}}};
+      {"memory", {{"peak_bytes", run.peak_bytes}}}};
   if (run.built.parameterization)
     json["parameterization"] = parameterization_json(*run.built.parameterization);
-  return file_text(json);
-}
-
-std::string with_phase(const std::string& summary, const iga::PhaseTime& time) {
-  Json json = Json::parse(summary);
-  Json& timings = json["timings"];
-  const double total = timings["total"].get<double>() + time.seconds;
-  timings.erase("total");
-  timings[time.phase] = time.seconds;
-  timings["total"] = total;
   return file_text(json);
 }
 
@@ -325,8 +315,7 @@ std::string summary_text(const Study& study, const StudyRun& run) {
   text += von_mises_text(results, model.size());
   text += fmt::format("  internal energy   {}\n", with_unit(results.internal_energy, "J"));
   text += reactions_text(run) + probes_text(run);
-  text += fmt::format("  time, memory      {}, {}{}\n", seconds_text(total),
-                      bytes_text(peak_memory_bytes() + run.bytes_elsewhere),
+  text += fmt::format("  time, memory      {}, {}{}\n", seconds_text(total), bytes_text(run.peak_bytes),
                       study.options.processes.count() == 1
                           ? ""
                           : fmt::format(" in {} processes", study.options.processes.count()));

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "app/base/engineering_units.hpp"
-#include "app/base/internal/json_values.hpp"
 #include "app/problem/face_name.hpp"
 #include "app/results/output_directory.hpp"
 #include "geometry/io/vtk_collection.hpp"
@@ -76,54 +75,25 @@ int automatic_pieces(const iga::ElasticField& field) {
   return elements <= 100'000 ? 4 : elements <= 1'000'000 ? 2 : 1;
 }
 
-/// Names of supports or loads with their faces as the input names them.
-using Regions = std::vector<std::pair<std::string, std::vector<std::string>>>;
-
-Regions regions_of(const std::vector<AppliedRegion>& caught) {
-  Regions result;
-  for (const AppliedRegion& region : caught) result.emplace_back(region.key, region.faces);
-  return result;
-}
-
-Regions regions_of(const Json& summary, const char* key) {
-  Regions result;
-  if (summary.is_object() && summary.contains(key))
-    for (const Json& region : summary[key])
-      result.emplace_back(region.value("name", ""), region.value("faces", std::vector<std::string>()));
-  return result;
-}
-
 /// The faces of regions, in the model's own naming; regions that act on none are left out.
-std::vector<geometry::Boundary> named_faces(const Regions& regions, const geometry::MultiPatch& model) {
+std::vector<geometry::Boundary> named_faces(const std::vector<SummarizedRegion>& regions,
+                                            const geometry::MultiPatch& model) {
   std::vector<geometry::Boundary> result;
-  for (const auto& [name, labels] : regions) {
-    geometry::Boundary boundary{name, {}};
-    for (const std::string& label : labels)
-      for (const geometry::PatchFace& face : faces_named(label, model.patch_count(), {}, {}))
-        boundary.faces.push_back(model.from_input(face));
+  for (const SummarizedRegion& region : regions) {
+    geometry::Boundary boundary{region.name, {}};
+    for (const std::string& label : region.faces)
+      boundary.faces.push_back(model.from_input(side_named(label, model.patch_count())));
     if (!boundary.faces.empty()) result.push_back(std::move(boundary));
   }
   return result;
 }
 
-std::vector<FaceGroup> groups_of(const Regions& supports, const Regions& loads,
-                                 const geometry::MultiPatch& model) {
-  return {{"supports", named_faces(supports, model)},
-          {"loads", named_faces(loads, model)},
-          {"boundaries", model.boundaries()}};
-}
-
 }  // namespace
 
-std::vector<FaceGroup> face_groups(const std::vector<AppliedRegion>& supports,
-                                   const std::vector<AppliedRegion>& loads,
-                                   const geometry::MultiPatch& model) {
-  return groups_of(regions_of(supports), regions_of(loads), model);
-}
-
-std::vector<FaceGroup> face_groups(const geometry::MultiPatch& model, const std::string& summary) {
-  const Json json = Json::parse(summary, nullptr, false);
-  return groups_of(regions_of(json, "supports"), regions_of(json, "loads"), model);
+std::vector<FaceGroup> face_groups(const geometry::MultiPatch& model, const RunSummary& summary) {
+  return {{"supports", named_faces(summary.supports, model)},
+          {"loads", named_faces(summary.loads, model)},
+          {"boundaries", model.boundaries()}};
 }
 
 WrittenFields write_fields(const iga::ElasticField& field, const geometry::MultiPatch& model,

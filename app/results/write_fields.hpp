@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/base/warning.hpp"
-#include "app/problem/applied_region.hpp"
+#include "app/results/run_summary.hpp"
 #include "app/study/study.hpp"
 #include "geometry/base/progress.hpp"
 #include "iga/output/plane_fields.hpp"
@@ -19,12 +19,9 @@ struct FaceGroup {
   std::vector<geometry::Boundary> members;
 };
 
-/// Of a study that was solved.
-std::vector<FaceGroup> face_groups(const std::vector<AppliedRegion>& supports,
-                                   const std::vector<AppliedRegion>& loads,
-                                   const geometry::MultiPatch& model);
-/// Of stored results, whose summary tells the faces of supports and loads.
-std::vector<FaceGroup> face_groups(const geometry::MultiPatch& model, const std::string& summary);
+/// Of a run, or of stored results.
+/// @throws Error invalid_argument  for faces that the model does not have
+std::vector<FaceGroup> face_groups(const geometry::MultiPatch& model, const RunSummary& summary);
 
 /// What was written of the fields.
 struct WrittenFields {

@@ -17,8 +17,7 @@ StudyRun run_study(const Study& study, const Progress& progress) {
                           iga::evaluate(run.solution.field, probe.patch, probe.parameter)});
   for (Warning& warning : result_warnings(run.built, run.solution))
     run.built.warnings.push_back(std::move(warning));
-  const std::int64_t own = peak_memory_bytes();
-  run.bytes_elsewhere = study.options.processes.sum(own) - own;
+  run.peak_bytes = study.options.processes.sum(peak_memory_bytes());
   return run;
 }
 

@@ -23,8 +23,8 @@ struct StudyRun {
   iga::ElasticitySolution solution;
   std::vector<ProbeValues> probes;
   std::vector<iga::PhaseTime> timings;  ///< of all phases so far, s
-  std::int64_t bytes_elsewhere =
-      0;  ///< most memory that the other processes held until the end of these phases
+  std::int64_t peak_bytes =
+      0;  ///< most memory that all processes held until the end of these phases, added up
 };
 
 /// Builds and solves a study. Nothing is written.

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "app/study/file_kind.hpp"
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/error.hpp"
 #include "geometry/brep/brep_graph.hpp"
@@ -93,13 +94,13 @@ OutlinedSolid outlined(const std::vector<std::optional<geometry::TrimmedSurface>
 /// What the file says, before anything is made of it.
 std::vector<OutlinedSolid> as_written(const std::filesystem::path& path, double metres) {
   std::vector<OutlinedSolid> result;
-  const std::string ending = path.extension().string();
-  if (ending == ".off") {
+  const FileKind kind = kind_of(path);
+  if (kind == FileKind::polyhedra) {
     geometry::Polyhedron polyhedron = geometry::read_off(read_file(path), path.string());
     polyhedron.vertices *= metres;
     return {outlined(polyhedron)};
   }
-  if (ending != ".xml") return {{}};
+  if (kind != FileKind::gismo_solids) return {{}};
   for (geometry::SolidBoundary& boundary : geometry::read_gismo_solids(read_file(path), path.string())) {
     boundary.corners.vertices *= metres;
     const bool has_surfaces = std::any_of(boundary.surfaces.begin(), boundary.surfaces.end(),

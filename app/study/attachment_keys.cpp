@@ -20,7 +20,7 @@ Keys<AttachmentKeys> attachment_keys(ModelUnits units) {
   return {
       custom_key<A>("faces", "array of strings",
                     "One patch is added to each: \"patch:side\" or names of boundaries, also of patches "
-                    "attached before.",
+                    "attached before; written as the faces of supports and loads.",
                     [](A& target, const ConfigValue& value) { target.faces = read_face_names(value); })
           .required(),
       custom_key<A>(
@@ -33,6 +33,16 @@ Keys<AttachmentKeys> attachment_keys(ModelUnits units) {
       point_key<A>(units, "move", &A::move, "... and moved by this."),
       text_key<A>("name", &A::name, "Of a boundary that gets the far ends."),
   };
+}
+
+AttachmentInput read_attachment(const ConfigSection& input, ModelUnits units) {
+  const auto keys =
+      read_table<AttachmentKeys>(input.table, input.place, "[[model.attach]]", attachment_keys(units));
+  if (keys.move.isZero(0) && (keys.scale.array() == 1).all())
+    throw error_at(input.place, "[[model.attach]] needs move or scale: where does the new patch end?");
+  AttachmentInput result{keys.name, keys.faces, Eigen::Affine3d::Identity(), input.place};
+  result.map.translate(keys.about + keys.move).scale(keys.scale).translate(-keys.about);
+  return result;
 }
 
 }  // namespace isopatch::app

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "app/study/attachment_input.hpp"
+#include "app/study/config_section.hpp"
 #include "app/study/model_units.hpp"
 
 namespace isopatch::app {
@@ -17,5 +19,8 @@ struct AttachmentKeys {
   Eigen::Vector3d about = Eigen::Vector3d::Zero();
 };
 Keys<AttachmentKeys> attachment_keys(ModelUnits units);
+
+/// @throws Error invalid_argument  for wrong keys, and one that neither moves nor scales
+AttachmentInput read_attachment(const ConfigSection& input, ModelUnits units);
 
 }  // namespace isopatch::app

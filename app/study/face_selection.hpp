@@ -43,7 +43,7 @@ struct FaceConditions {
 
 /// Boundary faces by names, by geometry, or by both (the faces named that also fulfil the conditions).
 struct FaceSelection {
-  std::vector<std::string> faces = {};  ///< "0:back" in the input's naming, or the name of a boundary
+  std::vector<std::string> faces = {};  ///< as the study names them; see problem/face_name
   std::optional<FaceConditions> where = {};
   Place place = {};  ///< in the study file
 };

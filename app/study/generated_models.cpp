@@ -1,18 +1,13 @@
+#include "app/study/generated_models.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
+#include <tuple>
+
+#include "app/base/overloaded.hpp"
 #include "app/study/model_units.hpp"
-#include "app/study/study_keys.hpp"
-#include "geometry/models/box.hpp"
-#include "geometry/models/bracket.hpp"
-#include "geometry/models/cook.hpp"
-#include "geometry/models/cylinder.hpp"
-#include "geometry/models/elbow.hpp"
-#include "geometry/models/elliptic_plate.hpp"
-#include "geometry/models/link.hpp"
-#include "geometry/models/plate.hpp"
-#include "geometry/models/sphere.hpp"
-#include "geometry/models/twisted_beam.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -181,19 +176,11 @@ Keys<geometry::TwistedBeamOptions> twisted_beam_model_keys(ModelUnits units) {
 }
 
 template <class O>
-GeneratedModel model(const std::string& name, const std::string& meaning, Keys<O> (*keys)(ModelUnits),
-                     geometry::PatchSet (*make)(const O&)) {
+GeneratedModel model(const std::string& name, const std::string& meaning, Keys<O> (*keys)(ModelUnits)) {
   return {name, meaning, texts(keys({})),
-          [=](const ConfigTable& entries, const Place& place, double length_unit) {
-            const O options = read_table<O>(
-                entries, place, fmt::format("[model] with generate = \"{}\"", name), keys({length_unit}));
-            return std::function<geometry::PatchSet()>([=] {
-              try {
-                return make(options);
-              } catch (const Error& error) {
-                throw error_at(place, error.what(), error.code());
-              }
-            });
+          [=](const ConfigTable& entries, const Place& place, double length_unit) -> GeneratedDimensions {
+            return read_table<O>(entries, place, fmt::format("[model] with generate = \"{}\"", name),
+                                 keys({length_unit}));
           }};
 }
 
@@ -204,46 +191,67 @@ const std::vector<GeneratedModel>& generated_models() {
       model("box",
             "A box of patches, inside as distorted as wanted. Boundaries: x_min, x_max, y_min, y_max, z_min, "
             "z_max.",
-            box_model_keys, geometry::box_model),
+            box_model_keys),
       model("cylinder",
             "A sector of a thick-walled cylinder about the z axis. Boundaries: inner, outer, start, end, "
             "bottom, top.",
-            cylinder_model_keys, geometry::cylinder_model),
+            cylinder_model_keys),
       model("link",
             "A link like a connecting rod: two eyes with bores along z, joined by a shank. Boundaries: "
             "bore_left, "
             "bore_right, end_left, end_right, sides, bottom, top.",
-            link_model_keys, geometry::link_model),
+            link_model_keys),
       model("sphere",
             "An octant of a hollow sphere about the origin, three patches a layer. Boundaries: inner, outer, "
             "x0, y0, z0.",
-            sphere_model_keys, geometry::sphere_model),
+            sphere_model_keys),
       model("plate",
             "A quarter of a plate with a round hole about the z axis. Boundaries: hole, x_min, y_min, x_max, "
             "y_max, bottom, top.",
-            plate_model_keys, geometry::plate_model),
+            plate_model_keys),
       model("bracket",
             "An L-bracket of three bricks. Boundaries: x_min, y_min, x_max, y_max, inner, bottom, top.",
-            bracket_model_keys, geometry::bracket_model),
+            bracket_model_keys),
       model("cook",
             "Cook's membrane, a tapered and swept cantilever. Boundaries: x_min, x_max, y_min, y_max, "
             "bottom, top.",
-            cook_model_keys, geometry::cook_model),
+            cook_model_keys),
       model(
           "elbow",
           "A pipe elbow: a straight pipe, a bend, a straight pipe. Boundaries: inlet, outlet, inner, outer.",
-          elbow_model_keys, geometry::elbow_model),
+          elbow_model_keys),
       model("elliptic_plate",
             "A quarter of a plate between two ellipses about the z axis, as in NAFEMS LE1 and LE10. "
             "Boundaries: "
             "inner, outer, x_min, y_min, bottom, top.",
-            elliptic_plate_model_keys, geometry::elliptic_plate_model),
+            elliptic_plate_model_keys),
       model("twisted_beam",
             "A straight beam along x whose rectangular section turns evenly, as MacNeal and Harder's. "
             "Boundaries: root, tip, sides.",
-            twisted_beam_model_keys, geometry::twisted_beam_model),
+            twisted_beam_model_keys),
   };
   return models;
+}
+
+Choices<std::reference_wrapper<const GeneratedModel>> generated_model_choices() {
+  Choices<std::reference_wrapper<const GeneratedModel>> result;
+  for (const GeneratedModel& model : generated_models()) result.push_back({model.name, model});
+  return result;
+}
+
+geometry::PatchSet generated_patches(const GeneratedDimensions& dimensions) {
+  return std::visit(
+      Overloaded{[](const geometry::BoxOptions& o) { return geometry::box_model(o); },
+                 [](const geometry::CylinderOptions& o) { return geometry::cylinder_model(o); },
+                 [](const geometry::LinkOptions& o) { return geometry::link_model(o); },
+                 [](const geometry::SphereOptions& o) { return geometry::sphere_model(o); },
+                 [](const geometry::PlateOptions& o) { return geometry::plate_model(o); },
+                 [](const geometry::BracketOptions& o) { return geometry::bracket_model(o); },
+                 [](const geometry::CookOptions& o) { return geometry::cook_model(o); },
+                 [](const geometry::ElbowOptions& o) { return geometry::elbow_model(o); },
+                 [](const geometry::EllipticPlateOptions& o) { return geometry::elliptic_plate_model(o); },
+                 [](const geometry::TwistedBeamOptions& o) { return geometry::twisted_beam_model(o); }},
+      dimensions);
 }
 
 }  // namespace isopatch::app

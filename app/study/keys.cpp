@@ -1,6 +1,7 @@
 #include "app/study/keys.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 
@@ -140,13 +141,10 @@ const ConfigTable& read_subtable(const ConfigValue& value, const std::string& wh
   throw expected(value, what, "a table");
 }
 
-std::size_t read_choice(const ConfigValue& value, const std::string& what,
-                        const std::vector<std::string>& names) {
-  const std::string text = read_text(value, what);
-  const auto found = std::find(names.begin(), names.end(), text);
-  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  throw error_at(value.place, fmt::format("{}: unknown value \"{}\"{}; known: {}", what, text,
-                                          did_you_mean(text, names), fmt::join(names, ", ")));
+Error unknown_choice(const ConfigValue& value, const std::string& what, const std::string& text,
+                     const std::vector<std::string>& known) {
+  return error_at(value.place, fmt::format("{}: unknown value \"{}\"{}; known: {}", what, text,
+                                           did_you_mean(text, known), fmt::join(known, ", ")));
 }
 
 std::string type_name(const Dimension& dimension) {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/base/choices.hpp"
 #include "app/base/units.hpp"
 #include "app/study/config_value.hpp"
 #include "geometry/base/angle.hpp"
@@ -64,8 +65,15 @@ Eigen::Vector3d read_direction(const ConfigValue& value, const std::string& what
 double read_length_unit(const ConfigValue& value);
 const std::vector<ConfigValue>& read_array(const ConfigValue& value, const std::string& what);
 const ConfigTable& read_subtable(const ConfigValue& value, const std::string& what);
-std::size_t read_choice(const ConfigValue& value, const std::string& what,
-                        const std::vector<std::string>& names);
+/// The error for a word that is not among those known, naming the nearest one.
+Error unknown_choice(const ConfigValue& value, const std::string& what, const std::string& text,
+                     const std::vector<std::string>& known);
+template <class Value>
+Value read_choice(const ConfigValue& value, const std::string& what, const Choices<Value>& choices) {
+  const std::string text = read_text(value, what);
+  if (const Value* found = find_choice(choices, text)) return *found;
+  throw unknown_choice(value, what, text, names(choices));
+}
 
 /// The type's name for the documentation: "length (m)".
 std::string type_name(const Dimension& dimension);
@@ -139,6 +147,15 @@ Key<S> flag_key(const std::string& name, bool S::*member, std::string meaning) {
           [=](S& target, const ConfigValue& value) { target.*member = read_flag(value, name); }};
 }
 
+/// One of some words; those of its documentation and its default come from the same table.
+template <class S, class Value>
+Key<S> choice_key(const std::string& name, Value S::*member, const Choices<Value>& choices,
+                  std::string meaning) {
+  return {{name, quoted_list(names(choices)), "", "\"" + name_of(choices, S{}.*member) + "\"",
+           std::move(meaning)},
+          [=](S& target, const ConfigValue& value) { target.*member = read_choice(value, name, choices); }};
+}
+
 template <class S>
 Key<S> text_key(const std::string& name, std::string S::*member, std::string meaning) {
   const std::string fallback = S{}.*member;
@@ -171,6 +188,14 @@ template <class S>
 Key<S> direction_key(const std::string& name, Eigen::Vector3d S::*member, std::string meaning) {
   return {{name, "3 numbers, or \"x\", \"-x\", \"y\", ...", "", "", std::move(meaning)},
           [=](S& target, const ConfigValue& value) { target.*member = read_direction(value, name); }};
+}
+
+/// A value of any kind, to be read later.
+template <class S>
+Key<S> value_key(const std::string& name, const std::string& type, std::optional<ConfigValue> S::*member,
+                 std::string meaning) {
+  return custom_key<S>(name, type, std::move(meaning),
+                       [=](S& target, const ConfigValue& value) { target.*member = value; });
 }
 
 /// "unknown key 'degre' in [discretization] (did you mean 'degree'?)", with the key's place.

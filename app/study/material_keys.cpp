@@ -1,7 +1,11 @@
+#include "app/study/material_keys.hpp"
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/study/selection_keys.hpp"
 #include "app/study/standard_materials.hpp"
+#include "geometry/base/nearest_name.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -25,6 +29,43 @@ std::string material_names() {
   return result;
 }
 
+iga::Material read_standard_material(const MaterialKeys& keys, const Place& place) {
+  if (!keys.name)
+    throw error_at(
+        place,
+        "[[material]] needs elastic constants: lame, young and poisson, or the name of a known material");
+  std::vector<std::string> known;
+  for (const StandardMaterial& material : standard_materials()) {
+    known.push_back(material.name);
+    if (material.name == *keys.name)
+      return iga::isotropic(material.young, material.poisson, keys.density.value_or(material.density),
+                            material.name);
+  }
+  throw error_at(place,
+                 fmt::format("no material named \"{}\"{}; known: {}. Others need lame, or young and poisson",
+                             *keys.name, did_you_mean(*keys.name, known), fmt::join(known, ", ")));
+}
+
+iga::Material read_constants(const MaterialKeys& keys, const Place& place) {
+  const bool engineering = keys.young || keys.poisson;
+  if (keys.lame && engineering)
+    throw error_at(place, "[[material]] has both lame and young or poisson; keep one");
+  if (engineering && !(keys.young && keys.poisson))
+    throw error_at(place, fmt::format("[[material]] has {} but lacks {}", keys.young ? "young" : "poisson",
+                                      keys.young ? "poisson" : "young"));
+  if (!keys.lame && !engineering) return read_standard_material(keys, place);
+  const double density = keys.density.value_or(0);
+  const std::string name = keys.name.value_or("");
+  try {
+    if (engineering) return iga::isotropic(*keys.young, *keys.poisson, density, name);
+    const iga::Material material{keys.lame->lambda, keys.lame->mu, density, name};
+    iga::validate(material);
+    return material;
+  } catch (const Error& error) {
+    throw error_at(place, error.what());
+  }
+}
+
 }  // namespace
 
 const Keys<LameKeys>& lame_keys() {
@@ -38,7 +79,10 @@ const Keys<LameKeys>& lame_keys() {
 
 const Keys<MaterialKeys>& material_keys() {
   static const Keys<MaterialKeys> keys = {
-      patches_key<MaterialKeys>("The patches made of it."),
+      patches_key<MaterialKeys>("The patches made of it.",
+                                [](MaterialKeys& target, const ConfigValue&) -> PatchSelection& {
+                                  return target.patches.emplace();
+                                }),
       optional_text_key<MaterialKeys>("name", &MaterialKeys::name,
                                       "Without elastic constants, a material of the table: " +
                                           material_names() + "; with them, a name for reports."),
@@ -53,6 +97,12 @@ const Keys<MaterialKeys>& material_keys() {
                                  "Mass per volume; needed by gravity unless the table has it."),
   };
   return keys;
+}
+
+MaterialInput read_material(const ConfigSection& input) {
+  const auto keys = read_table<MaterialKeys>(input.table, input.place, "[[material]]", material_keys());
+  return {keys.patches.value_or(PatchSelection{{}, {}, input.place}), read_constants(keys, input.place),
+          input.place};
 }
 
 }  // namespace isopatch::app

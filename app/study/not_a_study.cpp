@@ -2,20 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-
+#include "app/study/file_kind.hpp"
 #include "geometry/base/error.hpp"
-#include "geometry/brep/read_brep.hpp"
 
 namespace isopatch::app {
 namespace {
 
-/// Endings of models whose content does not tell them from a study at once.
+/// Files that hold a model whatever their content is.
 bool is_model_name(const std::filesystem::path& path) {
-  constexpr std::array<std::string_view, 4> endings = {".g2", ".mesh", ".xml", ".off"};
-  return std::find(endings.begin(), endings.end(), path.extension().string()) != endings.end() ||
-         geometry::is_brep_file(path);
+  const FileKind kind = kind_of(path);
+  return kind == FileKind::patches || holds_solids(kind);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
-#include <fmt/format.h>
+#include "app/study/parameterization_keys.hpp"
 
-#include "app/study/study_keys.hpp"
-#include "segmentation/parameterization/assemble_model.hpp"
+#include <fmt/format.h>
 
 namespace isopatch::app {
 namespace {
@@ -32,21 +31,15 @@ Key<P> number_key(const std::string& name, const Range& range, double fallback, 
 }  // namespace
 
 const Keys<ParameterizationKeys>& parameterization_keys() {
-  static const std::vector<std::string> methods = [] {
-    std::vector<std::string> names;
-    for (const auto method : segmentation::all_parameterization_methods) names.emplace_back(name(method));
-    return names;
-  }();
   static const Keys<P> keys = {
       custom_key<P>(
-          "method", "\"shared\" or \"paper\"",
+          "method", quoted_list(names(parameterization_methods())),
           "shared fits edges and faces once, to the tolerance, so that neighbours have common control "
           "points; "
           "paper follows the five steps of the segmentation pipeline's paper, for comparison: 10 samples an "
           "edge, 343 control points a patch, averages at interfaces.",
           [](P& target, const ConfigValue& value) {
-            target.options.method = segmentation::all_parameterization_methods[static_cast<std::size_t>(
-                read_choice(value, "method", methods))];
+            target.options.method = read_choice(value, "method", parameterization_methods());
           })
           .with_default("\"shared\""),
       number_key(
@@ -75,6 +68,13 @@ const Keys<ParameterizationKeys>& parameterization_keys() {
           "Points of two blocks closer than this share of the size are one point."),
   };
   return keys;
+}
+
+const Choices<segmentation::ParameterizationMethod>& parameterization_methods() {
+  static const Choices<segmentation::ParameterizationMethod> methods = {
+      {"shared", segmentation::ParameterizationMethod::shared},
+      {"paper", segmentation::ParameterizationMethod::paper}};
+  return methods;
 }
 
 }  // namespace isopatch::app

@@ -1,7 +1,17 @@
+#include "app/study/study_documentation.hpp"
+
 #include <fmt/format.h>
 
+#include "app/base/unit_table.hpp"
 #include "app/study/attachment_keys.hpp"
+#include "app/study/generated_models.hpp"
+#include "app/study/load_keys.hpp"
+#include "app/study/material_keys.hpp"
+#include "app/study/model_keys.hpp"
+#include "app/study/parameterization_keys.hpp"
+#include "app/study/selection_keys.hpp"
 #include "app/study/study_keys.hpp"
+#include "app/study/support_keys.hpp"
 #include "geometry/base/nearest_name.hpp"
 
 namespace isopatch::app {
@@ -13,9 +23,9 @@ A study is a TOML file. Every key is listed here with its unit, its range and it
 `isopatch keys`, from the same table that the parser reads by; `isopatch keys NAME` prints one section.
 
 **Quantities.** A number is in SI units: m, kg, s, N, Pa, J, kg/m^3, m/s^2, rad. A string carries its unit:
-"20 MPa", "225 mm", "7850 kg/m^3", "9.81 m/s^2", "1 kN", "36 deg", "30 ksi", "2 GB". Known are m g s N Pa J W (with the
-prefixes n u m c d k M G), t, bar, in, ft, lb, lbf, psi, ksi, Msi, rad, deg and %; a space, * or / joins them, ^ raises them.
-Memory is in B, kB, MB, GB, TB (powers of 1000) or KiB, MiB, GiB, TiB (of 1024).
+"20 MPa", "225 mm", "7850 kg/m^3", "9.81 m/s^2", "1 kN", "36 deg", "30 ksi", "2 GB". Known are
+{}
+(kB and so on are powers of 1000, KiB and so on of 1024); a space, * or / joins them, ^ raises them.
 The unit is checked for its dimension.
 
 **Numbering.** Patches count from 0, in the order of the file. Sides and parameters are those of the file, also where
@@ -111,7 +121,7 @@ std::vector<SectionText> study_sections() {
 }
 
 std::string study_documentation(const std::string& topic) {
-  std::string result = topic.empty() ? introduction : "";
+  std::string result = topic.empty() ? fmt::format(introduction, known_units()) : "";
   std::vector<std::string> names;
   bool found = false;
   for (const SectionText& section : study_sections()) {

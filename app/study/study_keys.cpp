@@ -2,17 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <string>
+#include <variant>
+#include <vector>
+
 namespace isopatch::app {
 namespace {
 
 namespace dim = dimensions;
-
-template <class S>
-Key<S> value_key(const std::string& name, const std::string& type, std::optional<ConfigValue> S::*member,
-                 std::string meaning) {
-  return custom_key<S>(name, type, std::move(meaning),
-                       [=](S& target, const ConfigValue& value) { target.*member = value; });
-}
 
 /// An integer for all directions, or three.
 std::array<int, 3> read_per_direction(const ConfigValue& value, const std::string& what, int least,
@@ -76,74 +74,6 @@ const Keys<StudyKeys>& study_keys() {
   return keys;
 }
 
-const Keys<ModelKeys>& model_keys() {
-  static const Keys<ModelKeys> keys = {
-      optional_text_key<ModelKeys>(
-          "file", &ModelKeys::file,
-          "A file of patches: G+Smo XML (.xml), GoTools (.g2) or MFEM NURBS mesh (.mesh). Relative "
-          "paths count from the study's folder; ${NAME} and ${NAME:-default} are environment "
-          "variables. Or a file of topological hexahedra, as in `blocks`. Either this, `blocks` or "
-          "`generate`."),
-      custom_key<ModelKeys>(
-          "blocks", "array of strings",
-          "Files of solids that are topological hexahedra: STEP (.step, .stp, .p21), IGES "
-          "(.iges, .igs), OpenCASCADE "
-          "(.brep, .brp), G+Smo solids (.xml), polyhedra (.off). [parameterization] says how "
-          "each becomes a patch; their "
-          "outer faces are boundaries called \"block:face\"; all of one colour in STEP files are "
-          "the boundary \"#rrggbb\".",
-          [](ModelKeys& target, const ConfigValue& value) {
-            for (const ConfigValue& item : read_array(value, "blocks"))
-              target.blocks.push_back(read_text(item, "blocks"));
-          }),
-      optional_text_key<ModelKeys>("pairs", &ModelKeys::pairs,
-                                   "With blocks, a file that says how they meet, a line each: block, number "
-                                   "of its face, block, number of its "
-                                   "face. Without it the pairs are found from the geometry."),
-      optional_text_key<ModelKeys>(
-          "generate", &ModelKeys::generate,
-          "Name of a generated model, whose dimensions are further keys of [model]; see below."),
-      value_key<ModelKeys>("attach", "array of tables", &ModelKeys::attach,
-                           "Patches to be added to faces of the model."),
-      custom_key<ModelKeys>(
-          "length_unit", "length (m), with or without a number",
-          "What one unit of the file's (or the generated model's) coordinates measures: \"mm\", "
-          "\"225 mm\", 0.0254. All other lengths of the study are in m or have a unit.",
-          [](ModelKeys& target, const ConfigValue& value) {
-            target.length_unit = read_length_unit(value);
-            target.gives_length_unit = true;
-          })
-          .with_default("\"m\"; STEP and IGES files say it themselves"),
-      custom_key<ModelKeys>("allow_partial", "true or false",
-                            "Whether bodies and faces of CAD files that cannot be read, and bodies that are "
-                            "not closed, are left out with "
-                            "a warning. Otherwise they are an error.",
-                            [](ModelKeys& target, const ConfigValue& value) {
-                              target.allow_partial = read_flag(value, "allow_partial");
-                            })
-          .with_default("false"),
-      quantity_key<ModelKeys>(
-          "cad_time_limit", &ModelKeys::cad_time_limit, dim::none, {0, 1e7},
-          "Seconds of computing that a STEP, IGES or .brep file may take to be read; 0 means 60 "
-          "seconds and 10 for each megabyte."),
-      quantity_key<ModelKeys>(
-          "cad_memory_limit", &ModelKeys::cad_memory_limit, dim::none, {0, 1e15},
-          "Bytes of memory that a STEP, IGES or .brep file may take to be read; 0 means three "
-          "quarters of the machine's."),
-      quantity_key<ModelKeys>(
-          "same_point", &ModelKeys::same_point, dim::none, {0, 1e-2, false, false},
-          "Points closer than this share of the model's size are one point: faces that agree so well "
-          "are interfaces."),
-      quantity_key<ModelKeys>(
-          "near_miss", &ModelKeys::near_miss, dim::none, {0, 0.1, false, false},
-          "Faces that agree only to this share of the model's size are refused as a gap."),
-      quantity_key<ModelKeys>(
-          "same_knot", &ModelKeys::same_knot, dim::none, {0, 1e-3, false, false},
-          "Knots of two neighbours closer than this share of the knot range are one knot."),
-  };
-  return keys;
-}
-
 const Keys<DiscretizationKeys>& discretization_keys() {
   using Options = iga::DiscretizationOptions;
   static const Keys<DiscretizationKeys> keys = {
@@ -173,17 +103,13 @@ const Keys<DiscretizationKeys>& discretization_keys() {
 }
 
 const Keys<iga::ElasticityOptions>& coupling_keys() {
-  static const std::vector<std::string> names = {"elimination", "lagrange"};
+  static const Choices<iga::Coupling> methods = {{"elimination", iga::Coupling::elimination},
+                                                 {"lagrange", iga::Coupling::lagrange}};
   static const Keys<iga::ElasticityOptions> keys = {
-      custom_key<iga::ElasticityOptions>("method", "\"elimination\" or \"lagrange\"",
-                                         "Coincident control points share their unknowns, or multipliers tie "
-                                         "them. `isopatch compare` runs both.",
-                                         [](iga::ElasticityOptions& target, const ConfigValue& value) {
-                                           target.coupling = read_choice(value, "method", names) == 0
-                                                                 ? iga::Coupling::elimination
-                                                                 : iga::Coupling::lagrange;
-                                         })
-          .with_default("\"elimination\""),
+      choice_key(
+          "method", &iga::ElasticityOptions::coupling, methods,
+          "Coincident control points share their unknowns, or multipliers tie them. `isopatch compare` "
+          "runs both."),
   };
   return keys;
 }
@@ -191,48 +117,36 @@ const Keys<iga::ElasticityOptions>& coupling_keys() {
 const Keys<solvers::SolverOptions>& solver_keys() {
   using O = solvers::SolverOptions;
   using M = solvers::Method;
-  static const std::vector<std::pair<std::string, M>> methods = {
-      {"auto", M::automatic}, {"direct", M::automatic}, {"cholmod", M::cholmod},
-      {"mumps", M::mumps},    {"umfpack", M::umfpack},  {"cg", M::cg},
-      {"minres", M::minres}};
-  static const std::vector<std::string> preconditioners = {"multigrid", "block_jacobi"};
-  static const std::vector<std::string> operators = {"auto", "assembled", "matrix_free"};
+  static const Choices<M> methods = {{"auto", M::automatic},  {"direct", M::automatic},
+                                     {"cholmod", M::cholmod}, {"mumps", M::mumps},
+                                     {"umfpack", M::umfpack}, {"cg", M::cg},
+                                     {"minres", M::minres}};
+  static const Choices<solvers::Preconditioner> preconditioners = {
+      {"multigrid", solvers::Preconditioner::multigrid},
+      {"block_jacobi", solvers::Preconditioner::block_jacobi}};
+  static const Choices<solvers::Operator> operators = {{"auto", solvers::Operator::automatic},
+                                                       {"assembled", solvers::Operator::assembled},
+                                                       {"matrix_free", solvers::Operator::matrix_free}};
   static const Keys<O> keys = {
-      custom_key<O>(
-          "method", "\"auto\", \"direct\", \"cholmod\", \"mumps\", \"umfpack\", \"cg\" or \"minres\"",
+      choice_key(
+          "method", &O::method, methods,
           "auto factorizes where that costs little (CHOLMOD for elimination, MUMPS for lagrange or several "
           "processes) and iterates where factors would cost more or not fit (cg for elimination, minres for "
           "lagrange); if the one fails it tries the other; the summary says why. direct is another word for "
-          "auto.",
-          [](O& target, const ConfigValue& value) {
-            std::vector<std::string> names;
-            for (const auto& method : methods) names.push_back(method.first);
-            target.method = methods[read_choice(value, "method", names)].second;
-          })
-          .with_default("\"auto\""),
+          "auto."),
       quantity_key<O>(
           "tolerance", &O::tolerance, dim::none, {1e-14, 1e-2},
           "Relative residual to reach; with a multigrid the relative error in its norm, about that in "
           "energy."),
       integer_key<O>("max_iterations", &O::max_iterations, 1, 10000000,
                      "Most iterations of an iterative method."),
-      custom_key<O>("preconditioner", "\"multigrid\" or \"block_jacobi\"",
-                    "Of cg and minres. A multigrid needs some ten iterations more or less whatever the size "
-                    "and the degree; "
-                    "block_jacobi, for cg on one process, needs many more and is there for comparison.",
-                    [](O& target, const ConfigValue& value) {
-                      target.preconditioner =
-                          solvers::Preconditioner(read_choice(value, "preconditioner", preconditioners));
-                    })
-          .with_default("\"multigrid\""),
-      custom_key<O>(
-          "operator", "\"auto\", \"assembled\" or \"matrix_free\"",
-          "Whether cg with a multigrid stores the matrix or computes its product anew each time. auto "
-          "stores it where it fits and multiplies faster, which it does for degree 1 alone.",
-          [](O& target, const ConfigValue& value) {
-            target.form = solvers::Operator(read_choice(value, "operator", operators));
-          })
-          .with_default("\"auto\""),
+      choice_key(
+          "preconditioner", &O::preconditioner, preconditioners,
+          "Of cg and minres. A multigrid needs some ten iterations more or less whatever the size and the "
+          "degree; block_jacobi, for cg on one process, needs many more and is there for comparison."),
+      choice_key("operator", &O::form, operators,
+                 "Whether cg with a multigrid stores the matrix or computes its product anew each time. auto "
+                 "stores it where it fits and multiplies faster, which it does for degree 1 alone."),
       custom_key<O>("smoothing_degree", "integer", "Degree of the multigrid's Chebyshev smoother, 1 .. 20.",
                     [](O& target, const ConfigValue& value) {
                       target.multigrid.smoothing_degree =
@@ -262,14 +176,18 @@ const Keys<ProbeKeys>& probe_keys() {
   return keys;
 }
 
-const Keys<OutputKeys>& output_keys() {
-  using O = OutputKeys;
-  static const std::vector<std::string> precisions = {"auto", "full", "single"};
+const Keys<OutputInput>& output_keys() {
+  using O = OutputInput;
+  static const Choices<FieldPrecision> precisions = {{"auto", FieldPrecision::automatic},
+                                                     {"full", FieldPrecision::full},
+                                                     {"single", FieldPrecision::single}};
   static const Keys<O> keys = {
-      text_key<O>("directory", &O::directory,
-                  "Folder of the results, made where absent; relative paths count from the study's folder. "
-                  "The option "
-                  "--output DIR replaces it."),
+      custom_key<O>(
+          "directory", "string",
+          "Folder of the results, made where absent; relative paths count from the study's folder. "
+          "The option --output DIR replaces it.",
+          [](O& target, const ConfigValue& value) { target.directory = read_text(value, "directory"); })
+          .with_default("\"results\""),
       flag_key<O>(
           "fields", &O::fields,
           "Whether fields are written for ParaView: results.vtm (straight hexahedra, for all filters), "
@@ -288,11 +206,11 @@ const Keys<OutputKeys>& output_keys() {
           [](O& target, const ConfigValue& value) { target.field_options.exact = read_flag(value, "exact"); })
           .with_default("true"),
       custom_key<O>(
-          "precision", "\"auto\", \"full\" or \"single\"",
+          "precision", quoted_list(names(precisions)),
           "Of the numbers of results_exact.vtm: 8 bytes each, or 4 with a relative error of 6e-8. auto takes "
           "single where full would need more than 1 GB. results.h5 always has all digits.",
           [](O& target, const ConfigValue& value) {
-            target.field_options.precision = FieldPrecision(read_choice(value, "precision", precisions));
+            target.field_options.precision = read_choice(value, "precision", precisions);
           })
           .with_default("\"auto\""),
       flag_key<O>("hdf5", &O::hdf5,

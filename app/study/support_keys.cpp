@@ -1,4 +1,10 @@
+#include "app/study/support_keys.hpp"
+
 #include <fmt/format.h>
+
+#include <array>
+#include <optional>
+#include <variant>
 
 #include "app/study/selection_keys.hpp"
 
@@ -30,55 +36,101 @@ Eigen::Matrix3d read_gradient(const ConfigValue& value) {
   return result;
 }
 
+FaceSelection& held_faces(SupportInput& support, const ConfigValue&) {
+  return support.selection;
+}
+
+/// The condition that a key belongs to.
+template <class Condition>
+Condition& condition_of(SupportInput& support, const ConfigValue& value, const char* complaint) {
+  if (auto* condition = std::get_if<Condition>(&support.condition)) return *condition;
+  throw error_at(value.place, complaint);
+}
+
+HeldDisplacement& displacement_of(SupportInput& support, const ConfigValue& value) {
+  return condition_of<HeldDisplacement>(
+      support, value, "[[support]] has both a displacement and symmetry or roller; write two supports");
+}
+
+bool is_set(const ConfigTable& table, const char* key) {
+  const ConfigEntry* entry = table.find(key);
+  return entry && read_flag(entry->value, key);
+}
+
+/// The kind of support that the keys ask for, with nothing in it yet.
+SupportInput empty_support(const ConfigTable& table) {
+  if (is_set(table, "symmetry")) return {.condition = Symmetry{}};
+  if (is_set(table, "roller")) return {.condition = Roller{}};
+  return {.condition = HeldDisplacement{}};
+}
+
+void require_condition(const SupportInput& support, const ConfigSection& input) {
+  if (!std::holds_alternative<HeldDisplacement>(support.condition)) return;
+  if (input.table.find("displacement") || input.table.find("displacement_gradient")) return;
+  throw error_at(input.place,
+                 "[[support]] needs displacement, displacement_gradient, symmetry = true or roller = true");
+}
+
 }  // namespace
 
-const Keys<SupportKeys>& support_keys() {
-  using S = SupportKeys;
+const Keys<SupportInput>& support_keys() {
+  using S = SupportInput;
   static const Keys<S> keys = {
-      text_key<S>("name", &S::name, "For messages and for the reactions in summary.json.")
+      text_key<S>("name", &S::key, "For messages and for the reactions in summary.json.")
           .with_default("\"support 1\", ..."),
-      faces_key<S>(),
-      where_key<S>(),
-      table_key<S, FaceConditions>(
-          "edges", &S::edges, edges_keys,
+      faces_key<S>(held_faces),
+      where_key<S>(held_faces),
+      custom_key<S>(
+          "edges", "table, see below",
           "Holds, instead of the faces, those of their patches' edges that lie there: lines. Displacements "
-          "and energy then grow without limit as elements become small; stresses elsewhere do not."),
-      custom_key<S>(
-          "displacement", "3 of length (m) or \"free\"",
-          "Prescribed displacement; \"free\" leaves a component free.",
-          [](S& target, const ConfigValue& value) { target.displacement = read_displacement(value); }),
-      custom_key<S>(
-          "displacement_gradient", "3 x 3 numbers",
-          "Adds a linear part: u = displacement + displacement_gradient * x, with x in m.",
-          [](S& target, const ConfigValue& value) { target.displacement_gradient = read_gradient(value); }),
-      flag_key<S>("symmetry", &S::symmetry,
-                  "A plane of symmetry of any orientation: no displacement along its normal."),
-      flag_key<S>("roller", &S::roller,
-                  "A frictionless guide on a plane face: the same condition by its other name."),
-      quantity_key<S>("normal_displacement", &S::normal_displacement, dim::length, any_number,
-                      "With roller: moves the faces along their outward normal.")
+          "and energy then grow without limit as elements become small; stresses elsewhere do not.",
+          [](S& target, const ConfigValue& value) {
+            condition_of<HeldDisplacement>(
+                target, value,
+                "[[support]] has edges: symmetry and roller need whole faces, because an edge has no normal; "
+                "give displacement components")
+                .edges =
+                read_table<FaceConditions>(read_subtable(value, "edges"), value.place, "edges", edges_keys());
+          }),
+      custom_key<S>("displacement", "3 of length (m) or \"free\"",
+                    "Prescribed displacement; \"free\" leaves a component free.",
+                    [](S& target, const ConfigValue& value) {
+                      displacement_of(target, value).displacement.value = read_displacement(value);
+                    }),
+      custom_key<S>("displacement_gradient", "3 x 3 numbers",
+                    "Adds a linear part: u = displacement + displacement_gradient * x, with x in m.",
+                    [](S& target, const ConfigValue& value) {
+                      displacement_of(target, value).displacement.gradient = read_gradient(value);
+                    }),
+      custom_key<S>("symmetry", "true or false",
+                    "A plane of symmetry of any orientation: no displacement along its normal.",
+                    [](S&, const ConfigValue& value) { read_flag(value, "symmetry"); })
+          .with_default("false"),
+      custom_key<S>("roller", "true or false",
+                    "A frictionless guide on a plane face: the same condition by its other name.",
+                    [](S&, const ConfigValue& value) { read_flag(value, "roller"); })
+          .with_default("false"),
+      custom_key<S>("normal_displacement", type_name(dim::length),
+                    "With roller: moves the faces along their outward normal.",
+                    [](S& target, const ConfigValue& value) {
+                      condition_of<Roller>(target, value, "normal_displacement needs roller = true")
+                          .normal_displacement = read_quantity(value, "normal_displacement", dim::length);
+                    })
           .with_default("0"),
   };
   return keys;
 }
 
-const Keys<LoadKeys>& load_keys() {
-  using L = LoadKeys;
-  static const Keys<L> keys = {
-      text_key<L>("name", &L::name, "For messages and reports.").with_default("\"load 1\", ..."),
-      faces_key<L>(),
-      where_key<L>(),
-      vector_key<L>("traction", &L::traction, dim::pressure, "Force per area of the faces."),
-      quantity_key<L>("pressure", &L::pressure, dim::pressure, any_number,
-                      "Pushes against the faces where positive."),
-      vector_key<L>("force", &L::force, dim::force,
-                    "Total force, spread evenly over the area of all faces of this load."),
-      patches_key<L>("The patches that body_force or gravity acts in."),
-      vector_key<L>("body_force", &L::body_force, dim::force_per_volume, "Force per volume."),
-      vector_key<L>("gravity", &L::gravity, dim::acceleration,
-                    "Acceleration of gravity; the materials need a density."),
-  };
-  return keys;
+SupportInput read_support(const ConfigSection& input, std::size_t index) {
+  SupportInput result = read_table<SupportInput>(input.table, input.place, "[[support]]", support_keys(),
+                                                 empty_support(input.table));
+  require_condition(result, input);
+  result.selection.place = input.place;
+  if (result.selection.faces.empty() && !result.selection.where)
+    throw error_at(input.place, "[[support]] needs faces or where: which faces are held?");
+  result.name = fmt::format("support {}{}", index + 1, result.key.empty() ? "" : " (" + result.key + ")");
+  if (result.key.empty()) result.key = result.name;
+  return result;
 }
 
 }  // namespace isopatch::app

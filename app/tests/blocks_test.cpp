@@ -204,6 +204,68 @@ traction = [0, 10, 0]
   EXPECT_THAT(err_, HasSubstr("no boundary is named \"#336698\" (did you mean '#336699'?)"));
 }
 
+/// STEP with names for its first faces, which the writer leaves without.
+std::string named_faces(std::string step, const std::vector<std::string>& names) {
+  std::size_t at = 0;
+  for (const std::string& name : names) {
+    at = step.find("ADVANCED_FACE('", at + 1);
+    const std::size_t begin = at + 15;
+    step.replace(begin, step.find('\'', begin) - begin, name);
+  }
+  return step;
+}
+
+TEST_F(Blocks, NamesOfStepFacesAreReportedAsTheStudyGivesThem) {
+  write_file(file("cube.off"), off(corners, sides));
+  geometry::write_brep(file("cube.step"), geometry::read_brep(file("cube.off")).brep, {.unit = "m"});
+  // z = 0, z = 1, y = 0; the second has the name of a side of the patch, and the third that of the first's
+  // colour.
+  write_file(
+      file("cube.step"),
+      coloured(named_faces(read_file(file("cube.step")), {"bore", "0:west", "#ff0000"}), {"1.,0.,0."}));
+  const std::string text = R"(title = "cube"
+[model]
+blocks = ["cube.step"]
+[[material]]
+young = 1000
+poisson = 0
+[[support]]
+name = "clamp"
+faces = ["bore"]
+displacement = [0, 0, 0]
+[[load]]
+faces = ["face:0:west"]
+traction = [0, 0, 10]
+)";
+  ASSERT_EQ(run_text(text), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("support 1 (clamp): displacement on bore (1 face), 1 m^2\n"));
+  EXPECT_THAT(out_, HasSubstr("load 1: traction on face:0:west (1 face), 1 m^2\n"));
+  const json summary = json::parse(read_file(results() / "summary.json"));
+  EXPECT_THAT(summary["supports"][0]["given"], ElementsAre("bore"));
+  EXPECT_THAT(summary["loads"][0]["given"], ElementsAre("face:0:west"));
+  ASSERT_EQ(summary["loads"][0]["faces"].size(), 1u);
+  EXPECT_NE(summary["loads"][0]["faces"][0], summary["supports"][0]["faces"][0]);
+  const json shown = page_data(results() / "report.html")["summary"];
+  EXPECT_EQ(shown["loads"][0]["given"], summary["loads"][0]["given"]);
+  ASSERT_EQ(run({"info", study()}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("displacement on bore (1 face), 1 m^2"));
+  // Without the form that says which, both meanings are named.
+  EXPECT_EQ(run_text(replaced(text, "face:0:west", "0:west")), 2);
+  EXPECT_THAT(
+      err_,
+      HasSubstr("the name \"0:west\" has two meanings: the faces of that name, which is \"face:0:west\" "
+                "in full, and the west side of patch 0, \"side:0:west\"; write one of these"));
+  EXPECT_EQ(run_text(replaced(text, "face:0:west", "#ff0000")), 2);
+  EXPECT_THAT(err_, HasSubstr("\"face:#ff0000\""));
+  EXPECT_THAT(err_, HasSubstr("\"colour:#ff0000\""));
+  ASSERT_EQ(run_text(replaced(text, "face:0:west", "face:#ff0000")), 0) << err_;
+  const json by_name = json::parse(read_file(results() / "summary.json"));
+  EXPECT_NE(by_name["loads"][0]["faces"], summary["supports"][0]["faces"]);
+  ASSERT_EQ(run_text(replaced(text, "\"bore\"", "\"colour:#FF0000\"")), 0) << err_;
+  const json by_colour = json::parse(read_file(results() / "summary.json"));
+  EXPECT_EQ(by_colour["supports"][0]["faces"], summary["supports"][0]["faces"]);
+}
+
 TEST_F(Blocks, BodiesOfStepFilesHaveOneNameInEveryCommandAndInStudies) {
   for (const auto& [name, points] : {std::pair("foot", corners), std::pair("leg", next_corners)}) {
     write_file(file("part.off"), off(points, sides));

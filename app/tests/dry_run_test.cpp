@@ -7,8 +7,9 @@ namespace {
 
 TEST_F(Program, InfoOfAStudyShowsWhereItsConditionsAre) {
   ASSERT_EQ(run({"info", study()}), 0) << err_;
-  EXPECT_THAT(out_, HasSubstr("supports\n  support 1 (guides): roller on 5 faces, 5 m^2\n"));
-  EXPECT_THAT(out_, HasSubstr("loads\n  load 1: traction on 1 face, 1 m^2, in all ("));
+  EXPECT_THAT(out_,
+              HasSubstr("supports\n  support 1 (guides): roller on x_min, y_min, z_min (5 faces), 5 m^2\n"));
+  EXPECT_THAT(out_, HasSubstr("loads\n  load 1: traction on x_max (1 face), 1 m^2, in all ("));
   EXPECT_THAT(out_, HasSubstr("probes\n  end: patch 1, "));
   EXPECT_THAT(out_, HasSubstr("to be solved with 2 elements and 54 control points"));
   ASSERT_EQ(run({"info", study(), "--json", "--set", "model.orientation_seed=3"}), 0) << err_;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/problem/build_problem.hpp"
+#include "app/study/parse_study.hpp"
 #include "geometry/models/box.hpp"
 #include "geometry/models/cylinder.hpp"
 

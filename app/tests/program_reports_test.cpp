@@ -14,6 +14,7 @@ TEST_F(Program, SaysWhatEverySupportAndLoadCaught) {
   const json& guides = summary["supports"][0];
   EXPECT_EQ(guides["name"], "guides");
   EXPECT_EQ(guides["kind"], "roller");
+  EXPECT_THAT(guides["given"], testing::ElementsAre("x_min", "y_min", "z_min"));
   EXPECT_THAT(guides["faces"], testing::ElementsAre("0:west", "0:south", "0:front", "1:south", "1:front"));
   EXPECT_NEAR(guides["area"], 5, 1e-13);
   ASSERT_EQ(summary["loads"].size(), 2u);
@@ -25,8 +26,10 @@ TEST_F(Program, SaysWhatEverySupportAndLoadCaught) {
   EXPECT_NEAR(summary["loads"][1]["volume"], 1, 1e-13);
   EXPECT_NEAR(summary["loads"][0]["total"][0], 1e7, 1e-5);
   EXPECT_NEAR(summary["loads"][1]["total"][2], -2, 1e-12);
-  EXPECT_THAT(out_, HasSubstr("  support           support 1 (guides): roller on 5 faces, 5 m^2\n"));
-  EXPECT_THAT(out_, HasSubstr("  load              load 1: traction on 1 face, 1 m^2\n"));
+  EXPECT_THAT(
+      out_,
+      HasSubstr("  support           support 1 (guides): roller on x_min, y_min, z_min (5 faces), 5 m^2\n"));
+  EXPECT_THAT(out_, HasSubstr("  load              load 1: traction on x_max (1 face), 1 m^2\n"));
   EXPECT_THAT(out_, HasSubstr("  load              load 2 (weight): gravity in 1 patch, 1 m^3\n"));
 }
 

@@ -1,4 +1,4 @@
-#include "app/study/study.hpp"
+#include "app/study/parse_study.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,8 @@
 #include <numbers>
 
 #include "app/problem/build_problem.hpp"
-#include "app/study/study_keys.hpp"
+#include "app/study/study_documentation.hpp"
+#include "app/study/study_path.hpp"
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/measures.hpp"
 
@@ -104,8 +105,7 @@ hdf5 = false
 )",
                                   "folder/study.toml");
   EXPECT_EQ(study.title, "all");
-  EXPECT_EQ(study.model.file, "folder/patches.xml");
-  EXPECT_EQ(study.model.length_unit, 0.225);
+  EXPECT_EQ(std::get<PatchFile>(study.model.source), (PatchFile{"folder/patches.xml", 0.225}));
   EXPECT_EQ(study.model.tolerance.same_point, 1e-5);
   EXPECT_EQ(study.model.tolerance.near_miss, 1e-2);
   EXPECT_EQ(study.model.tolerance.same_knot, 1e-8);
@@ -135,27 +135,28 @@ hdf5 = false
   EXPECT_EQ(*where.normal, Eigen::Vector3d(1, 0, 0));
   EXPECT_NEAR(where.angle.degrees(), 10, 1e-13);
   EXPECT_EQ(where.tolerance, 1e-4);
-  const auto& prescribed = std::get<iga::PrescribedDisplacement>(study.supports[0].condition);
+  const auto& prescribed = std::get<HeldDisplacement>(study.supports[0].condition).displacement;
   EXPECT_EQ(prescribed.value[0], 0.001);
   EXPECT_FALSE(prescribed.value[1].has_value());
   EXPECT_EQ(prescribed.gradient(1, 2), 6);
-  EXPECT_EQ(std::get<iga::PlaneSupport>(study.supports[1].condition).normal_displacement, -2e-6);
-  EXPECT_EQ(std::get<iga::PlaneSupport>(study.supports[2].condition).normal_displacement, 0);
+  EXPECT_EQ(std::get<Roller>(study.supports[1].condition).normal_displacement, -2e-6);
+  EXPECT_TRUE(std::holds_alternative<Symmetry>(study.supports[2].condition));
   ASSERT_EQ(study.loads.size(), 5u);
-  EXPECT_EQ(study.loads[0].vector, Eigen::Vector3d(20e6, -14e6, 0));
-  EXPECT_EQ(study.loads[1].pressure, 1e5);
-  EXPECT_EQ(study.loads[2].kind, LoadKind::force);
-  EXPECT_EQ(study.loads[3].vector[2], 1e9);
+  EXPECT_EQ(std::get<Traction>(study.loads[0].load).value, Eigen::Vector3d(20e6, -14e6, 0));
+  EXPECT_EQ(std::get<Pressure>(study.loads[1].load).value, 1e5);
+  EXPECT_EQ(std::get<Force>(study.loads[2].load).value, Eigen::Vector3d(0, 0, 1000));
+  EXPECT_EQ(std::get<BodyForce>(study.loads[3].load).value[2], 1e9);
+  EXPECT_THAT(std::get<BodyForce>(study.loads[3].load).patches.ranges, testing::ElementsAre(std::pair(0, 1)));
   EXPECT_EQ(study.loads[4].name, "load 5 (weight)");
-  EXPECT_EQ(study.loads[4].kind, LoadKind::gravity);
+  EXPECT_EQ(std::get<Gravity>(study.loads[4].load).value[2], -9.81);
   EXPECT_EQ(study.options.coupling, iga::Coupling::lagrange);
   EXPECT_EQ(study.options.solver.method, solvers::Method::mumps);
   EXPECT_EQ(study.options.solver.tolerance, 1e-9);
   EXPECT_EQ(study.options.solver.max_iterations, 77);
   EXPECT_EQ(study.options.solver.memory_limit, 2e9);
   ASSERT_EQ(study.probes.size(), 2u);
-  EXPECT_EQ(*study.probes[0].point, Eigen::Vector3d(0.001, 0, 0));
-  EXPECT_EQ(study.probes[1].patch, 2);
+  EXPECT_EQ(std::get<Eigen::Vector3d>(study.probes[0].where), Eigen::Vector3d(0.001, 0, 0));
+  EXPECT_EQ(std::get<PatchParameter>(study.probes[1].where).patch, 2);
   EXPECT_EQ(study.probes[1].name, "probe 2");
   EXPECT_EQ(study.output.directory, "folder/out");
   EXPECT_FALSE(study.output.fields);
@@ -259,7 +260,7 @@ TEST(Study, OverridesReplaceOneValue) {
   EXPECT_EQ(study.discretization.refine, 2);
   EXPECT_EQ(study.materials[0].material.name, "titanium");
   EXPECT_EQ(study.title, "a = b");
-  EXPECT_EQ(std::get<iga::PrescribedDisplacement>(study.supports[0].condition).value[0], 0.001);
+  EXPECT_EQ(std::get<HeldDisplacement>(study.supports[0].condition).displacement.value[0], 0.001);
   EXPECT_EQ(refusal(text, {"discretization.refin=2"}),
             "--set discretization.refin=2: unknown key 'refin' in [discretization] (did you mean 'refine'?)");
   EXPECT_THAT(refusal(text, {"title"}), HasSubstr("expected key=value"));

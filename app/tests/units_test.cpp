@@ -5,6 +5,9 @@
 
 #include <numbers>
 
+#include "app/base/engineering_units.hpp"
+#include "app/base/place_text.hpp"
+#include "app/base/unit_table.hpp"
 #include "geometry/base/error.hpp"
 
 namespace isopatch::app {
@@ -33,6 +36,9 @@ TEST(Units, KnowTheEngineersUnits) {
   EXPECT_EQ(parse_quantity("7.85 g/cm3").value, 7850);
   EXPECT_EQ(parse_quantity("2 t").value, 2000);
   EXPECT_EQ(parse_quantity("1 in").value, 0.0254);
+  EXPECT_EQ(parse_quantity("2 inch").value, 0.0508);
+  EXPECT_EQ(parse_quantity("3 foot").value, 0.9144);
+  EXPECT_EQ(parse_quantity("1 foot/s").dimension, parse_quantity("1 ft/s").dimension);
   EXPECT_EQ(parse_quantity("3 %").value, 0.03);
   EXPECT_EQ(parse_quantity("5 N/mm^2").value, 5e6);
   EXPECT_EQ(parse_quantity("5 N/mm\u00b2").value, 5e6);
@@ -65,6 +71,25 @@ TEST(Units, MeasureMemoryInPowersOf1000And1024) {
   EXPECT_EQ(si_unit(parse_quantity("1 B/s").dimension), "s^-1 B");
   EXPECT_THAT(unit_refusal("2 gb"), HasSubstr("did you mean 'GB'?"));
   EXPECT_THAT(unit_refusal("2 KB"), HasSubstr("did you mean 'kB'?"));
+}
+
+TEST(Units, AreListedOnceEach) {
+  EXPECT_EQ(known_units(),
+            "m g s N Pa J W with the prefixes n u m c d k M G; t bar in ft lb lbf psi ksi Msi rad deg %; of "
+            "memory B "
+            "kB MB GB TB KiB MiB GiB TiB");
+  EXPECT_THAT(unit_refusal("20 furlong"), HasSubstr(known_units()));
+}
+
+TEST(Units, ArePrintedWithThePrefixesThatAreRead) {
+  for (const double value : {2e-9, 3e-6, 4e-3, 5.0, 6e3, 7e6, 8e9}) {
+    const std::string text = with_unit(value, "Pa");
+    EXPECT_EQ(parse_quantity(text).value, value) << text;
+  }
+  EXPECT_EQ(with_unit(7.5e-4, "m^2"), "7.5 cm^2");
+  EXPECT_EQ(with_unit(0.1, "m"), "100 mm");
+  EXPECT_EQ(place_text({0.1, -2, 1e-7}), "(0.1, -2, 1e-07)");
+  EXPECT_EQ(place_text({1. / 3, 20, 1e6}, 3), "(0.333, 20, 1e+06)");
 }
 
 TEST(Units, RefuseWhatIsNoQuantity) {

@@ -51,6 +51,10 @@ TEST_F(Verify, PrintsAndWritesWhatHolds) {
   EXPECT_EQ(written["hold"], 1);
   EXPECT_EQ(written["claims"][0]["suite"], "closed_forms");
   EXPECT_THAT(read_file(output() / "verify.html"), HasSubstr("u at the end"));
+  json claim = json::parse(read_file(folder_ / "record"))[0];
+  claim["suite"] = "closed_forms";
+  claim["case"] = "bar";
+  EXPECT_EQ(written["claims"][0], claim) << "all that the suites record";
 }
 
 TEST_F(Verify, FailsAndNamesTheStudyWhereAClaimFails) {

@@ -4,11 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <string_view>
 
-#include "app/base/internal/json_values.hpp"
 #include "app/plots/line_plot.hpp"
 
 namespace isopatch::app {
@@ -22,7 +19,7 @@ struct Group {
   std::string part;
   std::string measure;  ///< "displacement in L2"
   std::vector<std::vector<std::string>> names;
-  std::vector<Json> claims;
+  std::vector<VerifiedClaim> claims;
 };
 
 /// "displacement in L2, a box, p = 2" in pieces.
@@ -38,18 +35,18 @@ std::vector<std::string> pieces(std::string text) {
   return result;
 }
 
-std::vector<Group> groups(const Json& claims) {
+std::vector<Group> groups(const std::vector<VerifiedClaim>& claims) {
   std::vector<Group> result;
-  for (const Json& claim : claims) {
-    if (!claim.contains("convergence")) continue;
-    std::vector<std::string> name = pieces(claim.value("what", ""));
+  for (const VerifiedClaim& claim : claims) {
+    if (!claim.convergence) continue;
+    std::vector<std::string> name = pieces(claim.what);
     const auto fits = [&](const Group& group) {
-      return group.suite == claim.value("suite", "") && group.part == claim.value("case", "") &&
-             group.measure == name.front() && group.claims.size() < most_lines;
+      return group.suite == claim.suite && group.part == claim.part && group.measure == name.front() &&
+             group.claims.size() < most_lines;
     };
     auto group = std::find_if(result.begin(), result.end(), fits);
     if (group == result.end()) {
-      result.push_back({claim.value("suite", ""), claim.value("case", ""), name.front(), {}, {}});
+      result.push_back({claim.suite, claim.part, name.front(), {}, {}});
       group = result.end() - 1;
     }
     group->names.emplace_back(name.begin() + 1, name.end());
@@ -73,13 +70,6 @@ std::vector<std::string> take_common(std::vector<std::vector<std::string>>& name
   return common;
 }
 
-std::vector<double> values(const Json& numbers) {
-  std::vector<double> result;
-  for (const Json& x : numbers)
-    result.push_back(x.is_number() ? x.get<double>() : std::numeric_limits<double>::quiet_NaN());
-  return result;
-}
-
 LinePlot plot_of(Group group) {
   const std::vector<std::string> common = take_common(group.names);
   LinePlot plot{.title = fmt::format("{}: {}", group.part, group.measure),
@@ -91,15 +81,14 @@ LinePlot plot_of(Group group) {
                 .series = {}};
   if (!common.empty()) plot.title += fmt::format(", {}", fmt::join(common, ", "));
   for (std::size_t i = 0; i < group.claims.size(); ++i) {
-    const Json& claim = group.claims[i];
-    const Json& levels = claim["convergence"];
+    const VerifiedClaim& claim = group.claims[i];
     PlotSeries series{.name = fmt::format("{}", fmt::join(group.names[i], ", ")),
-                      .x = values(levels["sizes"]),
-                      .y = values(levels["errors"])};
+                      .x = claim.convergence->sizes,
+                      .y = claim.convergence->errors};
     const std::size_t count = std::min(series.x.size(), series.y.size());
     series.x.resize(count);
     series.y.resize(count);
-    if (claim["reference"].is_number()) series.expected_slope = claim["reference"].get<double>();
+    if (claim.figures && claim.figures->reference) series.expected_slope = *claim.figures->reference;
     plot.series.push_back(std::move(series));
   }
   return plot;
@@ -107,10 +96,9 @@ LinePlot plot_of(Group group) {
 
 }  // namespace
 
-std::vector<PagePlot> verification_plots(const std::string& claims) {
+std::vector<PagePlot> verification_plots(const std::vector<VerifiedClaim>& claims) {
   std::vector<PagePlot> plots;
-  for (const Group& group : groups(Json::parse(claims)))
-    plots.push_back({"", to_svg(plot_of(group)), group.suite});
+  for (const Group& group : groups(claims)) plots.push_back({"", to_svg(plot_of(group)), group.suite});
   return plots;
 }
 

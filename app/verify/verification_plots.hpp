@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/pages/page.hpp"
+#include "app/verify/verified_claim.hpp"
 
 namespace isopatch::app {
 
@@ -11,8 +12,7 @@ namespace isopatch::app {
 /// of one test that measure the same are lines of one plot, eight at most, each with the measured slope
 /// beside the expected one.
 ///
-/// @param claims  as `run_verification` returns them
-/// @return        plots whose section is the suite's name, in the order of the claims
-std::vector<PagePlot> verification_plots(const std::string& claims);
+/// @return  plots whose section is the suite's name, in the order of the claims
+std::vector<PagePlot> verification_plots(const std::vector<VerifiedClaim>& claims);
 
 }  // namespace isopatch::app

@@ -3,40 +3,38 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "app/base/internal/json_values.hpp"
 #include "app/base/provenance.hpp"
-#include "app/results/summary.hpp"
+#include "app/verify/internal/claim_json.hpp"
 #include "app/verify/verification_plots.hpp"
 
 namespace isopatch::app {
 namespace {
 
-std::string number(const Json& claim, const char* key, const char* format) {
-  return claim.contains(key) && claim[key].is_number()
-             ? fmt::format(fmt::runtime(format), claim[key].get<double>())
-             : "-";
+using Claims = std::vector<VerifiedClaim>;
+
+std::string number_text(const std::optional<double>& number, int digits) {
+  return number ? fmt::format("{:.{}g}", *number, digits) : "-";
 }
 
-std::string verdict(const Json& claim) {
-  return claim.value("verdict", "");
+std::string verdict_text(const VerifiedClaim& claim) {
+  return name_of(verdicts(), claim.verdict);
 }
 
-std::string row(const Json& claim) {
-  if (!claim.contains("reference"))
-    return fmt::format("    {:<8} {}\n", verdict(claim), claim.value("what", ""));
-  const std::string unit = claim.value("unit", "");
-  const std::string what = claim.value("what", "") + (unit.empty() ? "" : fmt::format(" ({})", unit));
+std::string row(const VerifiedClaim& claim) {
+  if (!claim.figures) return fmt::format("    {:<8} {}\n", verdict_text(claim), claim.what);
+  const std::string what = claim.what + (claim.unit.empty() ? "" : fmt::format(" ({})", claim.unit));
   std::string notes;
-  for (const char* key : {"kind", "source", "why"})
-    if (const std::string note = claim.value(key, ""); !note.empty())
-      notes += (notes.empty() ? "" : ", ") + note;
-  return fmt::format("    {:<8} {:<48} {:>14} {:>14} {:>9} {:>9}  {}\n", verdict(claim), what,
-                     number(claim, "reference", "{:.7g}"), number(claim, "value", "{:.7g}"),
-                     number(claim, "difference", "{:.2g}"), number(claim, "allowed", "{:.2g}"), notes);
+  for (const std::string& note : {claim.kind, claim.source, claim.why.value_or("")})
+    if (!note.empty()) notes += (notes.empty() ? "" : ", ") + note;
+  const ClaimFigures& figures = *claim.figures;
+  return fmt::format("    {:<8} {:<48} {:>14} {:>14} {:>9} {:>9}  {}\n", verdict_text(claim), what,
+                     number_text(figures.reference, 7), number_text(figures.value, 7),
+                     number_text(figures.difference, 2), number_text(figures.allowed, 2), notes);
 }
 
 // As a shell takes it.
@@ -48,25 +46,11 @@ std::string quoted(const std::string& text) {
 }
 
 // How a user sees a failing claim for himself.
-std::string command(const Json& claim) {
-  const Json& study = claim.contains("study") ? claim["study"] : Json();
-  if (!study.is_object())
-    return fmt::format("isopatch-verification --gtest_filter='*{}'", claim.value("test", ""));
-  std::string text = "isopatch run " + study.value("file", "");
-  for (const Json& setting : study["set"]) text += " --set " + quoted(setting.get<std::string>());
+std::string command(const VerifiedClaim& claim) {
+  if (!claim.study) return fmt::format("isopatch-verification --gtest_filter='*{}'", claim.test);
+  std::string text = "isopatch run " + claim.study->file;
+  for (const std::string& setting : claim.study->overrides) text += " --set " + quoted(setting);
   return text;
-}
-
-VerificationCounts counts_of(const Json& claims) {
-  VerificationCounts counts;
-  for (const Json& claim : claims) {
-    const std::string found = verdict(claim);
-    ++(found == "holds"      ? counts.hold
-       : found == "not run"  ? counts.not_run
-       : found == "reported" ? counts.reported
-                             : counts.fail);
-  }
-  return counts;
 }
 
 Json counts_json(const VerificationCounts& counts) {
@@ -77,12 +61,12 @@ Json counts_json(const VerificationCounts& counts) {
 }
 
 /// The claims of each suite, in the order in which suites first appear.
-std::vector<std::pair<std::string, Json>> by_suite(const Json& claims) {
-  std::vector<std::pair<std::string, Json>> suites;
-  for (const Json& claim : claims) {
-    const std::string name = claim.value("suite", "");
-    auto suite = std::find_if(suites.begin(), suites.end(), [&](const auto& s) { return s.first == name; });
-    if (suite == suites.end()) suite = suites.insert(suites.end(), {name, Json::array()});
+std::vector<std::pair<std::string, Claims>> by_suite(const Claims& claims) {
+  std::vector<std::pair<std::string, Claims>> suites;
+  for (const VerifiedClaim& claim : claims) {
+    auto suite =
+        std::find_if(suites.begin(), suites.end(), [&](const auto& s) { return s.first == claim.suite; });
+    if (suite == suites.end()) suite = suites.insert(suites.end(), {claim.suite, {}});
     suite->second.push_back(claim);
   }
   return suites;
@@ -90,57 +74,60 @@ std::vector<std::pair<std::string, Json>> by_suite(const Json& claims) {
 
 }  // namespace
 
-VerificationCounts count_claims(const std::string& claims) {
-  return counts_of(Json::parse(claims));
+VerificationCounts count_claims(const Claims& claims) {
+  const auto count = [&](Verdict verdict) {
+    return static_cast<int>(std::count_if(claims.begin(), claims.end(),
+                                          [&](const auto& claim) { return claim.verdict == verdict; }));
+  };
+  return {count(Verdict::holds), count(Verdict::fails), count(Verdict::not_run), count(Verdict::reported)};
 }
 
-std::string verification_json(const std::string& claims, VerificationLevel level, double seconds) {
-  const Json all = Json::parse(claims);
-  Json suites = Json::array();
-  for (const auto& [suite, claims_of_suite] : by_suite(all)) {
+std::string verification_json(const Claims& claims, VerificationLevel level, double seconds) {
+  Json suites = Json::array(), all = Json::array();
+  for (const auto& [suite, claims_of_suite] : by_suite(claims)) {
     Json entry = {{"name", suite}};
-    entry.update(counts_json(counts_of(claims_of_suite)));
+    entry.update(counts_json(count_claims(claims_of_suite)));
     suites.push_back(entry);
   }
+  for (const VerifiedClaim& claim : claims) all.push_back(claim_json(claim));
   Json text = {{"schema_version", 1},
                {"program", {{"name", "isopatch"}, {"version", version()}}},
-               {"level", level == VerificationLevel::full ? "full" : "quick"},
+               {"level", name_of(verification_levels(), level)},
                {"seconds", seconds}};
-  text.update(counts_json(counts_of(all)));
+  text.update(counts_json(count_claims(claims)));
   text.update({{"suites", suites}, {"claims", all}});
   return file_text(text);
 }
 
-std::string verification_text(const std::string& claims) {
-  const Json all = Json::parse(claims);
+std::string verification_text(const Claims& claims) {
   std::string text;
-  for (const auto& [suite, claims_of_suite] : by_suite(all)) {
+  for (const auto& [suite, claims_of_suite] : by_suite(claims)) {
     text += fmt::format("\n{}\n    {:<8} {:<48} {:>14} {:>14} {:>9} {:>9}\n", suite, "", "claim", "reference",
                         "value", "differs", "allowed");
     std::string part;
-    for (const Json& claim : claims_of_suite) {
-      if (claim.value("case", "") != part) {
-        part = claim.value("case", "");
+    for (const VerifiedClaim& claim : claims_of_suite) {
+      if (claim.part != part) {
+        part = claim.part;
         text += fmt::format("  {}\n", part);
       }
       text += row(claim);
     }
   }
-  const VerificationCounts counts = counts_of(all);
+  const VerificationCounts counts = count_claims(claims);
   text += fmt::format("\n{} claims hold, {} fail, {} not run\n", counts.hold, counts.fail, counts.not_run);
-  for (const Json& claim : all)
-    if (verdict(claim) == "FAILS")
-      text += fmt::format("fails: {}\n  alone: {}\n", claim.value("what", ""), command(claim));
+  for (const VerifiedClaim& claim : claims)
+    if (claim.verdict == Verdict::fails)
+      text += fmt::format("fails: {}\n  alone: {}\n", claim.what, command(claim));
   return text;
 }
 
-Page verification_page(const std::string& json) {
+Page verification_page(const std::string& json, const Claims& claims) {
   Page page;
   page.kind = "verification";
   page.program = fmt::format("isopatch {}", version());
   page.title = "Verification";
   page.summary_json = json;
-  page.plots = verification_plots(Json::parse(json)["claims"].dump());
+  page.plots = verification_plots(claims);
   return page;
 }
 

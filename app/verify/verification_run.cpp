@@ -12,7 +12,6 @@
 #include <cstdlib>
 #include <functional>
 
-#include "app/base/internal/json_values.hpp"
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/error.hpp"
 #include "geometry/base/nearest_name.hpp"
@@ -117,6 +116,12 @@ class TemporaryFolder {
 
 }  // namespace
 
+const Choices<VerificationLevel>& verification_levels() {
+  static const Choices<VerificationLevel> levels = {{"quick", VerificationLevel::quick},
+                                                    {"full", VerificationLevel::full}};
+  return levels;
+}
+
 fs::path verification_program() {
   constexpr const char* name = "isopatch-verification";
   if (const char* named = std::getenv("ISOPATCH_VERIFICATION")) return named;
@@ -141,8 +146,8 @@ std::vector<std::string> verification_suites(const fs::path& program, Verificati
   return result;
 }
 
-std::string run_verification(const fs::path& program, const std::vector<std::string>& suites,
-                             VerificationLevel level, const Progress& progress) {
+std::vector<VerifiedClaim> run_verification(const fs::path& program, const std::vector<std::string>& suites,
+                                            VerificationLevel level, const Progress& progress) {
   check_names(suites, verification_suites(program, level));
   const std::vector<std::string> of_level = test_suites(program, level);
   const TemporaryFolder folder;
@@ -163,12 +168,12 @@ std::string run_verification(const fs::path& program, const std::vector<std::str
                             WIFSIGNALED(status) ? fmt::format("was ended by signal {}", WTERMSIG(status))
                                                 : fmt::format("ended with code {}", WEXITSTATUS(status)),
                             running.empty() ? "" : ", in " + running));
-  Json claims = Json::parse(read_file(record));
-  for (Json& claim : claims) {
-    claim["suite"] = suite_name(claim.value("suite", ""));
-    claim["case"] = words(claim.value("test", ""));
+  std::vector<VerifiedClaim> claims = read_claims(read_file(record));
+  for (VerifiedClaim& claim : claims) {
+    claim.suite = suite_name(claim.suite);
+    claim.part = words(claim.test);
   }
-  return claims.dump();
+  return claims;
 }
 
 }  // namespace isopatch::app

@@ -19,16 +19,26 @@ void add_face(std::vector<geometry::Boundary>& boundaries, const std::string& na
   found->faces.push_back(patch_face(side));
 }
 
+// "#ff0000".
+bool is_colour_text(const std::string& text) {
+  return text.size() == 7 && text[0] == '#' &&
+         text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+}
+
+// Outer faces under the names of the solids' faces, with the block's in front where there are several, or
+// "face:" in front of names that are those of colours; then under their colours.
 std::vector<geometry::Boundary> boundaries_of(const HexModel& model) {
   std::vector<geometry::BlockSide> outer;
   for (const geometry::HexFace& face : model.topology.faces)
     if (face.uses.size() == 1) outer.push_back(face.uses.front().side);
   std::vector<geometry::Boundary> result;
-  for (const geometry::BlockSide side : outer)
-    add_face(result, model.solids.size() > 1 ? label_of(model, side) : model.face(side).name, side);
+  for (const geometry::BlockSide side : outer) {
+    const std::string name = model.solids.size() > 1 ? label_of(model, side) : model.face(side).name;
+    add_face(result, is_colour_text(name) ? "face:" + name : name, side);
+  }
   for (const geometry::BlockSide side : outer) {
     const geometry::BlockFace& face = model.face(side);
-    if (!face.colour.empty() && face.colour != face.name) add_face(result, face.colour, side);
+    if (!face.colour.empty()) add_face(result, face.colour, side);
   }
   return result;
 }

@@ -14,6 +14,7 @@
 
 #include "app/results/write_fields.hpp"
 #include "app/run/run_study.hpp"
+#include "app/study/parse_study.hpp"
 #include "geometry/base/atomic_writer.hpp"
 #include "geometry/base/stopwatch.hpp"
 #include "iga/coupling/rigid_motions.hpp"

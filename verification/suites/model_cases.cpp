@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
+#include <variant>
 
+#include "app/study/generated_models.hpp"
 #include "verification/suites/solved_study.hpp"
 
 namespace isopatch::verification {
@@ -56,9 +58,9 @@ std::vector<std::string> pulled_overrides(const ModelCase& model) {
 }
 
 geometry::PatchSet patches_of(const ModelCase& model) {
-  return app::read_study(std::filesystem::path(ISOPATCH_SOURCE_DIR) / "verification/studies/pulled.toml",
-                         model.overrides)
-      .model.generator();
+  const app::Study study = app::read_study(
+      std::filesystem::path(ISOPATCH_SOURCE_DIR) / "verification/studies/pulled.toml", model.overrides);
+  return app::generated_patches(std::get<app::GeneratedInput>(study.model.source).dimensions);
 }
 
 std::vector<geometry::PatchFace> faces_of(const geometry::MultiPatch& model, const std::string& boundary) {

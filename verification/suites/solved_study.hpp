@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/run/run_study.hpp"
+#include "app/study/parse_study.hpp"
 #include "verification/claims/expect.hpp"
 
 namespace isopatch::verification {

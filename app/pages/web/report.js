@@ -61,9 +61,15 @@ globalThis.isopatch = globalThis.isopatch || {};
       part("Materials", ["material", "Young's modulus", "Poisson's ratio", "density", "patches"], materials)));
   }
 
+  // "bore, top (4 faces), 7.5 cm^2"; names that are the labels of the faces say nothing more.
   function extent(region) {
-    if (region.faces && region.faces.length)
-      return `${many(region.faces.length, "face")}, ${isopatch.withUnit(region.area, "m^2")}`;
+    if (region.faces && region.faces.length) {
+      const given = region.given || [];
+      const count = many(region.faces.length, "face");
+      const named = given.every((name) => region.faces.includes(name)) ? count : `${given.join(", ")} (${count})`;
+      return `${named}, ${isopatch.withUnit(region.area, "m^2")}`;
+    }
+    if (region.edges && region.edges.length) return many(region.edges.length, "edge") + " of patches";
     if (region.patches && region.patches.length)
       return `${many(region.patches.length, "patch", "patches")}, ${isopatch.withUnit(region.volume, "m^3")}`;
     return "";

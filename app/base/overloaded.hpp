@@ -1,0 +1,12 @@
+#pragma once
+
+namespace isopatch::app {
+
+/// One function object made of several, for std::visit: Overloaded{[](const A&) { ... }, [](const B&) { ...
+/// }}.
+template <class... Functions>
+struct Overloaded : Functions... {
+  using Functions::operator()...;
+};
+
+}  // namespace isopatch::app

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "app/commands/command_line.hpp"
+#include "app/results/load_input.hpp"
+
+namespace isopatch::app {
+
+/// The options of commands that read CAD files.
+void add_reading(CLI::App& command, CadReading& reading);
+
+/// The options of commands that take any kind of file.
+void add_input(CLI::App& command, InputFile& input);
+
+}  // namespace isopatch::app

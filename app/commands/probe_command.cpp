@@ -1,0 +1,77 @@
+#include "app/commands/probe_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/base/engineering_units.hpp"
+#include "app/base/internal/json_values.hpp"
+#include "app/base/place_text.hpp"
+#include "app/results/stored_results.hpp"
+#include "geometry/base/error.hpp"
+
+namespace isopatch::app {
+namespace {
+
+constexpr const char* probe_examples = R"(Examples:
+  isopatch probe results/results.h5 --point 0.1,0,0.02
+  isopatch probe results/results.h5 --point '100 mm,0,20 mm' --json
+  isopatch probe results/results.h5 --patch 3 --parameter .5,.5,1)";
+
+std::string values_text(const StoredValues& found) {
+  const iga::FieldValues& v = found.values;
+  const auto tidy = [](const Eigen::Vector3d& x) { return without_round_off(x, x.cwiseAbs().maxCoeff()); };
+  const auto stress = [&](int i, int j) {
+    return without_round_off(v.stress(i, j), v.stress.cwiseAbs().maxCoeff());
+  };
+  return fmt::format(
+      "point         {} m, patch {}, parameter {}\n"
+      "displacement  {} m\n"
+      "stress        xx {:.6g}, yy {:.6g}, zz {:.6g}, xy {:.6g}, yz {:.6g}, zx {:.6g} Pa\n"
+      "von Mises     {:.6g} Pa\n",
+      place_text(tidy(v.place), 9), found.patch, place_text(found.parameter, 6),
+      place_text(tidy(v.displacement), 9), stress(0, 0), stress(1, 1), stress(2, 2), stress(0, 1),
+      stress(1, 2), stress(2, 0), v.von_mises);
+}
+
+std::string values_json(const StoredValues& found) {
+  return file_text({{"patch", found.patch},
+                    {"parameter", to_json(Eigen::Vector3d(found.parameter))},
+                    {"point", to_json(found.values.place)},
+                    {"displacement", to_json(found.values.displacement)},
+                    {"strain", symmetric_to_json(found.values.strain)},
+                    {"stress", symmetric_to_json(found.values.stress)},
+                    {"von_mises", found.values.von_mises},
+                    {"jacobian", found.values.jacobian}});
+}
+
+}  // namespace
+
+ExitCode probe_command(const ProbeCommand& command, const Console& console) {
+  if (command.point.empty() == !command.patch.has_value() ||
+      command.patch.has_value() == command.parameter.empty())
+    throw Error(ErrorCode::invalid_argument,
+                "give either --point X,Y,Z, or --patch N with --parameter A,B,C");
+  StoredProbe where;
+  if (!command.point.empty()) where.point = parse_point(command.point);
+  where.patch = command.patch;
+  if (!command.parameter.empty()) where.parameter = parse_parameter(command.parameter);
+  const StoredValues found = probe(iga::read_result(command.results), where);
+  console.out << (command.json ? values_json(found) : values_text(found));
+  return ExitCode::ok;
+}
+
+void add_probe_command(CLI::App& app, CommandLine& line) {
+  const auto command = std::make_shared<ProbeCommand>();
+  CLI::App& probe =
+      add_command(app, line, "probe", "Values at a place of stored results", probe_examples,
+                  [command](const Console& console) { return probe_command(*command, console); });
+  probe.add_option("results", command->results, "A results.h5")->required();
+  probe.add_option("--point", command->point, "A place X,Y,Z in m, or with units")->type_name("X,Y,Z");
+  probe.add_option("--patch", command->patch, "A patch, from 0")->type_name("N");
+  probe.add_option("--parameter", command->parameter, "A parameter of that patch")->type_name("A,B,C");
+  probe.add_flag("--json", command->json, "JSON instead of text");
+}
+
+}  // namespace isopatch::app

@@ -1,0 +1,47 @@
+#include "app/results/run_summary.hpp"
+
+#include <cstddef>
+
+namespace isopatch::app {
+namespace {
+
+std::vector<SummarizedRegion> regions_of(const std::vector<AppliedRegion>& caught) {
+  std::vector<SummarizedRegion> result;
+  for (const AppliedRegion& region : caught)
+    result.push_back({region.key, region.kind, region.given, region.faces, region.total});
+  return result;
+}
+
+std::optional<SummarizedPlace> place_of(const iga::Extremum& extremum, const geometry::MultiPatch& model) {
+  if (extremum.patch < 0) return std::nullopt;
+  return SummarizedPlace{"", extremum.patch, model.to_input(PatchId(extremum.patch), extremum.parameter)};
+}
+
+}  // namespace
+
+RunSummary summarized(const Study& study, const StudyRun& run) {
+  const iga::ElasticityResults& results = run.solution.results;
+  const geometry::MultiPatch& model = run.built.problem.discretization.model;
+  RunSummary summary;
+  summary.title = study.title;
+  summary.study = study.source;
+  summary.max_displacement = results.max_displacement.value;
+  summary.max_von_mises = results.max_von_mises.value;
+  summary.internal_energy = results.internal_energy;
+  summary.unknowns = run.solution.size.dofs;
+  summary.supports = regions_of(run.built.supports);
+  for (std::size_t i = 0; i < summary.supports.size(); ++i)
+    summary.supports[i].force = results.reactions[i].force;
+  summary.loads = regions_of(run.built.loads);
+  summary.max_displacement_at = place_of(results.max_displacement, model);
+  summary.max_von_mises_at = place_of(results.max_von_mises, model);
+  for (const ProbeValues& probe : run.probes)
+    summary.probes.push_back({probe.name, probe.patch, probe.parameter});
+  summary.warnings = run.built.warnings;
+  const solvers::SolveReport& solver = run.solution.solver;
+  summary.solver = {std::string(solvers::name(solver.method)), study.options.solver.tolerance, solver.levels,
+                    solver.residual_history};
+  return summary;
+}
+
+}  // namespace isopatch::app

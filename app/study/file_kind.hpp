@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+
+namespace isopatch::app {
+
+/// What a file holds, as far as commands and studies tell files apart.
+enum class FileKind {
+  study,         ///< .toml
+  results,       ///< .h5
+  patches,       ///< .g2, .mesh, and .xml without solids
+  cad,           ///< solids that the CAD library reads: STEP, IGES, .brep
+  gismo_solids,  ///< .xml with solids
+  polyhedra,     ///< .off
+  unknown,       ///< any other ending; readers of patches look at the content
+};
+
+/// By the ending, in whatever case; of .xml files the content decides, and those that cannot be read count as
+/// patches, whose reader says why.
+FileKind kind_of(const std::filesystem::path& path);
+
+/// Whether it is one of the three kinds of solids.
+bool holds_solids(FileKind kind);
+inline bool holds_solids(const std::filesystem::path& path) {
+  return holds_solids(kind_of(path));
+}
+
+}  // namespace isopatch::app

@@ -1,0 +1,14 @@
+#include "app/study/support_input.hpp"
+
+#include "app/base/overloaded.hpp"
+
+namespace isopatch::app {
+
+std::string_view kind_name(const SupportInput& support) {
+  return std::visit(Overloaded{[](const HeldDisplacement&) -> std::string_view { return "displacement"; },
+                               [](const Symmetry&) -> std::string_view { return "symmetry"; },
+                               [](const Roller&) -> std::string_view { return "roller"; }},
+                    support.condition);
+}
+
+}  // namespace isopatch::app

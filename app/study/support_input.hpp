@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "app/study/face_selection.hpp"
+#include "iga/problem/problem.hpp"
+
+namespace isopatch::app {
+
+/// Components of the displacement that are given, and a gradient.
+struct HeldDisplacement {
+  iga::PrescribedDisplacement displacement;
+  std::optional<FaceConditions> edges = {};  ///< holds edges of the faces selected and not the faces
+};
+
+/// No displacement along the normal of a plane face.
+struct Symmetry {};
+
+/// A displacement along the normal of a plane face, m, outwards.
+struct Roller {
+  double normal_displacement = 0;
+};
+
+/// What holds some faces: [[support]].
+struct SupportInput {
+  std::string name = {};  ///< for messages: "support 1 (wall)"
+  std::string key = {};   ///< what results call it: its name, or "support 1"
+  FaceSelection selection = {};
+  std::variant<HeldDisplacement, Symmetry, Roller> condition = {};
+};
+
+/// "displacement", "symmetry" or "roller", as its key in the study.
+std::string_view kind_name(const SupportInput& support);
+
+}  // namespace isopatch::app
