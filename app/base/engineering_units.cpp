@@ -17,6 +17,10 @@ struct Prefix {
   std::string_view symbol = "";
 };
 
+/// What four digits round up to 1 is printed as 1 of the larger unit: areas and volumes that were integrated
+/// are seldom exact.
+constexpr double reads_as_one = 1 - 5e-5;
+
 Prefix prefix_of(std::string_view symbol) {
   return {prefix_factor(symbol), symbol};
 }
@@ -29,7 +33,7 @@ Prefix suitable_power(double magnitude, int power) {
   Prefix found;
   for (const std::string_view symbol : length_prefixes) {
     found = {std::pow(prefix_factor(symbol), power), symbol};
-    if (magnitude >= found.factor) break;
+    if (magnitude >= reads_as_one * found.factor) break;
   }
   return found;
 }
@@ -45,7 +49,7 @@ Prefix suitable(double value, std::string_view unit) {
     const bool length = unit == "m";
     if (length && prefix.factor > 1) continue;
     // 0.1 m reads better as 100 mm; machine parts come in millimetres.
-    const double least = length && prefix.factor == 1 ? 10 : 1;
+    const double least = length && prefix.factor == 1 ? 10 : reads_as_one;
     if (magnitude >= least * prefix.factor) return prefix;
   }
   return prefix_of(prefixes.back());

@@ -88,6 +88,10 @@ TEST(Units, ArePrintedWithThePrefixesThatAreRead) {
   }
   EXPECT_EQ(with_unit(7.5e-4, "m^2"), "7.5 cm^2");
   EXPECT_EQ(with_unit(0.1, "m"), "100 mm");
+  EXPECT_EQ(with_unit(1 - 1e-15, "m^2"), "1 m^2") << "not 1e+04 cm^2";
+  EXPECT_EQ(with_unit(1 - 1e-15, "m^3"), "1 m^3");
+  EXPECT_EQ(with_unit(999.99e3, "Pa"), "1 MPa");
+  EXPECT_EQ(with_unit(999.9e3, "Pa"), "999.9 kPa");
   EXPECT_EQ(place_text({0.1, -2, 1e-7}), "(0.1, -2, 1e-07)");
   EXPECT_EQ(place_text({1. / 3, 20, 1e6}, 3), "(0.333, 20, 1e+06)");
 }
