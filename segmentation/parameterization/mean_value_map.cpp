@@ -17,6 +17,13 @@ namespace {
 constexpr int outline_pieces = 32;
 constexpr int wanted_triangles = 2400;
 
+/// The square is looked up in a grid of this many cells along each direction.
+constexpr int cells_a_side = 40;
+
+int cell_of(double x) {
+  return std::clamp(static_cast<int>(cells_a_side * x), 0, cells_a_side - 1);
+}
+
 /// Where a point of the outline goes.
 Eigen::Vector2d on_square(const FaceMap& map, const OutlinePoint& point) {
   const double share = map.side_share(point.side, point.t);
@@ -97,12 +104,26 @@ MeanValueMap::MeanValueMap(const FaceMap& blend, const DomainMesh& given) {
                                                            square_[static_cast<std::size_t>(t[1])],
                                                            square_[static_cast<std::size_t>(t[2])]));
   smallest_area_ *= static_cast<double>(triangles_.size()) / 2;
+  sort_into_cells();
+}
+
+void MeanValueMap::sort_into_cells() {
+  cells_.resize(static_cast<std::size_t>(cells_a_side * cells_a_side));
+  for (std::size_t t = 0; t < triangles_.size(); ++t) {
+    Eigen::AlignedBox2d box;
+    for (const int corner : triangles_[t]) box.extend(square_[static_cast<std::size_t>(corner)]);
+    for (int j = cell_of(box.min()[1]); j <= cell_of(box.max()[1]); ++j)
+      for (int i = cell_of(box.min()[0]); i <= cell_of(box.max()[0]); ++i)
+        cells_[static_cast<std::size_t>(i + cells_a_side * j)].push_back(static_cast<int>(t));
+  }
 }
 
 Eigen::Vector2d MeanValueMap::domain_point(const Eigen::Vector2d& square) const {
   double best = -std::numeric_limits<double>::infinity();
   Eigen::Vector2d result(0, 0);
-  for (const auto& t : triangles_) {
+  for (const int at :
+       cells_[static_cast<std::size_t>(cell_of(square[0]) + cells_a_side * cell_of(square[1]))]) {
+    const auto& t = triangles_[static_cast<std::size_t>(at)];
     const auto a = static_cast<std::size_t>(t[0]), b = static_cast<std::size_t>(t[1]),
                c = static_cast<std::size_t>(t[2]);
     const double area = doubled_area(square_[a], square_[b], square_[c]);

@@ -23,6 +23,9 @@ EdgeMap edge_map(const std::vector<Triangle>& triangles) {
   return map;
 }
 
+/// Rounds of flips between two rounds of halving.
+constexpr int flips_between = 3;
+
 /// A mesh at work: points in no order, with what is known of those of the outline.
 class Refinement {
  public:
@@ -46,7 +49,7 @@ class Refinement {
       const int side = inner ? -1 : side_of(a, b);
       return side >= 0 && length(a, b) > limit[static_cast<std::size_t>(side)];
     }))
-      flip();
+      flip(flips_between);
   }
 
   void halve_inside(int triangles) {
@@ -54,8 +57,9 @@ class Refinement {
     const double h = std::sqrt(area() / (0.433 * triangles));
     constexpr int most_rounds = 40;
     for (int i = 0; i < most_rounds; ++i) {
-      if (!halve([&](int a, int b, bool inner) { return inner && length(a, b) > h; })) break;
-      flip();
+      // Halves of longer edges are a little shorter than h on average.
+      if (!halve([&](int a, int b, bool inner) { return inner && length(a, b) > 1.4 * h; })) break;
+      flip(flips_between);
     }
   }
 
@@ -64,8 +68,7 @@ class Refinement {
     }
   }
 
-  void flip() {
-    constexpr int most_rounds = 200;
+  void flip(int most_rounds) {
     for (int i = 0; i < most_rounds && flip_round(); ++i) {
     }
   }
@@ -269,10 +272,11 @@ class Refinement {
 DomainMesh refined(DomainMesh mesh, const std::array<DomainCurve, 4>& sides, const DomainSurface& surface,
                    int outline_pieces, int triangles) {
   Refinement refinement(mesh, sides, surface);
-  refinement.flip();
+  constexpr int most_flips = 50;
+  refinement.flip(most_flips);
   refinement.halve_outline(outline_pieces);
   refinement.halve_inside(triangles);
-  refinement.flip();
+  refinement.flip(most_flips);
   refinement.separate_sides();
   return refinement.result();
 }

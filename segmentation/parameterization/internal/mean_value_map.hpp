@@ -19,7 +19,7 @@ class MeanValueMap {
   MeanValueMap(const FaceMap& blend, const DomainMesh& mesh);
 
   /// The domain point that goes to a point of the unit square.
-  /// @cost O(triangles)
+  /// @cost some ten triangles
   Eigen::Vector2d domain_point(const Eigen::Vector2d& square) const;
 
   /// Smallest signed area of a triangle in the square relative to the mean; positive if the map is bijective.
@@ -29,7 +29,10 @@ class MeanValueMap {
   std::vector<Eigen::Vector2d> domain_;
   std::vector<Eigen::Vector2d> square_;
   std::vector<std::array<int, 3>> triangles_;
+  std::vector<std::vector<int>> cells_;  ///< triangles at each cell of a grid of the square
   double smallest_area_ = 0;
+
+  void sort_into_cells();
 };
 
 }  // namespace isopatch::segmentation
