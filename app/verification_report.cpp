@@ -25,18 +25,26 @@ std::string verdict(const Json& claim) {
   return claim.value("verdict", "");
 }
 
+// What is allowed: a difference, or the side of a limit.
+std::string allowed(const Json& claim) {
+  const std::string comparison = claim.value("comparison", "");
+  const bool is_limit = claim.contains("allowed") && claim["allowed"].is_number() &&
+                        (comparison == "at most" || comparison == "at least");
+  return is_limit ? comparison : number(claim, "allowed", "{:.2g}");
+}
+
 std::string row(const Json& claim) {
   if (!claim.contains("reference"))
     return fmt::format("    {:<8} {}\n", verdict(claim), claim.value("what", ""));
   const std::string unit = claim.value("unit", "");
   const std::string what = claim.value("what", "") + (unit.empty() ? "" : fmt::format(" ({})", unit));
   std::string notes;
-  for (const char* key : {"kind", "source", "why"})
+  for (const char* key : {"kind", "source", "why", "reason"})
     if (const std::string note = claim.value(key, ""); !note.empty())
       notes += (notes.empty() ? "" : ", ") + note;
   return fmt::format("    {:<8} {:<48} {:>14} {:>14} {:>9} {:>9}  {}\n", verdict(claim), what,
                      number(claim, "reference", "{:.7g}"), number(claim, "value", "{:.7g}"),
-                     number(claim, "difference", "{:.2g}"), number(claim, "allowed", "{:.2g}"), notes);
+                     number(claim, "difference", "{:.2g}"), allowed(claim), notes);
 }
 
 // As a shell takes it.

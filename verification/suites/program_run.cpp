@@ -12,7 +12,6 @@
 #include <stdexcept>
 
 #include "geometry/base/atomic_file.hpp"
-#include "geometry/base/larger.hpp"
 #include "iga/result_file.hpp"
 
 namespace isopatch::verification {
@@ -115,17 +114,6 @@ ProgramRun run_program(const ClaimStudy& study, const Launch& launch) {
           summary["results"]["internal_energy"].get<double>(),
           summary["results"]["max_displacement"].get<double>(), summary["parallel"]["processes"].get<int>(),
           summary["parallel"]["threads"].get<int>()};
-}
-
-double largest_difference(const iga::ElasticField& a, const iga::ElasticField& b) {
-  double difference = 0;
-  double largest = 0;
-  for (std::size_t p = 0; p < a.displacement.size(); ++p) {
-    difference = larger(
-        difference, (a.displacement[p] - b.displacement.at(p)).cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
-    largest = larger(largest, a.displacement[p].cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
-  }
-  return difference / largest;
 }
 
 }  // namespace isopatch::verification
