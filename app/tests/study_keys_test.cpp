@@ -169,7 +169,7 @@ std::vector<ShownSection> sections_of_conditions() {
           {"where.plane",
            open + "[support.where.plane]\n",
            {{"point", "point = [1, \"2 mm\", 3]", "support where plane point 1 0.002 3", "normal = \"x\"\n"},
-            {"normal", "normal = \"-y\"", "support where plane normal 0 -1 0"}}},
+            {"normal", "normal = [0, 3, 0]", "support where plane normal 0 1 0"}}},
           {"where.cylinder",
            open + "[support.where.cylinder]\n",
            {{"point", "point = [1, 2, 3]", "support where cylinder point 1 2 3", "radius = 1\n"},
