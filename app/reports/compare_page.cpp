@@ -10,6 +10,8 @@
 #include "app/reports/comparison_report.hpp"
 #include "app/reports/report_scene.hpp"
 #include "app/results/run_summary.hpp"
+#include "app/results/summary.hpp"
+#include "geometry/base/larger.hpp"
 #include "geometry/patch_connections.hpp"
 
 namespace isopatch::app {
@@ -52,7 +54,7 @@ SceneField traction_field(const iga::Discretization& d, const iga::PartSamples& 
         auto at = field.values[p].col(vertex.index);
         if (at.allFinite()) continue;
         at = iga::traction_at(d, traction, face, vertex.parameter);
-        largest = std::max(largest, at.norm());
+        largest = larger(largest, at.norm());
       }
     }
   }

@@ -9,6 +9,7 @@
 #include "app/plots/bar_plot.hpp"
 #include "app/plots/residual_plot.hpp"
 #include "app/reports/comparison_report.hpp"
+#include "geometry/base/larger.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -62,7 +63,7 @@ std::vector<Levels> by_degree(const Levels& levels) {
 
 int highest_degree(const Levels& levels) {
   const auto& degree = levels.front().degree;
-  return *std::max_element(degree.begin(), degree.end());
+  return larger(degree[0], larger(degree[1], degree[2]));
 }
 
 /// A name of a series, with the degree if there are several.

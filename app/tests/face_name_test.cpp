@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/tests/expect_error.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -72,7 +73,8 @@ TEST(FaceName, WithTwoMeaningsThatAreTheSameFacesIsNone) {
   };
   const PatchFace east{PatchId(0), Side::east};
   EXPECT_THAT(faces_named("0:west", 2, {{"0:west", {east}}}, {}, turned), ElementsAre(east));
-  EXPECT_THROW(faces_named("0:west", 2, {{"0:west", {west}}}, {}, turned), Error);
+  EXPECT_ERROR(faces_named("0:west", 2, {{"0:west", {west}}}, {}, turned), ErrorCode::invalid_argument,
+               "has two meanings");
 }
 
 TEST(FaceName, OfABlockCalledFaceIsItsOwn) {

@@ -5,6 +5,7 @@
 #include "app/study/parse_study.hpp"
 #include "app/tests/program_fixture.hpp"
 #include "app/verify/verified_claim.hpp"
+#include "geometry/base/tests/expect_error.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -94,17 +95,18 @@ TEST(RunSummary, TheSameRunGivesTheSameText) {
 TEST(VerifiedClaim, KeepsWhatTheRecordSays) {
   const auto claims = read_claims(R"([
     {"suite": "S", "test": "T", "what": "u", "unit": "m", "kind": "exact", "source": "", "reference": null,
-     "value": 2.5, "difference": null, "relative": true, "allowed": null, "why": "", "study": null,
+     "value": 2.5, "difference": null, "comparison": "relative", "least": null, "allowed": null, "why": "", "study": null,
      "verdict": "reported"},
     {"suite": "S", "test": "T", "what": "order of u", "unit": "", "kind": "", "source": "", "reference": 3,
-     "value": 3.1, "difference": 0.1, "relative": false, "allowed": 0.3, "study": {"file": "a", "set": ["b=1"]},
+     "value": 3.1, "difference": 0.1, "comparison": "absolute", "least": null, "allowed": 0.3, "reason": "coarse levels", "study": {"file": "a", "set": ["b=1"]},
      "convergence": {"sizes": [1, 0.5], "errors": [1e-2, null], "orders": [null]}, "verdict": "holds"},
     {"suite": "S", "test": "T", "what": "broke", "verdict": "nonsense"}])");
   ASSERT_EQ(claims.size(), 3u);
   ASSERT_TRUE(claims[0].figures);
   EXPECT_FALSE(claims[0].figures->reference);
   EXPECT_EQ(claims[0].figures->value, 2.5);
-  EXPECT_TRUE(claims[0].figures->relative);
+  EXPECT_EQ(claims[0].figures->comparison, "relative");
+  EXPECT_EQ(claims[1].figures->reason, "coarse levels");
   EXPECT_EQ(claims[0].why, "");
   EXPECT_FALSE(claims[0].study);
   EXPECT_EQ(claims[0].verdict, Verdict::reported);
@@ -113,7 +115,7 @@ TEST(VerifiedClaim, KeepsWhatTheRecordSays) {
   EXPECT_EQ(claims[1].verdict, Verdict::holds);
   EXPECT_FALSE(claims[2].figures);
   EXPECT_EQ(claims[2].verdict, Verdict::fails) << "a verdict that is none";
-  EXPECT_THROW(read_claims("{}"), Error);
+  EXPECT_ERROR(read_claims("{}"), ErrorCode::bad_format, "no array of claims");
 }
 
 }  // namespace

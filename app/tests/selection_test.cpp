@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "geometry/base/tests/expect_error.hpp"
 #include "geometry/models/box.hpp"
 #include "geometry/models/cylinder.hpp"
 #include "geometry/models/sphere.hpp"
@@ -127,7 +128,8 @@ TEST(Selection, PatchesAreRangesNamesOrAll) {
               testing::ElementsAre(PatchId(0), PatchId(4), PatchId(5)));
   EXPECT_THAT(select_patches(model, {.ranges = {{5, 5}}, .names = {"leg"}}),
               testing::ElementsAre(PatchId(1), PatchId(2), PatchId(3), PatchId(5)));
-  EXPECT_THROW(select_patches(model, {.ranges = {{5, 6}}}), Error);
+  EXPECT_ERROR(select_patches(model, {.ranges = {{5, 6}}}), ErrorCode::invalid_argument,
+               "patch 6 does not exist");
   try {
     select_patches(model, {.names = {"lag"}});
     FAIL();

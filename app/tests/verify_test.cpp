@@ -11,7 +11,7 @@ class Verify : public Program {
     ::setenv("ISOPATCH_VERIFICATION", script().c_str(), 1);
     suites(
         R"([{"suite": "ClosedForms", "test": "Bar", "what": "u at the end", "unit": "m", "kind": "closed form",
-      "source": "Hooke", "reference": 2.0, "value": 2.0001, "difference": 5e-5, "relative": true, "allowed": 1e-3,
+      "source": "Hooke", "reference": 2.0, "value": 2.0001, "difference": 5e-5, "comparison": "relative", "allowed": 1e-3,
       "study": {"file": "bar.toml", "set": ["a.b=1"]}, "verdict": "holds"}])");
   }
   void TearDown() override {
@@ -55,6 +55,20 @@ TEST_F(Verify, PrintsAndWritesWhatHolds) {
   claim["suite"] = "closed_forms";
   claim["case"] = "bar";
   EXPECT_EQ(written["claims"][0], claim) << "all that the suites record";
+}
+
+TEST_F(Verify, SaysLimitsAndReasons) {
+  suites(
+      R"([{"suite": "Solvers", "test": "Cg", "what": "iterations", "reference": 14, "value": 7, "difference": 0,
+     "comparison": "at most", "least": 1, "allowed": 0, "verdict": "holds"},
+    {"suite": "Solvers", "test": "Cg", "what": "smallest", "reference": 2, "value": 7, "difference": 0,
+     "comparison": "at least", "least": null, "allowed": 0, "verdict": "holds"},
+    {"suite": "Solvers", "test": "Cg", "what": "energy", "reference": 2, "value": 2, "difference": 0,
+     "comparison": "relative", "least": null, "allowed": 0.001, "reason": "two programs", "verdict": "holds"}])");
+  EXPECT_EQ(verify(), 0) << err_;
+  EXPECT_THAT(out_, testing::ContainsRegex("iterations +14 +7 +0 +at most"));
+  EXPECT_THAT(out_, testing::ContainsRegex("smallest +2 +7 +0 +at least"));
+  EXPECT_THAT(out_, testing::ContainsRegex("energy +2 +2 +0 +0.001 +two programs"));
 }
 
 TEST_F(Verify, FailsAndNamesTheStudyWhereAClaimFails) {

@@ -27,8 +27,10 @@ void add_figures(Json& json, const VerifiedClaim& claim) {
                {"reference", number_json(figures.reference)},
                {"value", number_json(figures.value)},
                {"difference", number_json(figures.difference)},
-               {"relative", figures.relative},
-               {"allowed", number_json(figures.allowed)}});
+               {"comparison", figures.comparison},
+               {"least", number_json(figures.least)},
+               {"allowed", number_json(figures.allowed)},
+               {"reason", figures.reason}});
   if (claim.why) json["why"] = *claim.why;
   json["study"] = study_json(claim.study);
   if (claim.convergence)

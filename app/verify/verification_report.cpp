@@ -25,16 +25,22 @@ std::string verdict_text(const VerifiedClaim& claim) {
   return name_of(verdicts(), claim.verdict);
 }
 
+// What is allowed: a difference, or the side of a limit.
+std::string allowed_text(const ClaimFigures& figures) {
+  const bool is_limit = figures.comparison == "at most" || figures.comparison == "at least";
+  return is_limit && figures.allowed ? figures.comparison : number_text(figures.allowed, 2);
+}
+
 std::string row(const VerifiedClaim& claim) {
   if (!claim.figures) return fmt::format("    {:<8} {}\n", verdict_text(claim), claim.what);
   const std::string what = claim.what + (claim.unit.empty() ? "" : fmt::format(" ({})", claim.unit));
   std::string notes;
-  for (const std::string& note : {claim.kind, claim.source, claim.why.value_or("")})
-    if (!note.empty()) notes += (notes.empty() ? "" : ", ") + note;
   const ClaimFigures& figures = *claim.figures;
+  for (const std::string& note : {claim.kind, claim.source, claim.why.value_or(""), figures.reason})
+    if (!note.empty()) notes += (notes.empty() ? "" : ", ") + note;
   return fmt::format("    {:<8} {:<48} {:>14} {:>14} {:>9} {:>9}  {}\n", verdict_text(claim), what,
                      number_text(figures.reference, 7), number_text(figures.value, 7),
-                     number_text(figures.difference, 2), number_text(figures.allowed, 2), notes);
+                     number_text(figures.difference, 2), allowed_text(figures), notes);
 }
 
 // As a shell takes it.

@@ -25,10 +25,9 @@ std::vector<double> numbers_in(const Json& json, const char* key) {
 }
 
 ClaimFigures figures_of(const Json& json) {
-  const bool relative =
-      json.contains("relative") && json["relative"].is_boolean() && json["relative"].get<bool>();
-  return {number_in(json, "reference"), number_in(json, "value"), number_in(json, "difference"), relative,
-          number_in(json, "allowed")};
+  return {number_in(json, "reference"), number_in(json, "value"), number_in(json, "difference"),
+          text_in(json, "comparison"),  number_in(json, "least"), number_in(json, "allowed"),
+          text_in(json, "reason")};
 }
 
 ClaimedStudy study_in(const Json& json) {

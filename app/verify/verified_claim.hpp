@@ -23,8 +23,10 @@ struct ClaimFigures {
   std::optional<double> reference;
   std::optional<double> value;
   std::optional<double> difference;
-  bool relative = false;  ///< the difference
-  std::optional<double> allowed;
+  std::string comparison = {};       ///< "relative", "absolute", "at most", "at least"
+  std::optional<double> least = {};  ///< that an "at most" may have
+  std::optional<double> allowed = {};
+  std::string reason = {};  ///< why so much is allowed
 };
 
 /// A study that shows a claim alone.

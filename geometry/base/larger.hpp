@@ -10,4 +10,11 @@ constexpr Number larger(Number a, Number b) {
   return is_nan || a > b ? a : b;
 }
 
+/// The smaller of two numbers, NaN if one of them is.
+template <class Number>
+constexpr Number smaller(Number a, Number b) {
+  const bool is_nan = a != a;
+  return is_nan || a < b ? a : b;
+}
+
 }  // namespace isopatch

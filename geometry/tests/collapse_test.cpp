@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/tests/expect_error.hpp"
 #include "geometry/tests/test_patches.hpp"
 
 namespace isopatch::geometry {
@@ -83,7 +84,8 @@ TEST(Collapse, FindsAFaceAndItsDirection) {
   EXPECT_TRUE(is_collapsed(wedge, Side::east, 1, 1e-12));
   EXPECT_FALSE(is_collapsed(wedge, Side::east, 2, 1e-12));
   EXPECT_FALSE(is_collapsed(wedge, Side::west, 1e-12));
-  EXPECT_THROW(is_collapsed(wedge, Side::east, 0, 1e-12), Error);
+  EXPECT_ERROR(is_collapsed(wedge, Side::east, 0, 1e-12), ErrorCode::invalid_argument,
+               "direction 0 does not run in side");
 }
 
 TEST(Collapse, KnowsItsTolerance) {

@@ -10,6 +10,7 @@
 
 #include "geometry/base/error.hpp"
 #include "geometry/base/larger.hpp"
+#include "geometry/base/tests/expect_error.hpp"
 #include "geometry/element_bounds.hpp"
 #include "geometry/splines/refine.hpp"
 #include "geometry/tests/test_patches.hpp"
@@ -94,7 +95,7 @@ TEST(JacobianCertificate, HasTheRightSizeForRationalPatches) {
   for (int i = 0; i <= 100; ++i)
     for (const double u : {0.0, 1.0}) {
       const double d = ring.jacobian(Parameter<3>(u, i / 100.0, 0)).determinant();
-      lowest = std::min(lowest, d);
+      lowest = smaller(lowest, d);
       highest = larger(highest, d);
     }
   EXPECT_LE(c.lower, lowest);
@@ -178,7 +179,7 @@ TEST(JacobianCertificate, ScalesWithTheModelAndItsParameters) {
   const JacobianCertificate scaled = certify_jacobian(large);
   EXPECT_NEAR(scaled.lower, c.lower * 1e8, 1e-9 * scaled.upper);
   EXPECT_NEAR(scaled.smallest, c.smallest * 1e8, 1e-9 * scaled.upper);
-  EXPECT_THROW(certify_jacobian(patch, {.max_depth = 31}), Error);
+  EXPECT_ERROR(certify_jacobian(patch, {.max_depth = 31}), ErrorCode::invalid_argument, "max_depth is 31");
 }
 
 /// Bounds from expanding every element, one after the other.
@@ -187,7 +188,7 @@ Bounds plain_bounds(const NurbsVolume& volume) {
   Bounds result{1e300, -1e300};
   for (const NurbsVolume& element : bezier_pieces(unit.volume)) {
     const JacobianPiece piece = jacobian_piece(element, unit.radius);
-    result.low = std::min(result.low, piece.lower());
+    result.low = smaller(result.low, piece.lower());
     result.high = larger(result.high, piece.upper());
   }
   return result;

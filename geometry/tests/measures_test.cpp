@@ -1,4 +1,5 @@
 #include "geometry/measures.hpp"
+#include "geometry/base/larger.hpp"
 
 #include <gtest/gtest.h>
 
@@ -93,11 +94,11 @@ void expect_plain_sums(const NurbsVolume& patch) {
       const Parameter<3> length = piece.high() - piece.low();
       const Eigen::Matrix3d columns = patch.jacobian(piece.low() + share.cwiseProduct(length));
       const double determinant = columns.determinant();
-      worst = std::min(worst, determinant / columns.colwise().norm().prod());
+      worst = smaller(worst, determinant / columns.colwise().norm().prod());
       scaled += determinant / columns.colwise().norm().prod();
       ++count;
       sum += rule.weights[k[0]] * rule.weights[k[1]] * rule.weights[k[2]] * length.prod() * determinant;
-      smallest = std::min(smallest, determinant);
+      smallest = smaller(smallest, determinant);
     }
   EXPECT_NEAR(volume(patch), sum, 1e-13 * sum);
   const Quality q = quality(patch, 12);

@@ -5,6 +5,7 @@
 
 #include "geometry/base/error.hpp"
 #include "geometry/base/larger.hpp"
+#include "geometry/base/tests/expect_error.hpp"
 #include "geometry/models/elbow.hpp"
 #include "geometry/splines/grid.hpp"
 #include "iga/post/internal_forces.hpp"
@@ -103,7 +104,7 @@ TEST(Loads, OfVolumesAreThoseOfPlainTables) {
   });
   EXPECT_LT((load_vector(p) - load).norm(), 1e-12 * load.norm());
   p.volume_loads[0].force = [](const Eigen::Vector3d&) { return Eigen::Vector3d(0, NAN, 0); };
-  EXPECT_THROW(load_vector(p), Error);
+  EXPECT_ERROR(load_vector(p), ErrorCode::invalid_argument, "is not finite");
 }
 
 TEST(MaxDisplacement, IsTheLargestOfTheGrid) {

@@ -8,6 +8,7 @@
 
 #include "geometry/base/error.hpp"
 #include "geometry/base/larger.hpp"
+#include "geometry/base/tests/expect_error.hpp"
 #include "geometry/models/cylinder.hpp"
 #include "geometry/models/elbow.hpp"
 #include "geometry/splines/refine.hpp"
@@ -154,8 +155,8 @@ TEST(StraightPieces, FollowTheTurnOfLinesAndAreSharedAcrossInterfaces) {
             (side == 0 ? interface.first : interface.second).patch.value)][static_cast<std::size_t>(t)][0]);
     EXPECT_THAT(ends[0], ::testing::UnorderedElementsAreArray(ends[1]));
   }
-  EXPECT_THROW(straight_pieces(pipe, pipe.patches(), 0), Error);
-  EXPECT_THROW(straight_pieces(pipe, pipe.patches(), 33), Error);
+  EXPECT_ERROR(straight_pieces(pipe, pipe.patches(), 0), ErrorCode::invalid_argument, "least is 0");
+  EXPECT_ERROR(straight_pieces(pipe, pipe.patches(), 33), ErrorCode::invalid_argument, "least is 33");
 }
 
 TEST(PlaneFields, AreThoseOfEvaluate) {

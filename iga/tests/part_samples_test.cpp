@@ -7,6 +7,7 @@
 
 #include "geometry/base/error.hpp"
 #include "geometry/base/larger.hpp"
+#include "geometry/base/tests/expect_error.hpp"
 #include "geometry/models/elbow.hpp"
 #include "iga/tests/small_models.hpp"
 
@@ -96,7 +97,7 @@ TEST(PartSamples, OfNeighboursCoincide) {
       for (const int at : own) {
         double nearest = 1e300;
         for (const int other : others)
-          nearest = std::min(nearest, (first.points.col(at) - second.points.col(other)).norm());
+          nearest = isopatch::smaller(nearest, (first.points.col(at) - second.points.col(other)).norm());
         EXPECT_LT(nearest, 1e-12);
       }
     }
@@ -154,10 +155,12 @@ TEST(PartSamples, KeepToTheMostPoints) {
 
 TEST(PartSamples, RefuseOptionsOutOfRange) {
   const Discretization d = box();
-  EXPECT_THROW(sample_part(d.model, d.patches, {.chord = 0}), Error);
-  EXPECT_THROW(sample_part(d.model, d.patches, {.field = -1}), Error);
-  EXPECT_THROW(sample_part(d.model, d.patches, {.most_per_element = 65}), Error);
-  EXPECT_THROW(sample_part(d.model, d.patches, {.most_points = 7}), Error);
+  EXPECT_ERROR(sample_part(d.model, d.patches, {.chord = 0}), ErrorCode::invalid_argument, "chord is 0");
+  EXPECT_ERROR(sample_part(d.model, d.patches, {.field = -1}), ErrorCode::invalid_argument, "field is -1");
+  EXPECT_ERROR(sample_part(d.model, d.patches, {.most_per_element = 65}), ErrorCode::invalid_argument,
+               "most_per_element is 65");
+  EXPECT_ERROR(sample_part(d.model, d.patches, {.most_points = 7}), ErrorCode::invalid_argument,
+               "most_points is 7");
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "iga/operator/stiffness_operator.hpp"
+#include "geometry/base/tests/expect_error.hpp"
 #include "solvers/block_product.hpp"
 
 #include <gmock/gmock.h>
@@ -343,11 +344,16 @@ TEST(StiffnessOperator, RefusesCountsThatDoNotFit) {
   const NurbsVolume volume;
   const std::vector<PatchSpace> spaces = {{&volume, volume.knots(), {}}};
   const std::vector<Material> one = different_materials(1);
-  EXPECT_THROW(StiffnessOperator(spaces, whole_patches(spaces), {}), Error);
-  EXPECT_THROW(StiffnessOperator(spaces, {{1, 0, 1}}, one), Error);
-  EXPECT_THROW(StiffnessOperator(spaces, {{0, 0, 2}}, one), Error);
-  EXPECT_THROW(StiffnessOperator(spaces, whole_patches(spaces), one, 65), Error);
-  EXPECT_THROW(StiffnessOperator(spaces, whole_patches(spaces), one).apply(random_field(7)), Error);
+  EXPECT_ERROR(StiffnessOperator(spaces, whole_patches(spaces), {}), ErrorCode::invalid_argument,
+               "0 materials for 1 patches");
+  EXPECT_ERROR(StiffnessOperator(spaces, {{1, 0, 1}}, one), ErrorCode::invalid_argument,
+               "belongs to patch 1 of 1");
+  EXPECT_ERROR(StiffnessOperator(spaces, {{0, 0, 2}}, one), ErrorCode::invalid_argument,
+               "layers 0 .. 2 of patch 0");
+  EXPECT_ERROR(StiffnessOperator(spaces, whole_patches(spaces), one, 65), ErrorCode::invalid_argument,
+               "65 Gauss points");
+  EXPECT_ERROR(StiffnessOperator(spaces, whole_patches(spaces), one).apply(random_field(7)),
+               ErrorCode::invalid_argument, "the displacement has 7 nodes");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/tests/expect_error.hpp"
 #include "iga/assembly/assembly.hpp"
 #include "iga/tests/plain_stiffness.hpp"
 #include "iga/tests/small_models.hpp"
@@ -298,10 +299,17 @@ TEST(SumFactorization, RefusesNodesWithoutRows) {
   for (const int row : {-1, 12}) {
     RowNumbering numbering = own_rows(spaces);
     numbering.row_of_node[7] = row;
-    EXPECT_THROW(assemble_stiffness(spaces, whole_patches(spaces), {isotropic(1, 0.3)}, numbering), Error);
+    EXPECT_ERROR(assemble_stiffness(spaces, whole_patches(spaces), {isotropic(1, 0.3)}, numbering),
+                 ErrorCode::invalid_argument, "node 7 has row");
   }
-  EXPECT_THROW(stiffness_pattern(spaces, {{0, 0, 2}}, own_rows(spaces)), Error);
-  EXPECT_THROW(stiffness_pattern(spaces, {{1, 0, 1}}, own_rows(spaces)), Error);
+  EXPECT_ERROR(stiffness_pattern(spaces, {{0, 0, 2}}, own_rows(spaces)), ErrorCode::invalid_argument,
+               "of patch 0, which has");
+  EXPECT_ERROR(stiffness_pattern(spaces, {{1, 0, 1}}, own_rows(spaces)), ErrorCode::invalid_argument,
+               "there is no patch 1");
+  RowNumbering short_of_one = own_rows(spaces);
+  short_of_one.row_of_node.pop_back();
+  EXPECT_ERROR(stiffness_pattern(spaces, whole_patches(spaces), short_of_one), ErrorCode::invalid_argument,
+               "the numbering has 11 nodes, the spaces have 12");
 }
 
 TEST(StiffnessSize, EqualsThePatternsWithoutBuildingIt) {

@@ -150,12 +150,25 @@ class CheckLayers(unittest.TestCase):
         self.rejects({"tools/a.cpp": ""}, "tools/a.cpp:1", "lies in no room")
 
     def test_rejects_judges_that_forget_nan(self):
-        for text in ("x = y.maxCoeff();", "worst = std::max(worst, x);", "  a.b =\n  std::max(\n  a.b, x);",
-                     "std::max({a, b})"):
+        for text in ("x = y.maxCoeff();", "x = y.minCoeff(&i);", "worst = std::max(worst, x);",
+                     "  a.b =\n  std::max(\n  a.b, x);", "worst = std::max(f(x), worst);", "std::max({a, b})",
+                     "low = std::min(low, x);", "w[1] = std::fmax(w[1], x);", "*std::max_element(a.begin(), a.end())",
+                     "std::ranges::max(values)", "std::ranges::min_element(values)", "y.lpNorm<Eigen::Infinity>()",
+                     "std::minmax({a, b})"):
             self.rejects({"verification/suites/a.cpp": text + "\n"}, "verification/suites/a.cpp:1", "forgets NaN")
             self.rejects({"iga/tests/a.cpp": text + "\n"}, "iga/tests/a.cpp:1", "forgets NaN")
+            self.rejects({"app/compare/compare_levels.cpp": text + "\n"}, "app/compare/compare_levels.cpp:1",
+                         "forgets NaN")
             self.accepts({"iga/a.cpp": text + "\n"})
-        self.accepts({"iga/tests/a.cpp": "x = std::max(y, 0); z = a.maxCoeff<Eigen::PropagateNaN>();\n"})
+        self.accepts({"iga/tests/a.cpp": "x = std::max(y, 0); z = a.maxCoeff<Eigen::PropagateNaN>();\n"
+                                           "low = std::min(a, b); pair = std::minmax(a, b);\n"})
+
+    def test_rejects_tests_that_any_error_satisfies(self):
+        for text in ("EXPECT_THROW(f(), Error);", "ASSERT_THROW(f({1, 2}),\n             geometry::SolidError);",
+                     "EXPECT_NO_THROW(f());", "EXPECT_ANY_THROW(f());"):
+            self.rejects({"iga/tests/a.cpp": text + "\n"}, "iga/tests/a.cpp:1", "does not say which error")
+        self.accepts({"iga/tests/a.cpp": 'EXPECT_ERROR(f(), ErrorCode::io, "x"); EXPECT_THROW(f(), std::range_error);\n'
+                                         "f(); // an Error\n"})
 
     def test_rejects_an_empty_tree(self):
         self.assertEqual(run({"README.md": ""})[0], 1)

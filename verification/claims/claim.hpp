@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "verification/claims/tolerance.hpp"
+
 namespace isopatch::verification {
 
 /// Where a reference value comes from.
@@ -25,7 +27,16 @@ struct ClaimStudy {
   std::vector<std::string> overrides = {};  ///< "discretization.degree=3"
 };
 
-/// A number that must be what a reference says.
+/// How a value is held against its reference.
+enum class Comparison {
+  relative,  ///< differs by no more than `allowed` of the reference; a reference of 0 makes it absolute
+  absolute,  ///< differs by no more than `allowed`, in the value's unit
+  at_most,   ///< the reference is a limit, and `least` is the other one
+  at_least,  ///< the reference is a limit, and there is no other one
+};
+
+/// A number that must be what a reference says. A difference that is allowed is at most a tenth of the
+/// reference (of 1 where that is 0), with a reason if it is above a hundredth; limits allow none.
 struct Claim {
   std::string what;  ///< "u_r at the inner wall, nu = 0.3, p = 3"
   std::string unit;  ///< "m"; empty for numbers without one
@@ -33,14 +44,17 @@ struct Claim {
   std::string source;  ///< "Lame", "NAFEMS LE10"
   double reference = 0;
   double value = 0;
-  double allowed = 0;  ///< largest difference, relative to the reference unless that is 0; at most 0.1
+  Tolerance allowed = 0;  ///< the largest difference
   ClaimStudy study = {};
-  /// Where it is set, the reference is the most that the value may be, and this is the least; nothing else is
-  /// allowed.
+  Comparison comparison = Comparison::relative;
+  /// With `at_most`, which needs it: the least that means that something happened, as 1 of iterations.
   std::optional<double> least = {};
 };
 
-/// The difference that counts against `allowed`: for a value between limits how far it is outside.
+/// As it is made: `relative` becomes `absolute` where the reference is 0.
+Comparison comparison_of(const Claim& claim);
+/// The difference that counts against `allowed`; of limits how far the value is outside, relative to the
+/// reference unless that is 0.
 double difference(const Claim& claim);
 /// NaN is never within.
 bool is_within(const Claim& claim);
@@ -53,7 +67,8 @@ struct Convergence {
   std::vector<double> sizes = {};   ///< of the elements, falling
   std::vector<double> errors = {};  ///< relative
   double order = 0;
-  double allowed = 0.15;  ///< difference of the order between any two levels
+  /// Difference of the order between any two levels.
+  Tolerance allowed = {0.15, "the next power of the size of elements on meshes that are affordable"};
   ClaimStudy study = {};
 };
 

@@ -38,6 +38,20 @@ const char* name(ReferenceKind kind) {
   return "";
 }
 
+const char* name(Comparison comparison) {
+  switch (comparison) {
+    case Comparison::relative:
+      return "relative";
+    case Comparison::absolute:
+      return "absolute";
+    case Comparison::at_most:
+      return "at most";
+    case Comparison::at_least:
+      return "at least";
+  }
+  return "";
+}
+
 // Null where JSON has no number.
 Json number(double value) {
   return std::isfinite(value) ? Json(value) : Json();
@@ -102,8 +116,10 @@ void record(const Claim& claim, bool holds) {
                 {"reference", number(claim.reference)},
                 {"value", number(claim.value)},
                 {"difference", number(difference(claim))},
-                {"relative", claim.reference != 0},
-                {"allowed", claim.allowed},
+                {"comparison", name(comparison_of(claim))},
+                {"least", claim.least ? number(*claim.least) : Json()},
+                {"allowed", number(claim.allowed.most)},
+                {"reason", claim.allowed.reason},
                 {"study", study_json(claim.study)},
                 {"verdict", holds ? "holds" : "FAILS"}});
   all().push_back(entry);
@@ -119,8 +135,10 @@ void record(const Convergence& c, bool holds) {
        {"reference", c.order},
        {"value", number(farthest_order(c))},
        {"difference", number(std::abs(farthest_order(c) - c.order))},
-       {"relative", false},
-       {"allowed", c.allowed},
+       {"comparison", name(Comparison::absolute)},
+       {"least", Json()},
+       {"allowed", c.allowed.most},
+       {"reason", c.allowed.reason},
        {"study", study_json(c.study)},
        {"convergence",
         {{"sizes", numbers(c.sizes)}, {"errors", numbers(c.errors)}, {"orders", numbers(orders(c))}}},
@@ -139,7 +157,8 @@ void record(const Figure& figure) {
                 {"reference", number(figure.reference)},
                 {"value", number(figure.value)},
                 {"difference", number(difference(beside))},
-                {"relative", figure.reference != 0},
+                {"comparison", name(comparison_of(beside))},
+                {"least", Json()},
                 {"allowed", Json()},
                 {"why", figure.why},
                 {"study", study_json(figure.study)},

@@ -4,8 +4,8 @@
 
 namespace isopatch::verification {
 
-/// Records a claim and fails the running test if it does not hold. Refuses an `allowed` above 0.1: a value
-/// that may be anything up to a limit says so with `least`.
+/// Records a claim and fails the running test if it does not hold, or if it would mean nothing: one that
+/// allows more than a tenth, or more than a hundredth without a reason, or has no least with its most.
 void expect(const Claim& claim);
 
 /// Records an order of convergence and fails the running test if it does not hold. Needs four levels, and

@@ -126,13 +126,13 @@ TEST(ClosedForms, KirschPlate) {
                         double allowed) {
     expect(Claim{what, unit, ReferenceKind::closed_form, "Kirsch", reference, value, allowed});
   };
-  claim("s_xx over the hole, of the tension", "Pa", 3, top.stress(0, 0), 1e-4);
+  claim("s_xx over the hole, of the tension", "Pa", 3, top.stress(0, 0), 5e-5);
   claim("s_yy beside the hole, of the tension", "Pa", -1, side.stress(1, 1), 1e-4);
-  claim("u_x beside the hole", "m", problem.exact.displacement({1, 0, 0})[0], side.displacement[0], 1e-7);
-  claim("u_y over the hole", "m", problem.exact.displacement({0, 1, 0})[1], top.displacement[1], 1e-7);
+  claim("u_x beside the hole", "m", problem.exact.displacement({1, 0, 0})[0], side.displacement[0], 1e-8);
+  claim("u_y over the hole", "m", problem.exact.displacement({0, 1, 0})[1], top.displacement[1], 2e-8);
 }
 
-void expect_cavity(int degree, int elements, double of_displacement, double of_stress) {
+void expect_cavity(int degree, int elements, double of_displacement, double of_energy, double of_stress) {
   const iga::ElasticitySolution s =
       iga::solve_elasticity(cavity(iga::isotropic(1000, 0.3)).posed(degree, elements));
   const iga::FieldValues pole = at(s, {0, 0, 1});
@@ -145,13 +145,15 @@ void expect_cavity(int degree, int elements, double of_displacement, double of_s
   const double nu = 0.3;
   claim("u_z at the cavity's pole", "m", 2.00454545e-3, pole.displacement[2], of_displacement);
   claim("u_x at its equator", "m", -4.77272727e-4, equator.displacement[0], of_displacement);
-  claim("energy of the octant", "J", 1.674667934e-2, s.results.internal_energy, of_displacement);
-  claim("s_zz at the equator", "Pa", (27 - 15 * nu) / (2 * (7 - 5 * nu)), equator.stress(2, 2), of_stress);
+  claim("energy of the octant", "J", 1.674667934e-2, s.results.internal_energy, of_energy);
+  claim("s_zz at the equator", "Pa", (27 - 15 * nu) / (2 * (7 - 5 * nu)), equator.stress(2, 2),
+        of_stress / 2);
   claim("s_xx at the pole", "Pa", -(3 + 15 * nu) / (2 * (7 - 5 * nu)), pole.stress(0, 0), of_stress);
 }
 
 TEST(ClosedForms, SphericalCavity) {
-  expect_cavity(4, 4, 3e-6, 3e-4);
+  // Energies are accurate to the square of displacements; ten digits of the reference are known.
+  expect_cavity(4, 4, 3e-6, 1e-9, 3e-4);
 }
 
 // The sphere is of degree 4.

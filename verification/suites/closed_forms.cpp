@@ -26,7 +26,8 @@ struct Cylinder {
 // degrees.
 double allowed_of_cylinder(int degree, double nu) {
   if (degree == 2) return nu < 0.4 ? 2e-5 : 1e-2;
-  return degree == 3 ? (nu < 0.4 ? 1e-6 : 1e-4) : 1e-6;
+  if (degree == 3) return nu < 0.4 ? 1e-7 : 1e-4;
+  return nu < 0.4 ? 5e-10 : 1e-6;
 }
 
 // Returns the error of u_r at the inner wall.
@@ -75,8 +76,8 @@ TEST(ClosedForms, TwoMaterialBar) {
   const double aluminium = 0.01 / (54.0 + 2 * 27.8);
   const double plastic = 0.01 / (3.19 + 2 * 0.899);
   const auto claim = [&](const std::string& what, const char* unit, double reference, double value) {
-    expect(
-        Claim{what, unit, ReferenceKind::closed_form, "p / M1 + p / M2", reference, value, 1e-10, s.named});
+    expect(Claim{what, unit, ReferenceKind::closed_form, "p / M1 + p / M2", reference, value,
+                 round_off(10, "assembling and solving where the solution lies in the space"), s.named});
   };
   claim("u at the joint", "m", aluminium, s.probe("joint").values.displacement[0]);
   claim("u at the end", "m", aluminium + plastic, s.probe("end").values.displacement[0]);

@@ -57,9 +57,10 @@ void add_coincidences(const iga::Discretization& d, Conditions& conditions) {
   for (const geometry::Interface& interface : d.model.interfaces()) {
     const std::vector<int> others = nodes_of(d, interface.second);
     for (const int node : nodes_of(d, interface.first)) {
-      const int nearest = *std::min_element(others.begin(), others.end(), [&](int a, int b) {
-        return (places.col(a) - places.col(node)).norm() < (places.col(b) - places.col(node)).norm();
-      });
+      const auto distance = [&](int other) { return (places.col(other) - places.col(node)).norm(); };
+      int nearest = others.front();
+      for (const int other : others)
+        if (!(distance(other) >= distance(nearest))) nearest = other;
       for (int k = 0; k < 3; ++k)
         conditions.add({{node, Eigen::Vector3d::Unit(k)}, {nearest, -Eigen::Vector3d::Unit(k)}});
     }

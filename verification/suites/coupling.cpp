@@ -18,8 +18,9 @@
 namespace isopatch::verification {
 namespace {
 
-// Solvers stop at a relative residual of 1e-10.
-constexpr double allowed = 1e-9;
+// Direct solvers refine in extended precision, so that round-off of the systems is left: 4e-12 of TERRIFIC,
+// 1e-12 of generated models, 1e-16 of straight ones.
+const Tolerance of_both_solves = round_off(1e4, "assembling and solving both systems");
 
 // A study solved with both couplings.
 struct BothWays {
@@ -28,6 +29,7 @@ struct BothWays {
   app::BuiltProblem built;
   iga::ElasticitySolution elimination;
   iga::ElasticitySolution lagrange;
+  Tolerance allowed = of_both_solves;
 };
 
 BothWays solved_both_ways(const std::string& name, const std::string& file,
@@ -41,7 +43,7 @@ BothWays solved_both_ways(const std::string& name, const std::string& file,
 void expect_agreement(const BothWays& s) {
   const auto claim = [&](const std::string& what, const char* unit, double reference, double value) {
     expect(Claim{s.name + ", multipliers: " + what, unit, ReferenceKind::other_method, "elimination",
-                 reference, value, allowed, s.lagrange_study});
+                 reference, value, s.allowed, s.lagrange_study});
   };
   claim("energy", "J", s.elimination.results.internal_energy, s.lagrange.results.internal_energy);
   claim("largest displacement", "m", s.elimination.results.max_displacement.value,
@@ -70,9 +72,9 @@ void expect_equilibrium(const BothWays& s) {
   }
   const std::string of =
       fmt::format("{}, multipliers and loads on each of {} patches without support: ", s.name, free.size());
-  expect(Claim{of + "force left over", "", ReferenceKind::exact, "equilibrium", 0, force, allowed,
+  expect(Claim{of + "force left over", "", ReferenceKind::exact, "equilibrium", 0, force, s.allowed,
                s.lagrange_study});
-  expect(Claim{of + "moment left over", "", ReferenceKind::exact, "equilibrium", 0, moment, allowed,
+  expect(Claim{of + "moment left over", "", ReferenceKind::exact, "equilibrium", 0, moment, s.allowed,
                s.lagrange_study});
 }
 
@@ -93,9 +95,10 @@ void expect_cuts(const BothWays& s, std::size_t count) {
       const std::string of = fmt::format("{}, interface {} = {}: {} of the multipliers", s.name,
                                          cut.first_label, cut.second_label, what);
       expect(Claim{of, unit, ReferenceKind::exact, "loads on the piece beyond it", asked_part.norm(), along,
-                   allowed, s.lagrange_study});
+                   s.allowed, s.lagrange_study});
       expect(Claim{of + ", part across", "", ReferenceKind::exact, "loads on the piece beyond it", 0,
-                   (carried_part + along * direction).norm() / asked_part.norm(), allowed, s.lagrange_study});
+                   (carried_part + along * direction).norm() / asked_part.norm(), s.allowed,
+                   s.lagrange_study});
     };
     claim("force", "N", carried.force, asked.force);
     claim("moment", "N m", carried.moment, asked.moment);
@@ -147,7 +150,7 @@ TEST(Coupling, ForceThroughTheBracket) {
     for (int d = 0; d < 3; ++d)
       expect(Claim{fmt::format("bracket, force of the multipliers on the loaded leg along {}", "xyz"[d]), "N",
                    ReferenceKind::closed_form, "traction times area, and weight", -loads[d], carried[d],
-                   allowed, s.lagrange_study});
+                   s.allowed, s.lagrange_study});
   }
 }
 
@@ -194,7 +197,7 @@ TEST(FullCoupling, LooselyFittedParts) {
     ISOPATCH_NEEDS_DATA(file);
     const BothWays s = solved_both_ways(
         name, "examples/terrific/study.toml",
-        {"model.file=" + data_path(file).string(), "model.same_point=1e-5",
+        {"model.file=" + isopatch::test::data_file(file).string(), "model.same_point=1e-5",
          fmt::format("support.0.faces=[\"{}\"]", held), fmt::format("load.0.faces=[\"{}\"]", loaded)});
     expect_agreement(s);
     expect_equilibrium(s);
@@ -203,7 +206,9 @@ TEST(FullCoupling, LooselyFittedParts) {
 
 TEST(FullCoupling, TerrificOfDegreeThree) {
   ISOPATCH_NEEDS_DATA("terrific/terrific.xml");
-  const BothWays s = solved_both_ways("TERRIFIC, p = 3", "examples/terrific/study.toml", {});
+  BothWays s = solved_both_ways("TERRIFIC, p = 3", "examples/terrific/study.toml", {});
+  // Its multipliers differ by 2e-10.
+  s.allowed = round_off(3e5, "assembling and solving both systems of degree 3 and of large condition");
   expect_agreement(s);
   expect_equilibrium(s);
 }

@@ -23,7 +23,9 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double allowed_change = 1e-9;
+// The energy is the difference of larger sums where a part bends: Cook's membrane, ten thick, moves by 3e-10,
+// other models by 1e-12 and less.
+const Tolerance allowed_change = round_off(3e5, "a matrix of condition 1e5 to 1e6 in other coordinates");
 
 // The patches in another order: patch i becomes the order[i]-th.
 geometry::PatchSet renumbered(const geometry::PatchSet& set, const std::vector<int>& order) {
@@ -164,6 +166,7 @@ TEST(Invariance, ThinMembrane) {
               std::abs(energy(change) / as_it_is - 1) / (std::numeric_limits<double>::epsilon() * condition),
               0,
               {},
+              Comparison::at_most,
               0.});
 }
 

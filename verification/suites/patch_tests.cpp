@@ -16,7 +16,11 @@
 namespace isopatch::verification {
 namespace {
 
-constexpr double allowed = 1e-10;
+// Degrees 4 and 5 reach 1e-11, tractions on curved faces 3e-11, most models 1e-14.
+const Tolerance of_linear_fields =
+    round_off(3e4, "assembling and solving, and of integrals of rational functions");
+// A sum of many terms loses less than its terms.
+const Tolerance of_linear_energies = round_off(300, "the sum of the energy's terms");
 
 double volume_of(const iga::ElasticField& field) {
   double sum = 0;
@@ -30,9 +34,9 @@ void expect_linear(const std::string& of, const iga::ElasticitySolution& solutio
   const iga::Material& material = solution.field.materials[0];
   const double energy = exact.energy_density(material) * volume_of(solution.field);
   expect(Claim{of + ": largest error of a coefficient of u", "", ReferenceKind::exact, "linear field", 0,
-               coefficient_error(solution.field, exact), allowed, study});
+               coefficient_error(solution.field, exact), of_linear_fields, study});
   expect(Claim{of + ": energy", "J", ReferenceKind::exact, "stress : strain / 2 times the volume", energy,
-               solution.results.internal_energy, allowed, study});
+               solution.results.internal_energy, of_linear_energies, study});
 }
 
 // The field that a study prescribes on the surface.
@@ -58,19 +62,15 @@ TEST(PatchTests, DisplacementOnTheWholeSurface) {
   expect_follows_its_surface({"Cook's membrane, 1 thick", {"model.generate=cook"}, "", ""});
 }
 
-// Degree + 1 points integrate polynomial patches of degree 2 exactly, and rational functions nearly.
+// As many points as the map of a patch needs: degree + 1 where it is polynomial, more where it is rational.
 TEST(PatchTests, DefaultQuadrature) {
   for (const ModelCase& model : every_model_case()) {
     std::vector<std::string> overrides = model.overrides;
     overrides.emplace_back("discretization.points=0");
     const SolvedStudy s = solved("verification/studies/patch_test.toml", overrides);
-    const auto& patches = s.run.solution.field.patches;
-    const bool rational =
-        std::any_of(patches.begin(), patches.end(), [](const auto& patch) { return patch.is_rational(); });
-    expect(
-        Claim{fmt::format("{}, 3 Gauss points a direction: largest error of a coefficient of u", model.name),
-              "", ReferenceKind::exact, "linear field", 0,
-              coefficient_error(s.run.solution.field, held_field(s)), rational ? 1e-4 : allowed, s.named});
+    expect(Claim{model.name + ", points by default: largest error of a coefficient of u", "",
+                 ReferenceKind::exact, "linear field", 0,
+                 coefficient_error(s.run.solution.field, held_field(s)), of_linear_fields, s.named});
   }
 }
 

@@ -43,7 +43,7 @@ void expect_exact(const std::string& what, iga::Coupling coupling, double error)
                "linear field",
                0,
                error,
-               1e-10,
+               round_off(1e3, "assembling and solving"),
                {}});
 }
 

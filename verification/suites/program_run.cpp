@@ -117,15 +117,4 @@ ProgramRun run_program(const ClaimStudy& study, const Launch& launch) {
           summary["parallel"]["threads"].get<int>()};
 }
 
-double largest_difference(const iga::ElasticField& a, const iga::ElasticField& b) {
-  double difference = 0;
-  double largest = 0;
-  for (std::size_t p = 0; p < a.displacement.size(); ++p) {
-    difference = larger(
-        difference, (a.displacement[p] - b.displacement.at(p)).cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
-    largest = larger(largest, a.displacement[p].cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
-  }
-  return difference / largest;
-}
-
 }  // namespace isopatch::verification

@@ -36,7 +36,4 @@ std::string launcher_fault();
 /// @throws std::runtime_error with what the program said, if it fails
 ProgramRun run_program(const ClaimStudy& study, const Launch& launch);
 
-/// Largest difference of a displacement coefficient, relative to the largest coefficient.
-double largest_difference(const iga::ElasticField& a, const iga::ElasticField& b);
-
 }  // namespace isopatch::verification

@@ -33,8 +33,14 @@ TEST(Published, NafemsLe1) {
 TEST(Published, CookMembrane) {
   const SolvedStudy s = solved("examples/cook/study.toml");
   const double deflection = s.probe("middle of the loaded edge").values.displacement[1];
-  expect(Claim{"u_y in the middle of the loaded edge", "m", ReferenceKind::published,
-               "Cook's membrane, plane stress", 23.96, deflection, 5e-4, s.named});
+  expect(Claim{"u_y in the middle of the loaded edge",
+               "m",
+               ReferenceKind::published,
+               "Cook's membrane, plane stress",
+               23.96,
+               deflection,
+               {5e-4, "finite elements, refined, differ from it by 3e-4"},
+               s.named});
   expect(Claim{"u_y in the middle of the loaded edge", "m", ReferenceKind::independent_fe,
                "finite elements, refined", 23.967, deflection, 5e-4, s.named});
   expect(Claim{"energy of the half", "J", ReferenceKind::independent_fe, "finite elements, refined",
@@ -46,9 +52,13 @@ TEST(Published, MacNealHarderCylinder) {
                                          std::pair(0.499, 5.0602e-3), std::pair(0.4999, 5.0623e-3)}) {
     const SolvedStudy s =
         solved("verification/studies/macneal_cylinder.toml", {fmt::format("material.0.poisson={}", nu)});
-    // The last printed digit decides.
-    expect(Claim{fmt::format("u_r at the inner wall, nu = {}", nu), "m", ReferenceKind::published,
-                 "MacNeal and Harder", displacement, s.probe("inner wall").values.displacement[0], 2e-5,
+    expect(Claim{fmt::format("u_r at the inner wall, nu = {}", nu),
+                 "m",
+                 ReferenceKind::published,
+                 "MacNeal and Harder",
+                 displacement,
+                 s.probe("inner wall").values.displacement[0],
+                 {2e-5, "the last printed digit"},
                  s.named});
   }
 }

@@ -25,17 +25,19 @@ namespace isopatch::verification {
 namespace {
 
 using namespace geometry;
-using test::random_knots;
-using test::random_nurbs;
-using test::random_parameter;
+using geometry::test::random_knots;
+using geometry::test::random_nurbs;
+using geometry::test::random_parameter;
 
-// A sum of some ten terms of size 1, each rounded.
-constexpr double round_off = 1e-14;
-// The same after a chain of them: knot insertion, degree elevation, the quotient rule.
-constexpr double chained_round_off = 1e-12;
+const Tolerance of_a_sum = round_off(3, "a sum of some ten terms of size 1");
+const Tolerance of_a_chain =
+    round_off(200, "sums one after the other, as in knot insertion, degree elevation, the quotient rule");
+// Steps of 1e-3: 1e-12 times the ratio of fifth to first derivatives, and 1e-16 / 1e-3.
+const Tolerance of_differences = {1e-8,
+                                  "differences of fourth order, worst where fifth derivatives are large"};
 
 // `value` is an error relative to what it is an error of, so that 0 is expected of it.
-void expect_none(const std::string& what, const std::string& source, double value, double allowed) {
+void expect_none(const std::string& what, const std::string& source, double value, const Tolerance& allowed) {
   expect(Claim{what, "", ReferenceKind::exact, source, 0, value, allowed, {}});
 }
 
@@ -75,11 +77,11 @@ TEST(SplineExactness, Circles) {
       moved = larger(moved, (finer.point(t) - x).norm() / 2);
     }
     const std::string of = fmt::format("NURBS arc of {} degrees", degrees);
-    expect_none(of + ": distance of its points from the circle", "|x| = r", radius, round_off);
-    expect_none(of + ": first derivative along the radius", "x.x' = 0", speed, round_off);
-    expect_none(of + ": second derivative along the radius", "x.x'' = -x'.x'", bend, chained_round_off);
+    expect_none(of + ": distance of its points from the circle", "|x| = r", radius, of_a_sum);
+    expect_none(of + ": first derivative along the radius", "x.x' = 0", speed, of_a_sum);
+    expect_none(of + ": second derivative along the radius", "x.x'' = -x'.x'", bend, of_a_chain);
     expect_none(of + ": refined by degree and knots, movement of its points", "the same curve", moved,
-                round_off);
+                of_a_sum);
   }
 }
 
@@ -92,7 +94,7 @@ TEST(SplineExactness, Spheres) {
                          [r = radius](const NurbsSurface& s, const Parameter<2>& t) {
                            return s.point(t).norm() / r - 1;
                          }),
-                round_off);
+                of_a_sum);
     expect_none(of + ": tangents along the radius", "x.x_u = 0",
                 worst_on(sphere, name,
                          [](const NurbsSurface& s, const Parameter<2>& t) {
@@ -100,7 +102,7 @@ TEST(SplineExactness, Spheres) {
                                .cwiseAbs()
                                .maxCoeff<Eigen::PropagateNaN>();
                          }),
-                round_off);
+                of_a_sum);
     expect_none(of + ": mixed second derivative along the radius", "x.x_uv = -x_u.x_v",
                 worst_on(sphere, name,
                          [&](const NurbsSurface& s, const Parameter<2>& t) {
@@ -108,7 +110,7 @@ TEST(SplineExactness, Spheres) {
                            return (s.point(t).dot(s.derivative(t, {1, 1})) + j.col(0).dot(j.col(1))) /
                                   (j.col(0).norm() * j.col(1).norm());
                          }),
-                chained_round_off);
+                of_a_chain);
   }
 }
 
@@ -127,7 +129,7 @@ TEST(SplineExactness, Pipes) {
                            if (x[0] > 20) off_axis = x[2] - 35;
                            return std::hypot(off_axis, x[1]) / r - 1;
                          }),
-                round_off);
+                of_a_sum);
 }
 
 // Random knots into every direction, each degree raised by 0 .. 2.
@@ -157,8 +159,8 @@ TEST(SplineExactness, Refinement) {
       }
     }
     const std::string of = c.name + ", knots inserted and degrees raised at random: ";
-    expect_none(of + "movement of points", "the same map", moved, round_off);
-    expect_none(of + "change of the Jacobian matrix", "the same map", turned, chained_round_off);
+    expect_none(of + "movement of points", "the same map", moved, of_a_sum);
+    expect_none(of + "change of the Jacobian matrix", "the same map", turned, of_a_chain);
   }
 }
 
@@ -172,7 +174,7 @@ TEST(SplineExactness, BezierExtraction) {
       for (const NurbsVolume& piece : pieces)
         for (int i = 0; i < 5; ++i) {
           const Parameter<3> t = random_parameter(random, piece);
-          moved = larger(moved, (test::de_casteljau(piece, t) - spline.point(t)).norm());
+          moved = larger(moved, (geometry::test::de_casteljau(piece, t) - spline.point(t)).norm());
         }
       // In one space again, pieces and spline have the same coefficients.
       NurbsVolume::KnotVectors knots;
@@ -185,9 +187,9 @@ TEST(SplineExactness, BezierExtraction) {
     }
     const std::string of = rational ? "random NURBS volumes" : "random B-spline volumes";
     expect_none(of + ": Bezier pieces by de Casteljau's algorithm against the spline", "the same map", moved,
-                chained_round_off);
+                of_a_chain);
     expect_none(of + ": corner coefficients of Bezier pieces and of Bezier knots", "the same map", apart,
-                chained_round_off);
+                of_a_chain);
   }
 }
 
@@ -239,12 +241,12 @@ TEST(SplineExactness, Bases) {
   for (const int degree : {1, 2, 3, 5, 8}) {
     const BasisErrors e = basis_errors(degree);
     const std::string of = fmt::format("B-splines of degree {} on random knots: ", degree);
-    expect_none(of + "sum of the functions, less 1", "partition of unity", e.sum, round_off);
-    expect_none(of + "sum of the derivatives", "partition of unity", e.sums_of_derivatives, round_off);
+    expect_none(of + "sum of the functions, less 1", "partition of unity", e.sum, of_a_sum);
+    expect_none(of + "sum of the derivatives", "partition of unity", e.sums_of_derivatives, of_a_sum);
     expect_none(of + "most negative value", "positivity", e.negative, 0);
-    expect_none(of + "difference from the recursion", "Cox, de Boor", e.recursion, round_off);
-    expect_none(of + "the identity from Greville abscissae", "linear precision", e.identity, round_off);
-    expect_none(of + "its derivative, less 1", "linear precision", e.slope, chained_round_off);
+    expect_none(of + "difference from the recursion", "Cox, de Boor", e.recursion, of_a_sum);
+    expect_none(of + "the identity from Greville abscissae", "linear precision", e.identity, of_a_sum);
+    expect_none(of + "its derivative, less 1", "linear precision", e.slope, of_a_chain);
   }
 }
 
@@ -276,14 +278,12 @@ double difference_error(bool rational) {
 }
 
 TEST(SplineExactness, Derivatives) {
-  // Differences of fourth order with steps of 1e-3: 1e-12 times the ratio of fifth to first derivatives, and
-  // round-off of 1e-16 / 1e-3.
   for (const bool rational : {false, true}) {
     const std::string of = rational ? "random NURBS " : "random B-spline ";
     expect_none(of + "surfaces: second derivatives against differences", "differences of fourth order",
-                difference_error<2>(rational), 1e-8);
+                difference_error<2>(rational), of_differences);
     expect_none(of + "volumes: second derivatives against differences", "differences of fourth order",
-                difference_error<3>(rational), 1e-8);
+                difference_error<3>(rational), of_differences);
   }
 }
 
@@ -312,10 +312,9 @@ TEST(SplineExactness, SolutionSpaces) {
       }
     }
     const std::string of = "solution space on the " + c.name + ": ";
-    expect_none(of + "sum of the functions, less 1", "partition of unity", sum, round_off);
-    expect_none(of + "sum of the gradients", "partition of unity", gradient, chained_round_off);
-    expect_none(of + "gradient of the place, less the unit matrix", "isoparametric", identity,
-                chained_round_off);
+    expect_none(of + "sum of the functions, less 1", "partition of unity", sum, of_a_sum);
+    expect_none(of + "sum of the gradients", "partition of unity", gradient, of_a_chain);
+    expect_none(of + "gradient of the place, less the unit matrix", "isoparametric", identity, of_a_chain);
   }
 }
 

@@ -38,6 +38,7 @@
 #include "app/results/stored_results.hpp"
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/error.hpp"
+#include "geometry/base/larger.hpp"
 
 namespace isopatch::verification {
 namespace {
@@ -192,7 +193,7 @@ double off_by(double von_mises, const Vector3d& place) {
   for (const Vector3d& step : {Vector3d(0, 0, 0), Vector3d(beside, 0, 0), Vector3d(-beside, 0, 0),
                                Vector3d(0, beside, 0), Vector3d(0, -beside, 0)})
     try {
-      smallest = std::min(smallest, std::abs(probed(place + step).values.von_mises - von_mises));
+      smallest = smaller(smallest, std::abs(probed(place + step).values.von_mises - von_mises));
     } catch (const Error&) {  // outside of the part
     }
   return smallest;

@@ -226,13 +226,15 @@ def claim(suite, case, what, verdict, **more):
 def verification():
     """A verification with every kind of claim: held, failed, not run, reported, an order of convergence."""
     numbers = {"unit": "m", "kind": "closed form", "source": "Hooke", "reference": 2.0, "value": 2.0001, "difference": 5e-5,
-               "relative": True, "allowed": 1e-3, "study": {"file": "bar.toml", "set": ["a.b=1"]}}
+               "comparison": "relative", "least": None, "allowed": 1e-3, "reason": "", "study": {"file": "bar.toml", "set": ["a.b=1"]}}
     order = {"unit": "", "kind": "manufactured", "source": "p + 1", "reference": 3.0, "value": 3.02, "difference": 0.02,
-             "relative": False, "allowed": 0.15, "study": None,
+             "comparison": "absolute", "least": None, "allowed": 0.15, "reason": "meshes that are affordable", "study": None,
              "convergence": {"sizes": [0.5, 0.25], "errors": [8e-3, 1e-3], "orders": [3.0]}}
     claims = [claim("closed_forms", "bar", "u at the end", "holds", **numbers),
               claim("closed_forms", "bar", "u at the joint", "FAILS", **{**numbers, "value": 3.0, "difference": 0.5}),
               claim("manufactured", "one patch", "order of displacement in L2, p = 2", "holds", **order),
+              claim("solvers", "cg", "iterations", "holds", **{**numbers, "unit": "", "reference": 14.0, "value": 7.0, "difference": 0.0,
+                                                            "comparison": "at most", "least": 1.0, "allowed": 0.0}),
               claim("seed_studies", "terrific", "largest displacement", "reported",
                     **{**numbers, "allowed": None, "why": "the paper prints <another> load"}),
               claim("seed_studies", "chair stand", "needs chair_stand.xml; set ISOPATCH_DATA", "not run")]

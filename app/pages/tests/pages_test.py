@@ -390,7 +390,7 @@ class OtherPages(Pages):
         self.open("verification")
         self.expect_sound()
         text = self.browser.run("return document.getElementById('verdict').textContent")
-        self.assertIn("2 claims hold, 1 fail, 1 were not run (level quick, 12.30 s)", text)
+        self.assertIn("3 claims hold, 1 fail, 1 were not run (level quick, 12.30 s)", text)
         self.assertIn("bad", self.browser.run("return document.getElementById('verdict').className"))
         self.assertEqual(self.verdicts("closed_forms"), [["u at the end (m)", "holds"], ["u at the joint (m)", "FAILS"]])
         self.assertEqual(self.verdicts("seed_studies"), [
@@ -400,9 +400,11 @@ class OtherPages(Pages):
                          ["closed forms, bar: u at the joint"])
         # One link a suite, and plots stand in their own.
         self.assertEqual(self.browser.run("return [...document.querySelectorAll('.suites a')].map((x) => x.hash)"),
-                         ["#closed_forms", "#manufactured", "#seed_studies"])
+                         ["#closed_forms", "#manufactured", "#solvers", "#seed_studies"])
         self.assertEqual(self.browser.run("return [...document.querySelectorAll('.claims')].map((x) => x.querySelectorAll('svg').length)"),
-                         [0, 1, 0])
+                         [0, 1, 0, 0])
+        self.assertIn("at most, from 1", self.browser.run("return document.getElementById('solvers').innerText"))
+        self.assertIn("meshes that are affordable", self.browser.run("return document.getElementById('manufactured').innerText"))
 
     def test_faults_stand_out_in_red(self):
         self.open("faults")
@@ -541,9 +543,9 @@ class Program(Pages):
         self.assertEqual(run.returncode, 1, run.stderr)
         self.browser.open(output / "verify.html")
         self.expect_sound()
-        self.assertIn("2 claims hold, 1 fail, 1 were not run", self.browser.run("return document.getElementById('verdict').textContent"))
+        self.assertIn("3 claims hold, 1 fail, 1 were not run", self.browser.run("return document.getElementById('verdict').textContent"))
         self.assertEqual(self.browser.run("return [...document.querySelectorAll('.claims')].map((x) => [x.id, x.querySelectorAll('svg').length])"),
-                         [["closed_forms", 0], ["manufactured", 1], ["seed_studies", 0]])
+                         [["closed_forms", 0], ["manufactured", 1], ["solvers", 0], ["seed_studies", 0]])
         self.assertIn("p = 2: slope 3, expected 3", self.browser.run("return document.querySelector('#manufactured svg').textContent"))
 
 

@@ -23,12 +23,20 @@ globalThis.isopatch = globalThis.isopatch || {};
   const quoted = (text) => (/^[\w.,=/-]+$/.test(text) ? text : text.includes('"') ? `'${text}'` : `"${text}"`);
   const studyText = (study) => (study ? element("code", {}, ["isopatch run " + study.file, ...study.set.map((x) => "--set " + quoted(x))].join(" ")) : "");
 
+  // A difference, or the side of a limit.
+  function allowed(claim) {
+    if (claim.comparison === "at least") return "at least";
+    if (claim.comparison === "at most" && claim.allowed !== null) return `at most, from ${isopatch.general(claim.least, 2)}`;
+    return number(claim.allowed, 2);
+  }
+
   function row(claim) {
-    const what = [claim.what + (claim.unit ? ` (${claim.unit})` : ""), claim.why ? element("span", {class: "why"}, claim.why) : null];
+    const why = claim.why || claim.reason;
+    const what = [claim.what + (claim.unit ? ` (${claim.unit})` : ""), why ? element("span", {class: "why"}, why) : null];
     // What was not run, or broke outside its claims, has a reason and no numbers.
     if (!("value" in claim)) return element("tr", {class: "reason"}, element("th", {scope: "row"}, "no figures"), element("td", {}, badge(claim.verdict)),
                                             element("td", {colspan: 6}, what));
-    const cells = [badge(claim.verdict), number(claim.reference, 7), number(claim.value, 7), number(claim.difference, 2), number(claim.allowed, 2),
+    const cells = [badge(claim.verdict), number(claim.reference, 7), number(claim.value, 7), number(claim.difference, 2), allowed(claim),
                    [claim.kind, claim.source].filter(Boolean).join(", "), studyText(claim.study)];
     return element("tr", {}, element("th", {scope: "row"}, what), cells.map((cell) => element("td", {}, cell)));
   }

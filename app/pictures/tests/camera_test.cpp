@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/tests/expect_error.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -22,8 +23,9 @@ TEST(Camera, NamedViewsAreRightHandedAndUpright) {
 }
 
 TEST(Camera, AViewNeedsADirectionAndAnUpBesideIt) {
-  EXPECT_THROW(view_from({0, 0, 0}, std::nullopt), Error);
-  EXPECT_THROW(view_from({0, 2, 0}, Eigen::Vector3d(0, -1, 0)), Error);
+  EXPECT_ERROR(view_from({0, 0, 0}, std::nullopt), ErrorCode::invalid_argument, "needs a direction");
+  EXPECT_ERROR(view_from({0, 2, 0}, Eigen::Vector3d(0, -1, 0)), ErrorCode::invalid_argument,
+               "must not lie along the view");
   EXPECT_TRUE(view_from({0, 2, 0}, Eigen::Vector3d(3, 1, 0)).up.isApprox(Eigen::Vector3d::UnitX()));
 }
 

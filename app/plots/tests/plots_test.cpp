@@ -11,6 +11,7 @@
 #include "app/plots/line_plot.hpp"
 #include "app/plots/residual_plot.hpp"
 #include "geometry/base/error.hpp"
+#include "geometry/base/tests/expect_error.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -307,7 +308,7 @@ TEST(BarPlot, DrawsAnythingThatItIsGiven) {
 TEST(BarPlot, RefusesBarsWithMissingParts) {
   BarPlot plot = phases();
   plot.bars[1].values.pop_back();
-  EXPECT_THROW(to_svg(plot), Error);
+  EXPECT_ERROR(to_svg(plot), ErrorCode::invalid_argument, "values for");
 }
 
 }  // namespace

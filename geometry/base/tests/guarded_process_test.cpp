@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/tests/expect_error.hpp"
 
 namespace isopatch {
 namespace {
@@ -85,7 +86,8 @@ TEST(GuardedProcess, AMissingProgramIsAnError) {
     EXPECT_EQ(error.code(), ErrorCode::io);
     EXPECT_THAT(error.what(), HasSubstr("/nowhere/at/all cannot be started: No such file or directory"));
   }
-  EXPECT_THROW(run_guarded({.program = "/bin/true", .limits = {.seconds = 0}}), Error);
+  EXPECT_ERROR(run_guarded({.program = "/bin/true", .limits = {.seconds = 0}}), ErrorCode::invalid_argument,
+               "the time limit is 0 s");
 }
 
 TEST(GuardedProcess, SeveralThreadsMayGuardAtOnce) {

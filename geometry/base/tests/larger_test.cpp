@@ -19,6 +19,16 @@ TEST(Larger, IsNanIfEitherIs) {
   EXPECT_TRUE(std::isnan(larger(-std::numeric_limits<double>::infinity(), nan)));
 }
 
+TEST(Smaller, IsNanIfEitherIs) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(smaller(1.0, 2.0), 1);
+  EXPECT_EQ(smaller(2.0, 1.0), 1);
+  EXPECT_EQ(smaller(3, -1), -1);
+  EXPECT_TRUE(std::isnan(smaller(nan, 1.0)));
+  EXPECT_TRUE(std::isnan(smaller(1.0, nan)));
+  EXPECT_TRUE(std::isnan(smaller(std::numeric_limits<double>::infinity(), nan)));
+}
+
 // What tests and claims rely on for matrices, wherever the NaN is and whether or not Eigen vectorizes.
 TEST(Larger, EigenTellsNanAtEveryPlace) {
   for (int n : {1, 2, 3, 7, 16, 64}) {

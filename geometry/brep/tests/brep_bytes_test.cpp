@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/tests/expect_error.hpp"
 #include "geometry/brep/brep_graph.hpp"
 #include "geometry/brep/make_brep.hpp"
 #include "geometry/topology/tests/sample_solids.hpp"
@@ -44,10 +45,10 @@ TEST(BrepBytes, BytesThatHaveChangedNeverReachTheLibrary) {
   for (const std::size_t at : {std::size_t(3), bytes.size() / 2, bytes.size() - 1}) {
     std::string changed = bytes;
     changed[at] = static_cast<char>(changed[at] ^ 1);
-    EXPECT_THROW(bodies_from_bytes(changed), Error);
+    EXPECT_ERROR(bodies_from_bytes(changed), ErrorCode::bad_format, "hold no solids");
   }
-  EXPECT_THROW(bodies_from_bytes(bytes.substr(0, bytes.size() / 2)), Error);
-  EXPECT_THROW(bodies_from_bytes(""), Error);
+  EXPECT_ERROR(bodies_from_bytes(bytes.substr(0, bytes.size() / 2)), ErrorCode::bad_format, "hold no solids");
+  EXPECT_ERROR(bodies_from_bytes(""), ErrorCode::bad_format, "hold no solids");
 }
 
 }  // namespace

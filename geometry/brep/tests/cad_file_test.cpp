@@ -5,10 +5,11 @@
 
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/error.hpp"
+#include "geometry/base/tests/expect_error.hpp"
 #include "geometry/brep/check_brep.hpp"
 #include "geometry/brep/make_brep.hpp"
 #include "geometry/brep/read_brep.hpp"
-#include "geometry/brep/tests/message_of.hpp"
+
 #include "geometry/brep/tests/step_assembly.hpp"
 #include "geometry/brep/write_brep.hpp"
 #include "geometry/topology/tests/sample_solids.hpp"
@@ -172,7 +173,7 @@ TEST_F(CadFile, AMissingUnitIsAWarningAndMayBeGiven) {
   EXPECT_THAT(given.warnings, IsEmpty());
   StepAssembly stated;
   stated.product("part", {stated.body(block(1, 2, 3)).item});
-  EXPECT_THAT(test::message_of([&] { read(stated, {.length_unit = 0.0254}); }),
+  EXPECT_THAT(isopatch::test::message_of([&] { read(stated, {.length_unit = 0.0254}); }),
               HasSubstr("leave length_unit out"));
 }
 
@@ -201,7 +202,7 @@ TEST_F(CadFile, WhatCannotBeReadIsNamedOrLeftOut) {
   const std::size_t at = text.find(face), comma = text.find("),#", at);
   text.replace(comma + 2, text.find(',', comma + 3) - comma - 2, "#99999");
   const fs::path path = file("part.step", text);
-  EXPECT_THAT(test::message_of([&] { read_breps(path); }),
+  EXPECT_THAT(isopatch::test::message_of([&] { read_breps(path); }),
               testing::AllOf(HasSubstr("bad_format: "), HasSubstr("part.step: not all of the file"),
                              HasSubstr("ADVANCED_FACE refers to #99999"), HasSubstr("--allow-partial")));
   const BrepSet partial = read_breps(path, {.allow_partial = true});
@@ -220,14 +221,14 @@ TEST_F(CadFile, TokensAreCheckedBeforeTheLibrarySeesThem) {
   const std::size_t at = text.find("(1.0000000000000000,");
   ASSERT_NE(at, text.npos);
   text.replace(at + 1, 18, "1.#IND");
-  EXPECT_THAT(test::message_of([&] { read_breps(file("bad.step", text)); }),
+  EXPECT_THAT(isopatch::test::message_of([&] { read_breps(file("bad.step", text)); }),
               HasSubstr("= CARTESIAN_POINT: '1.#IND' is no number"));
   text = step.text();
   text.replace(text.find("(1.0000000000000000,") + 1, 18, "10e-1");  // the library would take 10 and -1
   EXPECT_NEAR(read_brep(file("small.step", text)).brep.volume(), 6e-9, 1e-15);
   text = step.text();
   text.replace(text.find("(0.0000000000000000,"), 20, "(0,5,");  // a decimal comma
-  EXPECT_THAT(test::message_of([&] { read_breps(file("comma.step", text)); }),
+  EXPECT_THAT(isopatch::test::message_of([&] { read_breps(file("comma.step", text)); }),
               HasSubstr("CARTESIAN_POINT must have a name and one to three numbers"));
 }
 
@@ -236,7 +237,7 @@ TEST_F(CadFile, AFileThatTakesTooLongOrTooMuchIsAnError) {
   for (int i = 0; i < 4; ++i) step.product("part", {step.body(test::prism(200)).item});
   const fs::path path = file("part.step", step.text());
   const auto limited = [&](GuardLimits limits) {
-    return test::message_of([&] { read_breps(path, {.limits = limits}); });
+    return isopatch::test::message_of([&] { read_breps(path, {.limits = limits}); });
   };
   EXPECT_THAT(limited({.seconds = 1e-3, .bytes = 0}),
               testing::AllOf(HasSubstr("bad_format: "), HasSubstr("part.step"),

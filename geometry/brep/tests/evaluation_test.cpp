@@ -5,30 +5,43 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <set>
 #include <thread>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/tests/data_file.hpp"
+#include "geometry/base/tests/expect_error.hpp"
 #include "geometry/brep/brep.hpp"
 #include "geometry/brep/make_brep.hpp"
 #include "geometry/brep/read_brep.hpp"
-#include "geometry/brep/tests/data_file.hpp"
+#include "geometry/brep/tests/made_solids.hpp"
 #include "geometry/topology/tests/sample_solids.hpp"
 
 namespace isopatch::geometry {
 namespace {
 
-using test::data_file;
+using isopatch::test::data_file;
 
-/// Solids of every kind of surface: plane, cylinder, cone, torus, spline; block.step stands in where data are
-/// absent.
+/// Solids of every kind of surface: plane, cylinder, cone, sphere, torus, spline; and by others where these
+/// are there.
 std::vector<Brep> solids() {
   std::vector<Brep> result = {make_brep(test::block(0.3, 0.2, 0.1))};
+  for (const std::string& name : test::made_solids) result.push_back(test::made_brep(name));
   for (const char* name :
        {"models/screw.step", "models/block_torus_fillet3.step", "models/block_through_hole.step",
         "models/pipe_helix.step", "chair_stand/solids/segmented_objStandFiveParts1_seed002_5.xml"})
     if (const auto path = data_file(name); std::filesystem::exists(path))
       result.push_back(read_brep(path).brep);
   return result;
+}
+
+TEST(BrepEvaluation, IsTestedOnEveryKindOfSurface) {
+  std::set<SurfaceKind> kinds;
+  for (const Brep& brep : solids())
+    for (const BrepFace& face : brep.faces()) kinds.insert(face.kind);
+  using enum SurfaceKind;
+  for (const SurfaceKind kind : {plane, cylinder, cone, sphere, torus, spline})
+    EXPECT_TRUE(kinds.contains(kind)) << name(kind);
 }
 
 TEST(BrepEvaluation, CurvesInDomainsFollowTheEdges) {
@@ -145,9 +158,7 @@ TEST(BrepEvaluation, EdgesAsNurbsCurvesAreExact) {
 }
 
 TEST(BrepEvaluation, AHoleDoesNotBelongToItsFace) {
-  const auto path = data_file("models/block_through_hole.step");
-  ISOPATCH_NEEDS(path);
-  const Brep brep = read_brep(path).brep;
+  const Brep brep = test::made_brep("drilled");
   int faces = 0;
   for (std::size_t f = 0; f < brep.faces().size(); ++f) {
     if (brep.faces()[f].loops.size() != 2) continue;
@@ -202,13 +213,19 @@ TEST(BrepEvaluation, ThreadsDoNotDisturbEachOther) {
   }
 }
 
+TEST(BrepEvaluation, ASolidWithoutAKernelIsNone) {
+  EXPECT_ERROR(Brep(nullptr), ErrorCode::invalid_argument, "needs a kernel");
+}
+
 TEST(BrepEvaluation, IdsOutOfRangeAreRefused) {
   const Brep brep = make_brep(test::block(1, 1, 1));
-  EXPECT_THROW(brep.point(FaceId(6), Eigen::Vector2d::Zero()), Error);
-  EXPECT_THROW(brep.point(EdgeId(-1), 0), Error);
-  EXPECT_THROW(brep.vertex(VertexId(8)), Error);
+  EXPECT_ERROR(brep.point(FaceId(6), Eigen::Vector2d::Zero()), ErrorCode::invalid_argument,
+               "there is no face 6");
+  EXPECT_ERROR(brep.point(EdgeId(-1), 0), ErrorCode::invalid_argument, "there is no edge -1");
+  EXPECT_ERROR(brep.vertex(VertexId(8)), ErrorCode::invalid_argument, "there is no vertex 8");
   const EdgeUse use = brep.faces()[0].loops[0][0];
-  EXPECT_THROW(brep.domain_point(FaceId(0), {use.edge, !use.reversed}, 0), Error);
+  EXPECT_ERROR(brep.domain_point(FaceId(0), {use.edge, !use.reversed}, 0), ErrorCode::invalid_argument,
+               "does not use edge");
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/tests/expect_error.hpp"
 #include "geometry/brep/check_brep.hpp"
-#include "geometry/brep/tests/message_of.hpp"
 #include "geometry/topology/tests/sample_solids.hpp"
 
 namespace isopatch::geometry {
@@ -116,31 +116,31 @@ TEST(MakeBrep, QuadrilateralsNeedNotBePlane) {
 TEST(MakeBrep, BrokenPolyhedraAreRefusedByName) {
   Polyhedron open = test::block(1, 2, 3);
   open.faces.pop_back();
-  EXPECT_THAT(test::message_of([&] { make_brep(open); }),
+  EXPECT_THAT(isopatch::test::message_of([&] { make_brep(open); }),
               testing::AllOf(HasSubstr("not_manifold"), HasSubstr("vertex 1 at (1, 0, 0)"),
                              HasSubstr("one face only")));
 
   Polyhedron wall = test::block(1, 2, 3);
   wall.faces.push_back({0, 1, 7, 6});
-  EXPECT_THAT(test::message_of([&] { make_brep(wall); }), HasSubstr("more than two faces"));
+  EXPECT_THAT(isopatch::test::message_of([&] { make_brep(wall); }), HasSubstr("more than two faces"));
 
   Polyhedron short_edge = test::block(1, 2, 3);
   short_edge.vertices.col(1) = short_edge.vertices.col(0);
-  EXPECT_THAT(test::message_of([&] { make_brep(short_edge); }),
+  EXPECT_THAT(isopatch::test::message_of([&] { make_brep(short_edge); }),
               testing::AllOf(HasSubstr("has no length"), HasSubstr("vertex 1 at (0, 0, 0)")));
 
   Polyhedron crooked = test::prism(6);
   crooked.vertices(2, 0) = 0.2;
-  EXPECT_THAT(test::message_of([&] { make_brep(crooked); }), HasSubstr("is not plane"));
+  EXPECT_THAT(isopatch::test::message_of([&] { make_brep(crooked); }), HasSubstr("is not plane"));
 
   Polyhedron touching;  // two tetrahedra with a common vertex
   touching.vertices =
       (Eigen::Matrix3Xd(3, 7) << 0, 1, 0, 0, -1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 1, 1, 1, 0, -1, -1, -1)
           .finished();
   touching.faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {3, 5, 4}, {3, 4, 6}, {4, 5, 6}, {5, 3, 6}};
-  EXPECT_THAT(test::message_of([&] { make_brep(touching); }), HasSubstr("touches itself in vertex"));
+  EXPECT_THAT(isopatch::test::message_of([&] { make_brep(touching); }),
+              HasSubstr("touches itself in vertex"));
 
-  EXPECT_NO_THROW(make_brep(open, {.accept_open = true}));
   const BrepReport report = check(make_brep(open, {.accept_open = true}));
   EXPECT_EQ(report.stage, BrepStage::repair);
   EXPECT_EQ(report.count(Convexity::free), 4);
@@ -184,7 +184,7 @@ TEST(Sew, LargeGapsAreRefusedByName) {
   Eigen::Matrix3Xd points = faces[1].surface.control_points();
   points.row(2).array() += 0.1;
   faces[1].surface = NurbsSurface(faces[1].surface.knots(), points);
-  EXPECT_THAT(test::message_of([&] { sew(faces); }),
+  EXPECT_THAT(isopatch::test::message_of([&] { sew(faces); }),
               testing::AllOf(HasSubstr("not_manifold"), HasSubstr("belongs to one face only"),
                              HasSubstr("curve"), HasSubstr("0.1 m away")));
   EXPECT_FALSE(check(sew(faces, {.accept_open = true}).brep).boundary.closed());
@@ -194,16 +194,20 @@ TEST(Sew, LoopsThatDoNotCloseAndCurvesWithoutLengthAreRefused) {
   std::vector<TrimmedSurface> faces = bilinear_faces(test::block(3, 2, 1));
   std::vector<TrimmedSurface> broken = faces;
   broken[2].loops[0].pop_back();
-  EXPECT_THAT(test::message_of([&] { sew(broken); }),
+  EXPECT_THAT(isopatch::test::message_of([&] { sew(broken); }),
               testing::AllOf(HasSubstr("face 2"), HasSubstr("loops must close")));
   broken = faces;
   broken[5].loops[0].emplace_back(NurbsCurve::KnotVectors{KnotVector()}, Eigen::Matrix3Xd::Zero(3, 2));
-  EXPECT_THAT(test::message_of([&] { sew(broken); }),
+  EXPECT_THAT(isopatch::test::message_of([&] { sew(broken); }),
               testing::AllOf(HasSubstr("face 5"), HasSubstr("has no length")));
   broken = faces;
   broken.push_back(faces[0]);
-  EXPECT_THAT(test::message_of([&] { sew(broken); }), HasSubstr("more than two faces"));
-  EXPECT_THAT(test::message_of([&] { sew(faces, {.same_curve = 0.1}); }), HasSubstr("same_curve is 0.1"));
+  EXPECT_THAT(isopatch::test::message_of([&] { sew(broken); }), HasSubstr("more than two faces"));
+  broken = faces;
+  broken[3].loops.clear();
+  EXPECT_ERROR(sew(broken, {.accept_open = true}), ErrorCode::invalid_argument, "face 3 has no loop");
+  EXPECT_THAT(isopatch::test::message_of([&] { sew(faces, {.same_curve = 0.1}); }),
+              HasSubstr("same_curve is 0.1"));
 }
 
 }  // namespace

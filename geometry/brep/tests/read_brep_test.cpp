@@ -5,13 +5,15 @@
 
 #include <cmath>
 #include <filesystem>
+#include <map>
 
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/error.hpp"
+#include "geometry/base/tests/data_file.hpp"
+#include "geometry/base/tests/expect_error.hpp"
 #include "geometry/brep/check_brep.hpp"
 #include "geometry/brep/make_brep.hpp"
-#include "geometry/brep/tests/data_file.hpp"
-#include "geometry/brep/tests/message_of.hpp"
+#include "geometry/brep/tests/made_solids.hpp"
 #include "geometry/brep/write_brep.hpp"
 #include "geometry/io/read_off.hpp"
 #include "geometry/topology/tests/sample_solids.hpp"
@@ -20,7 +22,7 @@ namespace isopatch::geometry {
 namespace {
 
 namespace fs = std::filesystem;
-using test::data_file;
+using isopatch::test::data_file;
 using testing::AllOf;
 using testing::HasSubstr;
 
@@ -58,9 +60,7 @@ TEST_F(ReadBrep, EveryFormatKeepsAnLShapedSolidInEveryUnit) {
 
 TEST_F(ReadBrep, NamesAndColoursOfStepFacesSurvive) {
   // A hand-written colour and name come in through a first file, so that the second shows what reading kept.
-  const auto path = data_file("models/block.step");
-  ISOPATCH_NEEDS(path);
-  std::string text = read_file(path);
+  std::string text = read_file(test::made_solid("block"));
   int named = 0;
   for (std::size_t at = 0; (at = text.find("ADVANCED_FACE(", at)) != text.npos; ++at) {
     const std::size_t open = text.find('\'', at), close = text.find('\'', open + 1);
@@ -82,12 +82,10 @@ TEST_F(ReadBrep, NamesAndColoursOfStepFacesSurvive) {
 }
 
 TEST_F(ReadBrep, ColoursOfFacesComeBackToTheLastDigitOfAByte) {
-  const auto path = data_file("models/block.step");
-  ISOPATCH_NEEDS(path);
   // As STEP says it: a styled item for each of two faces.
-  std::string text = read_file(path);
+  std::string text = read_file(test::made_solid("block"));
   std::vector<std::string> faces;
-  for (std::size_t at = 0; (at = text.find("=ADVANCED_FACE(", at)) != text.npos; ++at)
+  for (std::size_t at = 0; (at = text.find(" = ADVANCED_FACE(", at)) != text.npos; ++at)
     faces.push_back(text.substr(text.rfind('#', at), at - text.rfind('#', at)));
   ASSERT_EQ(faces.size(), 6u);
   std::string styles;
@@ -125,25 +123,87 @@ TEST_F(ReadBrep, ColoursOfFacesComeBackToTheLastDigitOfAByte) {
   EXPECT_EQ(found, 4);
 }
 
+TEST_F(ReadBrep, NamesAndColoursOfBodiesAndFacesAreThoseOfAnotherProgram) {
+  const BrepSet set = read_breps(test::made_solid("named"));
+  ASSERT_EQ(set.bodies.size(), 2u);
+  EXPECT_EQ(set.bodies[0].name, "plate");
+  EXPECT_EQ(set.bodies[1].name, "pin");
+  std::map<std::string, int> plate, pin;
+  for (const BrepFace& face : set.bodies[0].brep.faces()) ++plate[face.colour ? hex_text(*face.colour) : ""];
+  for (const BrepFace& face : set.bodies[1].brep.faces()) ++pin[face.colour ? hex_text(*face.colour) : ""];
+  EXPECT_EQ(plate, (std::map<std::string, int>{{"#808080", 5}, {"#ff0066", 1}}));
+  EXPECT_EQ(pin, (std::map<std::string, int>{{"#336699", 3}}));
+}
+
+// Sewn from surfaces that lie beside each other, and through a file of such.
+void expect_round_trip(const Brep& brep, const fs::path& folder) {
+  const SewnBrep sewn = sew(trimmed_surfaces(brep));
+  EXPECT_LT(sewn.largest_correction, 1e-6 * brep.size());
+  write_brep(folder / "round.xml", brep, {.unit = "m"});
+  for (const Brep& again : {sewn.brep, read_brep(folder / "round.xml").brep}) {
+    EXPECT_EQ(again.edges().size(), brep.edges().size());
+    EXPECT_EQ(again.vertices().cols(), brep.vertices().cols());
+    EXPECT_NEAR(again.volume(), brep.volume(), 1e-7 * brep.volume());
+    for (std::size_t f = 0; f < brep.faces().size(); ++f)
+      EXPECT_NEAR(again.area(FaceId(static_cast<int>(f))), brep.area(FaceId(static_cast<int>(f))),
+                  1e-6 * brep.area(FaceId(static_cast<int>(f))));
+  }
+  EXPECT_THAT(isopatch::test::message_of([&] { write_brep(folder / "round.off", brep); }),
+              HasSubstr("is no straight line"));
+}
+
 TEST_F(ReadBrep, RoundSolidsBecomeTrimmedSurfacesAndComeBack) {
+  for (const char* name : {"grooved", "round_edge"}) {
+    SCOPED_TRACE(name);
+    expect_round_trip(test::made_brep(name), folder_);
+  }
+}
+
+// A pole is a side of the surface's domain, and a curve of no length in space.
+TEST_F(ReadBrep, PolesOfSpheresCannotBeSewnYet) {
+  EXPECT_ERROR(sew(trimmed_surfaces(test::made_brep("round_corner"))), ErrorCode::not_manifold,
+               "from (0.003, 0.003, 0.01) to (0.003, 0.003, 0.01) m, has no length");
+}
+
+TEST_F(ReadBrep, RoundSolidsOfOthersBecomeTrimmedSurfacesAndComeBack) {
   for (const char* name : {"block_fillet1.step", "three_concave_edge.step", "block_torus_fillet3.step"}) {
     SCOPED_TRACE(name);
     const auto path = data_file(std::string("models/") + name);
     ISOPATCH_NEEDS(path);
-    const Brep brep = read_brep(path).brep;
-    const SewnBrep sewn = sew(trimmed_surfaces(brep));
-    EXPECT_LT(sewn.largest_correction, 1e-6 * brep.size());
-    write_brep(file("round.xml"), brep, {.unit = "m"});
-    for (const Brep& again : {sewn.brep, read_brep(file("round.xml")).brep}) {
-      EXPECT_EQ(again.edges().size(), brep.edges().size());
-      EXPECT_EQ(again.vertices().cols(), brep.vertices().cols());
-      EXPECT_NEAR(again.volume(), brep.volume(), 1e-7 * brep.volume());
-      for (std::size_t f = 0; f < brep.faces().size(); ++f)
-        EXPECT_NEAR(again.area(FaceId(static_cast<int>(f))), brep.area(FaceId(static_cast<int>(f))),
-                    1e-6 * brep.area(FaceId(static_cast<int>(f))));
-    }
-    EXPECT_THAT(test::message_of([&] { write_brep(file("round.off"), brep); }),
-                HasSubstr("is no straight line"));
+    expect_round_trip(read_brep(path).brep, folder_);
+  }
+}
+
+// The faces of a solid, one of which lies `off` away from its neighbours, as a share of the solid's size.
+std::vector<TrimmedSurface> faces_with_one_off(const Brep& brep, double off) {
+  std::vector<TrimmedSurface> faces = trimmed_surfaces(brep);
+  NurbsSurface& surface = faces[0].surface;
+  const Parameter<2> middle = 0.5 * (surface.low() + surface.high());
+  const Eigen::Vector3d normal =
+      surface.jacobian(middle).col(0).cross(surface.jacobian(middle).col(1)).normalized();
+  surface = NurbsSurface(surface.knots(), surface.control_points().colwise() + off * brep.size() * normal,
+                         surface.weights());
+  return faces;
+}
+
+TEST_F(ReadBrep, SmallGapsBetweenRoundFacesAreSewnAndTold) {
+  for (const char* name : {"grooved", "round_edge"}) {
+    SCOPED_TRACE(name);
+    const Brep brep = test::made_brep(name);
+    const double off = 3e-5;
+    const SewnBrep sewn = sew(faces_with_one_off(brep, off));
+    EXPECT_NEAR(sewn.largest_correction, off * brep.size(), 0.7 * off * brep.size());
+    EXPECT_EQ(sewn.brep.edges().size(), brep.edges().size());
+    EXPECT_NEAR(sewn.brep.volume(), brep.volume(), off * brep.size() * brep.area());
+    EXPECT_TRUE(check(sewn.brep).boundary.bounds_a_solid());
+  }
+}
+
+TEST_F(ReadBrep, WideGapsBetweenRoundFacesAreRefusedWithTheirPlace) {
+  for (const char* name : {"grooved", "round_edge"}) {
+    const Brep brep = test::made_brep(name);
+    EXPECT_ERROR(sew(faces_with_one_off(brep, 2e-2)), ErrorCode::not_manifold, "belongs to one face only")
+        << name;
   }
 }
 
@@ -216,14 +276,14 @@ TEST_F(ReadBrep, SolidsOfThePapersAreWhatIsKnownOfThem) {
 TEST_F(ReadBrep, GapsThatAreTooWideAreRefusedWithTheirPlace) {
   const auto path = data_file("solids/gsSolidSP2.xml");
   ISOPATCH_NEEDS(path);
-  EXPECT_THAT(test::message_of([&] { read_breps(path); }),
+  EXPECT_THAT(isopatch::test::message_of([&] { read_breps(path); }),
               AllOf(HasSubstr("not_manifold"), HasSubstr("gsSolidSP2.xml"),
                     HasSubstr("curve 2 of loop 0 of face 0"), HasSubstr("belongs to one face only")));
 }
 
 TEST_F(ReadBrep, WhatIsNoSolidIsRefusedWithTheFilesName) {
   const auto refusal = [&](const fs::path& path, const ReadBrepOptions& options = {}) {
-    return test::message_of([&] { read_brep(path, options); });
+    return isopatch::test::message_of([&] { read_brep(path, options); });
   };
   EXPECT_THAT(refusal(file("absent.step")), AllOf(HasSubstr("io"), HasSubstr("absent.step")));
   EXPECT_THAT(refusal(file("absent.off")), AllOf(HasSubstr("io"), HasSubstr("absent.off")));
@@ -251,11 +311,12 @@ TEST_F(ReadBrep, WhatIsNoSolidIsRefusedWithTheFilesName) {
   write_brep(file("good.step"), make_brep(test::block(1, 2, 3)));
   EXPECT_THAT(refusal(file("good.step"), {.length_unit = 0.001}), HasSubstr("states its unit"));
   EXPECT_THAT(refusal(file("good.step"), {.sew = {.same_point = 0.5}}), HasSubstr("same_point is 0.5"));
-  EXPECT_THAT(test::message_of([&] { write_brep(file("good.stl"), make_brep(test::block(1, 2, 3))); }),
-              HasSubstr("solids are written as .step"));
   EXPECT_THAT(
-      test::message_of([&] { write_brep(file("x.step"), make_brep(test::block(1, 2, 3)), {.unit = "km"}); }),
-      HasSubstr("unit is 'km'"));
+      isopatch::test::message_of([&] { write_brep(file("good.stl"), make_brep(test::block(1, 2, 3))); }),
+      HasSubstr("solids are written as .step"));
+  EXPECT_THAT(isopatch::test::message_of(
+                  [&] { write_brep(file("x.step"), make_brep(test::block(1, 2, 3)), {.unit = "km"}); }),
+              HasSubstr("unit is 'km'"));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "geometry/base/atomic_file.hpp"
+#include "geometry/base/tests/data_file.hpp"
 #include "geometry/io/read_gismo_xml.hpp"
 #include "geometry/io/tests/sample_patches.hpp"
 #include "geometry/io/write_gismo_xml.hpp"
@@ -117,8 +118,8 @@ std::set<std::vector<int>> interface_lines(const std::string& text) {
 }
 
 TEST(GismoXml, WritesTheInterfaceLinesOfThePublishedModel) {
-  const auto path = data_file("terrific/terrific.xml");
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there";
+  const auto path = isopatch::test::data_file("terrific/terrific.xml");
+  ISOPATCH_NEEDS(path);
   const std::string text = read_file(path);
   const std::string ours = to_gismo_xml(connect(read_gismo_xml(text, path)));
   EXPECT_EQ(interface_lines(text).size(), 48u);
@@ -128,8 +129,8 @@ TEST(GismoXml, WritesTheInterfaceLinesOfThePublishedModel) {
 TEST(GismoXml, PublishedModelsComeBackToTheLastBit) {
   for (const char* name :
        {"terrific/terrific.xml", "terrific/terrificPart01_vol.xml", "chair_stand/chair_stand.xml"}) {
-    const auto path = data_file(name);
-    if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there";
+    const auto path = isopatch::test::data_file(name);
+    ISOPATCH_NEEDS(path);
     const PatchSet first = read_gismo_xml(read_file(path), name);
     const PatchSet second = read_gismo_xml_text(to_gismo_xml(first));
     // One of these models has gaps of 4.9e-6 of its size.

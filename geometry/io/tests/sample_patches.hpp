@@ -66,10 +66,4 @@ inline std::string replaced(std::string text, const std::string& from, const std
   return text.replace(at, from.size(), to);
 }
 
-/// A file of the data folder, which lies beside the project or where ISOPATCH_DATA says.
-inline std::filesystem::path data_file(const std::string& path) {
-  const char* folder = std::getenv("ISOPATCH_DATA");
-  return std::filesystem::path(folder ? folder : ISOPATCH_SOURCE_DIR "/../shared/data") / path;
-}
-
 }  // namespace isopatch::geometry

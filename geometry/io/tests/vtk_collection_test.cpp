@@ -12,6 +12,7 @@
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/atomic_writer.hpp"
 #include "geometry/base/error.hpp"
+#include "geometry/base/tests/expect_error.hpp"
 #include "geometry/io/vtu_file.hpp"
 
 namespace isopatch::geometry {
@@ -52,7 +53,8 @@ TEST(VtkCollection, OpensItsFilesInGroups) {
   EXPECT_EQ(vtkUnstructuredGrid::SafeDownCast(blocks->GetBlock(0))->GetNumberOfCells(), 4);
   EXPECT_EQ(vtkUnstructuredGrid::SafeDownCast(blocks->GetBlock(1))->GetNumberOfCells(), 1);
   std::filesystem::remove_all(folder);
-  EXPECT_THROW(to_vtm({{"a", {{"b", "/tmp/a.vtu"}}}}), Error);
+  EXPECT_ERROR(to_vtm({{"a", {{"b", "/tmp/a.vtu"}}}}), ErrorCode::invalid_argument,
+               "a relative path is needed");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/tests/expect_error.hpp"
 #include "geometry/splines/tests/random_nurbs.hpp"
 
 namespace isopatch::geometry {
@@ -50,14 +51,14 @@ TEST(KnotVector, RefusesWhatIsNoClampedSplineSpace) {
 }
 
 TEST(KnotVector, RefusesSpacesThatCannotBeMade) {
-  EXPECT_THROW(KnotVector::bezier(-5), Error);
-  EXPECT_THROW(KnotVector::bezier(2, 1, 1), Error);
-  EXPECT_THROW(KnotVector::uniform(2, 0), Error);
-  EXPECT_THROW(KnotVector::uniform(-2, 3), Error);
-  EXPECT_THROW(KnotVector::uniform(2, 3, 0), Error);
-  EXPECT_THROW(KnotVector::uniform(2, 3, 3), Error);
-  EXPECT_THROW(KnotVector::uniform(2, 3, -1), Error);
-  EXPECT_THROW(rescaled(KnotVector(), 1, 1), Error);
+  EXPECT_ERROR(KnotVector::bezier(-5), ErrorCode::invalid_argument, "degree -5 is outside");
+  EXPECT_ERROR(KnotVector::bezier(2, 1, 1), ErrorCode::invalid_argument, "all knots are equal");
+  EXPECT_ERROR(KnotVector::uniform(2, 0), ErrorCode::invalid_argument, "0 elements");
+  EXPECT_ERROR(KnotVector::uniform(-2, 3), ErrorCode::invalid_argument, "degree -2 is outside");
+  EXPECT_ERROR(KnotVector::uniform(2, 3, 0), ErrorCode::invalid_argument, "multiplicity 0");
+  EXPECT_ERROR(KnotVector::uniform(2, 3, 3), ErrorCode::invalid_argument, "multiplicity 3");
+  EXPECT_ERROR(KnotVector::uniform(2, 3, -1), ErrorCode::invalid_argument, "multiplicity -1");
+  EXPECT_ERROR(rescaled(KnotVector(), 1, 1), ErrorCode::invalid_argument, "empty range [1, 1]");
 }
 
 TEST(KnotVector, CountsItsBreaksAndFunctions) {

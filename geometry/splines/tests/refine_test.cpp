@@ -4,6 +4,7 @@
 
 #include "geometry/base/error.hpp"
 #include "geometry/base/larger.hpp"
+#include "geometry/base/tests/expect_error.hpp"
 #include "geometry/splines/grid.hpp"
 #include "geometry/splines/tests/random_nurbs.hpp"
 #include "geometry/splines/transfer.hpp"
@@ -164,15 +165,18 @@ TYPED_TEST(Refine, GridsOfPointsEqualSinglePoints) {
 
 TEST(Refinement, RefusesSpacesThatDoNotContainTheCoarseOne) {
   const NurbsCurve line;
-  EXPECT_THROW(insert_knots(line, 0, {0.0}), Error);
-  EXPECT_THROW(insert_knots(line, 0, {1.5}), Error);
-  EXPECT_THROW(insert_knots(line, 0, {std::nan("")}), Error);
-  EXPECT_THROW(insert_knots(line, 0, {0.5, 0.5}), Error);
-  EXPECT_THROW(elevate_degree(line, 0, -1), Error);
-  EXPECT_THROW(elevate_degree(line, 0, 20), Error);
-  EXPECT_THROW(refined(elevate_degree(line, 0, 1), {KnotVector()}), Error);
-  EXPECT_THROW(refined(insert_knots(line, 0, {0.5}), {KnotVector::bezier(2)}), Error);
-  EXPECT_THROW(refined(line, {KnotVector::bezier(1, 0, 2)}), Error);
+  EXPECT_ERROR(insert_knots(line, 0, {0.0}), ErrorCode::invalid_argument, "cannot insert knot 0");
+  EXPECT_ERROR(insert_knots(line, 0, {1.5}), ErrorCode::invalid_argument, "cannot insert knot 1.5");
+  EXPECT_ERROR(insert_knots(line, 0, {std::nan("")}), ErrorCode::invalid_argument, "cannot insert knot nan");
+  EXPECT_ERROR(insert_knots(line, 0, {0.5, 0.5}), ErrorCode::invalid_argument, "more than degree = 1 times");
+  EXPECT_ERROR(elevate_degree(line, 0, -1), ErrorCode::invalid_argument, "cannot raise the degree -1 times");
+  EXPECT_ERROR(elevate_degree(line, 0, 20), ErrorCode::invalid_argument, "outside 1 ..");
+  EXPECT_ERROR(refined(elevate_degree(line, 0, 1), {KnotVector()}), ErrorCode::invalid_argument,
+               "fine degree 1 is below");
+  EXPECT_ERROR(refined(insert_knots(line, 0, {0.5}), {KnotVector::bezier(2)}), ErrorCode::invalid_argument,
+               "do not contain the coarse ones");
+  EXPECT_ERROR(refined(line, {KnotVector::bezier(1, 0, 2)}), ErrorCode::invalid_argument,
+               "do not contain the coarse ones");
 }
 
 TEST(Refinement, IsStableAtHighDegree) {

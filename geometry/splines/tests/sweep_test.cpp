@@ -8,6 +8,7 @@
 #include <random>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/tests/expect_error.hpp"
 #include "geometry/splines/arc.hpp"
 #include "geometry/splines/permute.hpp"
 #include "geometry/splines/refine.hpp"
@@ -66,7 +67,8 @@ TEST(Extruded, MovesEveryPointAlongTheVector) {
   const NurbsVolume volume = extruded(base, vector);
   for (const double t : {0.0, 0.4, 1.0})
     EXPECT_LE((volume.point({0.3, 0.8, t}) - (at(base, 0.3, 0.8) + t * vector)).norm(), nearly_exact);
-  EXPECT_THROW(extruded(base, Eigen::Vector3d::Zero()), Error);
+  EXPECT_ERROR(extruded(base, Eigen::Vector3d::Zero()), ErrorCode::invalid_argument,
+               "along a vector of no length");
 }
 
 TEST(Revolved, TurnsEveryPointAboutTheAxis) {
@@ -92,9 +94,12 @@ TEST(Revolved, TurnsEveryPointAboutTheAxis) {
 
 TEST(Revolved, RefusesWhatOnePieceCannotBe) {
   const NurbsSurface base;
-  EXPECT_THROW(revolved(base, {0, 0, 0}, {0, 1, 0}, Angle::degrees(180)), Error);
-  EXPECT_THROW(revolved(base, {0, 0, 0}, {0, 1, 0}, Angle()), Error);
-  EXPECT_THROW(revolved(base, {0, 0, 0}, {0, 0, 0}, Angle::degrees(90)), Error);
+  EXPECT_ERROR(revolved(base, {0, 0, 0}, {0, 1, 0}, Angle::degrees(180)), ErrorCode::invalid_argument,
+               "a revolution by 180 degrees");
+  EXPECT_ERROR(revolved(base, {0, 0, 0}, {0, 1, 0}, Angle()), ErrorCode::invalid_argument,
+               "a revolution by 0 degrees");
+  EXPECT_ERROR(revolved(base, {0, 0, 0}, {0, 0, 0}, Angle::degrees(90)), ErrorCode::invalid_argument,
+               "about an axis of no length");
 }
 
 TEST(Permuted, ExchangesTheParametersOnly) {
@@ -112,7 +117,7 @@ TEST(Permuted, ExchangesTheParametersOnly) {
     EXPECT_EQ(other.degree(0), volume.degree(from[0]));
     EXPECT_LE((other.point(parameter) - volume.point({0.1, 0.6, 0.8})).norm(), nearly_exact);
   } while (std::next_permutation(from.begin(), from.end()));
-  EXPECT_THROW(permuted<3>(volume, {0, 1, 1}), Error);
+  EXPECT_ERROR(permuted<3>(volume, {0, 1, 1}), ErrorCode::invalid_argument, "exactly once");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/tests/expect_error.hpp"
 #include "geometry/topology/graph_connectivity.hpp"
 #include "geometry/topology/planar_drawing.hpp"
 #include "geometry/topology/tests/sample_solids.hpp"
@@ -152,8 +153,8 @@ TEST(EdgeGraph, BreachesOfTheBoundaryAreFound) {
 }
 
 TEST(EdgeGraph, ImpossibleFacesAreRefused) {
-  EXPECT_THROW(edge_graph(3, {{0, 1, 3}}), Error);
-  EXPECT_THROW(edge_graph(3, {{0, 1, 1}}), Error);
+  EXPECT_ERROR(edge_graph(3, {{0, 1, 3}}), ErrorCode::invalid_argument, "from vertex 3 to 0");
+  EXPECT_ERROR(edge_graph(3, {{0, 1, 1}}), ErrorCode::invalid_argument, "from vertex 1 to 1");
 }
 
 TEST(GraphConnectivity, AgreesWithTheDefinitionOnRandomPlanarMaps) {
@@ -230,7 +231,7 @@ TEST(PlanarDrawing, FacesFillTheOuterOneWithoutOverlap) {
 
 TEST(PlanarDrawing, OtherGraphsAreRefused) {
   const EdgeGraph graph = graph_of(test::triangulated_torus(5, 4));
-  EXPECT_THROW(planar_drawing(graph, connectivity_of(graph)), Error);
+  EXPECT_ERROR(planar_drawing(graph, connectivity_of(graph)), ErrorCode::not_three_connected, "3-connected");
 }
 
 }  // namespace

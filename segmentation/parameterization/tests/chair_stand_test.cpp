@@ -5,19 +5,19 @@
 #include <vector>
 
 #include "geometry/base/atomic_file.hpp"
+#include "geometry/base/tests/data_file.hpp"
 #include "geometry/brep/read_brep.hpp"
 #include "segmentation/parameterization/assemble_model.hpp"
 #include "segmentation/parameterization/parameterize.hpp"
 #include "segmentation/parameterization/read_blocks.hpp"
 #include "segmentation/parameterization/tests/checks.hpp"
-#include "segmentation/parameterization/tests/data_file.hpp"
 #include "segmentation/parameterization/tests/gismo_solids.hpp"
 
 namespace isopatch::segmentation {
 namespace {
 
 std::filesystem::path folder() {
-  return test::data_file("chair_stand/solids");
+  return isopatch::test::data_file("chair_stand/solids");
 }
 
 std::filesystem::path list_of_pairs() {

@@ -1,4 +1,5 @@
 #include "segmentation/parameterization/tests/checks.hpp"
+#include "geometry/base/larger.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -93,7 +94,7 @@ double smallest_determinant(const geometry::NurbsVolume& volume, int n) {
   for (int k = 0; k < n; ++k)
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i)
-        smallest = std::min(smallest, plain_determinant(volume, Eigen::Vector3d(i, j, k) / (n - 1)));
+        smallest = smaller(smallest, plain_determinant(volume, Eigen::Vector3d(i, j, k) / (n - 1)));
   return smallest;
 }
 

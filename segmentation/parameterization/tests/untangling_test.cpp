@@ -76,7 +76,8 @@ TEST(Untangling, FreesInnerPointsDisplacedAtRandom) {
   EXPECT_TRUE(improved.validity.certificate.accepted());
   EXPECT_GT(improved.validity.quality.min_scaled_jacobian, 0.5);
   for (Eigen::Index i = 0; i < 125; ++i) {
-    if (outer[static_cast<std::size_t>(i)]) EXPECT_EQ(improved.net.col(i), net.col(i));
+    if (!outer[static_cast<std::size_t>(i)]) continue;
+    EXPECT_EQ(improved.net.col(i), net.col(i));
   }
   EXPECT_GT(test::smallest_determinant({knots, improved.net}, 9), 0);
 }
@@ -104,14 +105,20 @@ Share share(double amount, int count, int first_seed) {
   return result;
 }
 
+// Of the README's table: all are accepted that are distorted little, and of others most.
+double least_share_accepted(double amount) {
+  return amount < 0.15 ? 1 : amount < 0.25 ? 0.9 : 0;
+}
+
 // ISOPATCH_HEXAHEDRA=200 makes it the README's table: as many for each of five amounts.
-TEST(Untangling, AcceptsNoRandomHexahedronWrongly) {
+TEST(Untangling, AcceptsMostRandomHexahedraAndNoneWrongly) {
   const char* asked = std::getenv("ISOPATCH_HEXAHEDRA");
-  const int count = asked ? std::atoi(asked) : 2;
+  const int count = asked ? std::atoi(asked) : 4;
   for (const double amount : {0.1, 0.2, 0.3, 0.4, 0.5}) {
     const Share found = share(amount, count, static_cast<int>(1000 * amount));
     EXPECT_EQ(found.wrong, 0);
     EXPECT_GE(found.after, found.before);
+    EXPECT_GE(found.after, least_share_accepted(amount) * count) << amount;
     if (asked)
       fmt::print("| {} | {} | {} | {} | {} | {} | {:.2f} s |\n", amount, count, found.before, found.after,
                  found.folded_edges, found.wrong, found.seconds / count);

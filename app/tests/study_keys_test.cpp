@@ -1,0 +1,323 @@
+// Every key of the study file is read, and changes what the study says.
+
+#include "app/study/study_documentation.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/tests/study_words.hpp"
+#include "geometry/base/error.hpp"
+
+namespace isopatch::app {
+namespace {
+
+// A key at work: the line of `words_of` that the study has with it and has not without it.
+struct Shown {
+  std::string key;
+  std::string assignment;   ///< as one writes it, on one line
+  std::string line;         ///< empty: all that is sure is that something changes
+  std::string before = "";  ///< what the section needs beside it
+};
+
+struct ShownSection {
+  std::string name;     ///< as in `study_sections`
+  std::string heading;  ///< what opens the section in a file
+  std::vector<Shown> keys;
+};
+
+const std::string box = "generate = \"box\"\n";
+const std::string solid = "blocks = [\"one.step\"]\n";
+const std::string steel = "young = 1e9\npoisson = 0.25\n";
+const std::string held = "faces = [\"x_min\"]\n";
+const std::string displaced = held + "displacement = [0, 0, 0]\n";
+
+ShownSection model_section(const std::string& name, const std::vector<Shown>& keys) {
+  return {"model." + name, "[model]\ngenerate = \"" + name + "\"\n", keys};
+}
+
+std::vector<ShownSection> sections_of_the_model() {
+  return {{"study",
+           "",
+           {{"title", "title = \"all\"", "title all"},
+            {"model", "model = { generate = \"cook\" }", "generate number 6"},
+            {"parameterization", "parameterization = { degree = 5 }", "fit of 5 degree",
+             "model = { blocks = [\"a.step\"] }\n"},
+            {"discretization", "discretization = { refine = 3 }", "refine 3"},
+            {"material", "material = [{ young = 2e9, poisson = 0.25 }]", "mu 8e+08"},
+            {"support", "support = [{ name = \"wall\", faces = [\"x_min\"], symmetry = true }]",
+             "support key wall"},
+            {"load", "load = [{ name = \"weight\", gravity = [0, 0, 1] }]", "load key weight"},
+            {"coupling", "coupling = { method = \"lagrange\" }", "coupling lagrange"},
+            {"solver", "solver = { max_iterations = 7 }", "iterations 7"},
+            {"probe", "probe = [{ name = \"tip\", point = [0, 0, 1] }]", "probe tip"},
+            {"output", "output = { pieces = 5 }", "pieces 5"}}},
+          {"model",
+           "[model]\n",
+           {{"file", "file = \"patches.xml\"", "file folder/patches.xml"},
+            {"blocks", "blocks = [\"one.step\", \"/two.step\"]", "block /two.step"},
+            {"pairs", "pairs = \"pairs.txt\"", "pairs folder/pairs.txt", solid},
+            {"generate", "generate = \"cook\"", "generate number 6"},
+            {"attach", "attach = [{ faces = [\"x_max\"], move = [1, 0, 0] }]", "attach faces x_max", box},
+            {"length_unit", "length_unit = \"225 mm\"", "length unit 0.225", box},
+            {"allow_partial", "allow_partial = true", "partial true", solid},
+            {"cad_time_limit", "cad_time_limit = 77", "cad seconds 77", solid},
+            {"cad_memory_limit", "cad_memory_limit = 1e9", "cad bytes 1000000000", solid},
+            {"same_point", "same_point = 1e-5", "same_point 1e-05", box},
+            {"near_miss", "near_miss = 1e-2", "near_miss 0.01", box},
+            {"same_knot", "same_knot = 1e-8", "same_knot 1e-08", box}}},
+          {"parameterization",
+           "[model]\n" + solid + "[parameterization]\n",
+           {{"method", "method = \"paper\"", "fit method 1"},
+            {"tolerance", "tolerance = 1e-3", "fit tolerance 0.001"},
+            {"degree", "degree = 4", "fit of 4 degree"},
+            {"start_spans", "start_spans = 2", "fit spans 2 to 64"},
+            {"max_spans", "max_spans = 32", "fit spans 1 to 32"},
+            {"wanted_quality", "wanted_quality = 0.4", "wanted 0.4"},
+            {"optimize", "optimize = false", "optimize false"},
+            {"same_point", "same_point = 2e-3", "meeting 0.002"}}},
+          {"model.attach",
+           "[model]\n" + box + "[[model.attach]]\n",
+           {{"faces", "faces = [\"0:east\"]", "attach faces 0:east", "move = [1, 0, 0]\n"},
+            {"scale", "scale = [1, 2, 3]", "attach 1 1 1 goes to 1 2 3", "faces = [\"x_max\"]\n"},
+            {"about", "about = [1, 0, 0]", "attach 0 0 0 goes to -1 0 0", "faces = [\"x_max\"]\nscale = 2\n"},
+            {"move", "move = [1, 2, 3]", "attach 0 0 0 goes to 1 2 3", "faces = [\"x_max\"]\n"},
+            {"name", "name = \"ring\"", "attach name ring", "faces = [\"x_max\"]\nscale = 2\n"}}}};
+}
+
+// Volumes and extents by hand; "extent" and "first" are of control points, which pass arcs.
+std::vector<ShownSection> sections_of_generated_models() {
+  return {
+      model_section("box", {{"size", "size = [2, 3, 4]", "extent 2 3 4"},
+                            {"origin", "origin = [1, 2, 3]", "from 1 2 3"},
+                            {"patches", "patches = [2, 3, 4]", "patches 24"},
+                            {"distortion", "distortion = 0.3", "", "patches = [2, 2, 2]\n"},
+                            {"curvature", "curvature = 0.3", "sum of degrees 2"},
+                            {"distort_faces", "distort_faces = false", "last of the first 0.5 0.5 1",
+                             "patches = [2, 2, 1]\ndistortion = 0.3\n"},
+                            {"seed", "seed = 2", "", "patches = [2, 2, 2]\ndistortion = 0.3\n"},
+                            {"orientation_seed", "orientation_seed = 5", ""}}),
+      model_section("cylinder", {{"inner_radius", "inner_radius = 0.5", "volume 1.47262"},
+                                 {"outer_radius", "outer_radius = 3", "volume 3.14159"},
+                                 {"height", "height = 2", "volume 4.71239"},
+                                 {"angle", "angle = \"180 deg\"", "volume 2.35619"},
+                                 {"radial_patches", "radial_patches = 3", "patches 3"},
+                                 {"axial_patches", "axial_patches = 4", "patches 4"},
+                                 {"patches_around", "patches_around = 5", "patches 5"}}),
+      model_section("link", {{"distance", "distance = 120", "volume 34071.4"},
+                             {"left_bore_radius", "left_bore_radius = 8", "volume 31588.6"},
+                             {"right_bore_radius", "right_bore_radius = 6", "volume 30721.5"},
+                             {"left_outer_radius", "left_outer_radius = 24", "volume 36183.7"},
+                             {"right_outer_radius", "right_outer_radius = 15", "volume 31149.9"},
+                             {"shank_width", "shank_width = 18", "volume 31852.1"},
+                             {"fillet_radius", "fillet_radius = 22", "volume 30293"},
+                             {"thickness", "thickness = 24", "volume 60462.8"},
+                             {"shank_patches", "shank_patches = 2", "patches 12"}}),
+      model_section("sphere", {{"inner_radius", "inner_radius = 0.5", "volume 4.12334"},
+                               {"outer_radius", "outer_radius = 3", "volume 13.6136"},
+                               {"radial_patches", "radial_patches = 2", "patches 6"}}),
+      model_section("plate", {{"width", "width = 5", "extent 5 4 1"},
+                              {"height", "height = 5", "extent 4 5 1"},
+                              {"hole_radius", "hole_radius = 2", "volume 12.8584"},
+                              {"thickness", "thickness = 3", "extent 4 4 3"}}),
+      model_section("bracket", {{"leg", "leg = 3", "extent 3 3 1"},
+                                {"width", "width = 0.5", "volume 1.75"},
+                                {"thickness", "thickness = 2", "extent 2 2 2"}}),
+      model_section("cook", {{"width", "width = 50", "extent 50 60 1"},
+                             {"left_height", "left_height = 50", "volume 1584"},
+                             {"right_height", "right_height = 20", "volume 1536"},
+                             {"rise", "rise = 50", "extent 48 66 1"},
+                             {"thickness", "thickness = 2", "extent 48 60 2"},
+                             {"patches", "patches = [2, 3]", "patches 6"}}),
+      model_section("elbow", {{"inner_radius", "inner_radius = 6", "volume 12348.4"},
+                              {"outer_radius", "outer_radius = 12", "volume 15435.5"},
+                              {"bend_radius", "bend_radius = 24", "volume 7656.59"},
+                              {"bend_angle", "bend_angle = \"180 deg\"", "volume 10499"},
+                              {"inlet_length", "inlet_length = 5", "volume 5815"},
+                              {"outlet_length", "outlet_length = 25", "volume 8076.95"}}),
+      model_section("elliptic_plate", {{"inner_x", "inner_x = 2.5", "volume 3.0336"},
+                                       {"inner_y", "inner_y = 1.5", "volume 2.79798"},
+                                       {"outer_x", "outer_x = 4", "volume 4.24115"},
+                                       {"outer_y", "outer_y = 3", "volume 3.6521"},
+                                       {"thickness", "thickness = 1", "volume 5.4487"},
+                                       {"layers", "layers = 3", "patches 3"}}),
+      model_section("twisted_beam", {{"length", "length = 10", "volume 3.52"},
+                                     {"width", "width = 2", "volume 7.68"},
+                                     {"depth", "depth = 1", "volume 13.2"},
+                                     {"twist", "twist = \"180 deg\"", "last of the first 12 -0.55 -0.16"}})};
+}
+
+std::vector<Shown> shapes(const std::string& of) {
+  return {{"plane", "plane = { normal = \"x\" }", of + " plane normal 1 0 0"},
+          {"cylinder", "cylinder = { radius = 2 }", of + " cylinder radius 2"},
+          {"sphere", "sphere = { radius = 3 }", of + " sphere radius 3"},
+          {"box", "box = { min = [0, 0, 0], max = [1, 2, 3] }", of + " box max 1 2 3"},
+          {"tolerance", "tolerance = \"0.1 mm\"", of + " tolerance 0.0001", "sphere = { radius = 3 }\n"}};
+}
+
+std::vector<ShownSection> sections_of_conditions() {
+  std::vector<Shown> where = shapes("support where");
+  where.push_back({"normal", "normal = [0, 0, -2]", "support where normal 0 0 -1"});
+  where.push_back({"angle", "angle = \"45 deg\"", "support where angle 0.785398", "normal = \"z\"\n"});
+  const std::string open = "[[support]]\ndisplacement = [0, 0, 0]\n";
+  return {{"where", open + "[support.where]\n", where},
+          {"edges", open + held + "[support.edges]\n", shapes("support edges")},
+          {"where.plane",
+           open + "[support.where.plane]\n",
+           {{"point", "point = [1, \"2 mm\", 3]", "support where plane point 1 0.002 3", "normal = \"x\"\n"},
+            {"normal", "normal = [0, 3, 0]", "support where plane normal 0 1 0"}}},
+          {"where.cylinder",
+           open + "[support.where.cylinder]\n",
+           {{"point", "point = [1, 2, 3]", "support where cylinder point 1 2 3", "radius = 1\n"},
+            {"axis", "axis = [0, 2, 0]", "support where cylinder axis 0 1 0", "radius = 1\n"},
+            {"radius", "radius = \"5 mm\"", "support where cylinder radius 0.005"}}},
+          {"where.sphere",
+           open + "[support.where.sphere]\n",
+           {{"centre", "centre = [1, 2, 3]", "support where sphere centre 1 2 3", "radius = 1\n"},
+            {"radius", "radius = \"5 mm\"", "support where sphere radius 0.005"}}},
+          {"where.box",
+           open + "[support.where.box]\n",
+           {{"min", "min = [-1, -2, -3]", "support where box min -1 -2 -3", "max = [1, 1, 1]\n"},
+            {"max", "max = [4, 5, 6]", "support where box max 4 5 6", "min = [0, 0, 0]\n"}}}};
+}
+
+std::vector<ShownSection> sections_of_the_problem() {
+  const std::string on_face = "faces = [\"x_max\"]\n";
+  const std::string pulled = on_face + "traction = [1, 0, 0]\n";
+  const std::string pushed = "faces = [\"x_max\"]\npressure = 1\n";
+  return {{"discretization",
+           "[discretization]\n",
+           {{"degree", "degree = [2, 3, 4]", "degree [2, 3, 4]"},
+            {"refine", "refine = 2", "refine 2"},
+            {"elements_per_direction", "elements_per_direction = 5", "elements [5, 5, 5]"},
+            {"max_size", "max_size = \"3 mm\"", "max_size 0.003"},
+            {"continuity", "continuity = 1", "continuity 1"},
+            {"points", "points = 6", "points 6"}}},
+          {"material",
+           "[[material]]\n",
+           {{"patches", "patches = [0, \"2-4\"]", "material patches 0-0 2-4", steel},
+            {"name", "name = \"alu\"", "called alu", steel},
+            {"young", "young = \"5 GPa\"", "mu 2e+09", "poisson = 0.25\n"},
+            {"poisson", "poisson = 0", "mu 5e+08", "young = 1e9\n"},
+            {"lame", "lame = { lambda = 3e9, mu = 2e9 }", "lambda 3e+09"},
+            {"density", "density = \"2.7 g/cm^3\"", "density 2700", steel}}},
+          {"material.lame",
+           "[[material]]\n[material.lame]\n",
+           {{"lambda", "lambda = \"54 GPa\"", "lambda 5.4e+10", "mu = 1e9\n"},
+            {"mu", "mu = 27.8e9", "mu 2.78e+10", "lambda = 1e9\n"}}},
+          {"support",
+           "[[support]]\n",
+           {{"name", "name = \"clamp\"", "support key clamp", displaced},
+            {"faces", "faces = [\"0:back\", \"inner\"]", "support face inner", "symmetry = true\n"},
+            {"where", "where = { sphere = { radius = 2 } }", "support where sphere radius 2", displaced},
+            {"edges", "edges = { sphere = { radius = 2 } }", "support edges sphere radius 2", displaced},
+            {"displacement", "displacement = [\"1 mm\", \"free\", 0]", "held 0.001", held},
+            {"displacement_gradient", "displacement_gradient = [[1, 2, 3], [4, 5, 6], [7, 8, 9]]",
+             "gradient 1 4 7 2 5 8 3 6 9", displaced},
+            {"symmetry", "symmetry = true", "support kind symmetry", held},
+            {"roller", "roller = true", "support kind roller", held},
+            {"normal_displacement", "normal_displacement = \"-2 um\"", "support moves -2e-06",
+             held + "roller = true\n"}}},
+          {"load",
+           "[[load]]\n",
+           {{"name", "name = \"wind\"", "load key wind", pushed},
+            {"faces", "faces = [\"0:east\"]", "load face 0:east", "pressure = 1\n"},
+            {"where", "where = { sphere = { radius = 2 } }", "load where sphere radius 2", pushed},
+            {"traction", "traction = [\"20 MPa\", -3, 0]", "load traction 2e+07 -3 0", on_face},
+            {"pressure", "pressure = \"1 bar\"", "load pressure 100000", on_face},
+            {"force", "force = [0, 0, \"1 kN\"]", "load force 0 0 1000", on_face},
+            {"patches", "patches = \"1-3\"", "load patches 1-3", "gravity = [0, 0, 1]\n"},
+            {"body_force", "body_force = [0, 0, \"1 N/mm^3\"]", "load body_force 0 0 1e+09"},
+            {"gravity", "gravity = [0, 0, \"-9.81 m/s^2\"]", "load gravity 0 0 -9.81"}}},
+          {"coupling", "[coupling]\n", {{"method", "method = \"lagrange\"", "coupling lagrange"}}},
+          {"solver",
+           "[solver]\n",
+           {{"method", "method = \"mumps\"", "method mumps"},
+            {"tolerance", "tolerance = 1e-9", "tolerance 1e-09"},
+            {"max_iterations", "max_iterations = 77", "iterations 77"},
+            {"preconditioner", "preconditioner = \"block_jacobi\"", "preconditioner block_jacobi"},
+            {"operator", "operator = \"matrix_free\"", "operator matrix_free"},
+            {"smoothing_degree", "smoothing_degree = 7", "smoothing 7"},
+            {"memory_limit", "memory_limit = \"2 GB\"", "memory 2e+09"}}},
+          {"probe",
+           "[[probe]]\n",
+           {{"name", "name = \"tip\"", "probe tip", "point = [0, 0, 0]\n"},
+            {"point", "point = [\"1 mm\", 0, 2]", "probe point 0.001 0 2"},
+            {"patch", "patch = 2", "probe patch 2", "parameter = [0, 0, 0]\n"},
+            {"parameter", "parameter = [0.5, 0, 1]", "probe parameter 0.5 0 1", "patch = 1\n"}}},
+          {"output",
+           "[output]\n",
+           {{"directory", "directory = \"out\"", "directory folder/out"},
+            {"fields", "fields = false", "fields false"},
+            {"pieces", "pieces = 6", "pieces 6"},
+            {"exact", "exact = false", "exact false"},
+            {"precision", "precision = \"single\"", "precision 2"},
+            {"hdf5", "hdf5 = false", "hdf5 false"},
+            {"report", "report = false", "report false"}}}};
+}
+
+std::vector<ShownSection> all_sections() {
+  std::vector<ShownSection> all;
+  for (const auto& some : {sections_of_the_model(), sections_of_generated_models(), sections_of_conditions(),
+                           sections_of_the_problem()})
+    all.insert(all.end(), some.begin(), some.end());
+  return all;
+}
+
+// With what every study needs and the text does not say.
+std::string whole(std::string text) {
+  const auto lacks = [&](const std::string& table) {
+    return text.find("[" + table + "]") == std::string::npos &&
+           ("\n" + text).find("\n" + table + " =") == std::string::npos;
+  };
+  const bool model = lacks("model"), material = lacks("material"), support = lacks("support");
+  text += "\n";
+  if (model) text += "[model]\n" + box;
+  if (material) text += "[[material]]\n" + steel;
+  if (support) text += "[[support]]\n" + displaced;
+  return text;
+}
+
+std::optional<std::string> words(const std::string& text) {
+  try {
+    return words_of(parse_study(whole(text), "folder/study.toml"));
+  } catch (const Error&) {
+    return std::nullopt;  // what is left without the key is no study
+  }
+}
+
+TEST(StudyKeys, AreAllReadAndChangeTheStudy) {
+  for (const ShownSection& section : all_sections())
+    for (const Shown& shown : section.keys) {
+      const std::string rest = section.heading + shown.before;
+      const std::string of = section.name + "." + shown.key;
+      ASSERT_EQ(shown.assignment.rfind(shown.key + " =", 0), 0u) << of;
+      SCOPED_TRACE(of);
+      const std::string with =
+          words_of(parse_study(whole(rest + shown.assignment + "\n"), "folder/study.toml"));
+      const std::optional<std::string> without = words(rest);
+      EXPECT_NE(with, without) << of;
+      if (shown.line.empty()) continue;
+      EXPECT_THAT(with, testing::HasSubstr("\n" + shown.line + "\n")) << of;
+      if (without) EXPECT_THAT(*without, testing::Not(testing::HasSubstr("\n" + shown.line + "\n"))) << of;
+    }
+}
+
+TEST(StudyKeys, AreAllShownToBeRead) {
+  std::map<std::string, std::vector<std::string>> documented, shown;
+  for (const SectionText& section : study_sections())
+    for (const KeyText& key : section.keys) documented[section.name].push_back(key.name);
+  for (const ShownSection& section : all_sections())
+    for (const Shown& key : section.keys) shown[section.name].push_back(key.key);
+  for (const auto& [name, keys] : documented)
+    EXPECT_THAT(shown[name], testing::UnorderedElementsAreArray(keys))
+        << "section " << name << ": show what each of its keys changes";
+  EXPECT_EQ(shown.size(), documented.size());
+}
+
+}  // namespace
+}  // namespace isopatch::app

@@ -1,0 +1,192 @@
+#include "app/tests/study_words.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <variant>
+
+#include "app/study/generated_models.hpp"
+#include "geometry/measures.hpp"
+#include "geometry/multi_patch.hpp"
+
+namespace isopatch::app {
+namespace {
+
+std::string words_of(const Eigen::Vector3d& v) {
+  return fmt::format("{:.6g} {:.6g} {:.6g}", v[0], v[1], v[2]);
+}
+
+std::string words_of(const PatchSelection& patches) {
+  std::string text;
+  for (const auto& [first, last] : patches.ranges) text += fmt::format(" {}-{}", first, last);
+  for (const std::string& name : patches.names) text += " " + name;
+  return text.empty() ? " all" : text;
+}
+
+std::string words_of(const FaceConditions& c, const std::string& of) {
+  std::string text;
+  if (c.plane)
+    text += fmt::format("{} plane point {}\n{} plane normal {}\n", of, words_of(c.plane->point), of,
+                        words_of(c.plane->normal));
+  if (c.cylinder)
+    text += fmt::format("{} cylinder point {}\n{} cylinder axis {}\n{} cylinder radius {:g}\n", of,
+                        words_of(c.cylinder->point), of, words_of(c.cylinder->axis), of, c.cylinder->radius);
+  if (c.sphere)
+    text += fmt::format("{} sphere centre {}\n{} sphere radius {:g}\n", of, words_of(c.sphere->centre), of,
+                        c.sphere->radius);
+  if (c.box)
+    text += fmt::format("{} box min {}\n{} box max {}\n", of, words_of(c.box->min), of, words_of(c.box->max));
+  if (c.normal) text += fmt::format("{} normal {}\n", of, words_of(*c.normal));
+  text += fmt::format("{} angle {:.6g}\n", of, c.angle.radians());
+  if (c.tolerance) text += fmt::format("{} tolerance {:g}\n", of, *c.tolerance);
+  return text;
+}
+
+std::string words_of(const FaceSelection& selection, const std::string& of) {
+  std::string text;
+  for (const std::string& face : selection.faces) text += fmt::format("{} face {}\n", of, face);
+  return text + (selection.where ? words_of(*selection.where, of + " where") : "");
+}
+
+std::string words_of(const geometry::PatchSet& set) {
+  Eigen::AlignedBox3d box;
+  double volume = 0;
+  int degree = 0;
+  for (const geometry::NurbsVolume& patch : set.patches) {
+    for (const Eigen::Vector3d point : patch.control_points().colwise()) box.extend(point);
+    volume += std::abs(geometry::volume(patch));
+    degree += patch.degree(0);
+  }
+  const Eigen::Matrix3Xd& points = set.patches.front().control_points();
+  return fmt::format(
+      "patches {}\nfrom {}\nextent {}\nvolume {:.6g}\nsum of degrees {}\nfirst {}\nlast of the first {}\n",
+      set.patches.size(), words_of(box.min()), words_of(box.sizes()), volume, degree, words_of(points.col(0)),
+      words_of(points.rightCols<1>().col(0)));
+}
+
+std::string words_of(const BlocksInput& blocks) {
+  std::string text;
+  for (const auto& file : blocks.files.files) text += fmt::format("block {}\n", file.string());
+  if (blocks.files.pairs) text += fmt::format("pairs {}\n", blocks.files.pairs->string());
+  if (blocks.files.length_unit) text += fmt::format("length of solids {:g}\n", *blocks.files.length_unit);
+  const segmentation::ParameterizationOptions& o = blocks.options;
+  return text +
+         fmt::format("partial {}\ncad seconds {:g}\ncad bytes {}\nmeeting {:g}\n", blocks.files.allow_partial,
+                     blocks.files.limits.seconds, blocks.files.limits.bytes,
+                     blocks.files.assembly.same_point) +
+         fmt::format("fit of {} degree\nfit method {}\nfit tolerance {:g}\nfit spans {} to {}\n",
+                     o.fit.degree, static_cast<int>(o.method), o.fit.tolerance, o.fit.start_spans,
+                     o.fit.max_spans) +
+         fmt::format("wanted {:g}\noptimize {}\n", o.wanted_quality, o.optimize);
+}
+
+std::string words_of(const PatchFile& file) {
+  return fmt::format("file {}\nlength unit {:g}\n", file.path.string(), file.length_unit);
+}
+
+std::string words_of(const GeneratedInput& generated) {
+  return fmt::format("generate number {}\nlength unit {:g}\n", generated.dimensions.index(),
+                     generated.length_unit) +
+         words_of(generated_patches(generated.dimensions));
+}
+
+std::string words_of(const ModelInput& model) {
+  std::string text =
+      fmt::format("same_point {:g}\nnear_miss {:g}\nsame_knot {:g}\n", model.tolerance.same_point,
+                  model.tolerance.near_miss, model.tolerance.same_knot);
+  for (const AttachmentInput& a : model.attachments) {
+    text += fmt::format("attach name {}\nattach faces {}\n", a.name, fmt::join(a.faces, ","));
+    text +=
+        fmt::format("attach 0 0 0 goes to {}\n", words_of(Eigen::Vector3d(a.map * Eigen::Vector3d::Zero())));
+    text +=
+        fmt::format("attach 1 1 1 goes to {}\n", words_of(Eigen::Vector3d(a.map * Eigen::Vector3d::Ones())));
+  }
+  return text + std::visit([](const auto& source) { return words_of(source); }, model.source);
+}
+
+std::string words_of(const MaterialInput& input) {
+  const iga::Material& m = input.material;
+  return fmt::format("material patches{}\nlambda {:.6g}\nmu {:.6g}\ndensity {:g}\ncalled {}\n",
+                     words_of(input.patches), m.lambda, m.mu, m.density, m.name);
+}
+
+std::string words_of(const HeldDisplacement& held) {
+  std::string text;
+  if (held.edges) text += words_of(*held.edges, "support edges");
+  for (const auto& value : held.displacement.value)
+    text += value ? fmt::format("held {:g}\n", *value) : "free\n";
+  return text + fmt::format("gradient {:g}\n", fmt::join(held.displacement.gradient.reshaped(), " "));
+}
+
+std::string words_of(const Symmetry&) {
+  return "";
+}
+
+std::string words_of(const Roller& roller) {
+  return fmt::format("support moves {:g}\n", roller.normal_displacement);
+}
+
+std::string words_of(const SupportInput& input) {
+  return fmt::format("support key {}\nsupport kind {}\n", input.key, kind_name(input)) +
+         words_of(input.selection, "support") +
+         std::visit([](const auto& condition) { return words_of(condition); }, input.condition);
+}
+
+std::string value_text(const Eigen::Vector3d& vector) {
+  return words_of(vector);
+}
+
+std::string value_text(double pressure) {
+  return fmt::format("{:g}", pressure);
+}
+
+std::string words_of(const AppliedLoad& input) {
+  std::string text =
+      fmt::format("load key {}\nload {} {}\n", input.key, kind_name(input),
+                  std::visit([](const auto& load) { return value_text(load.value); }, input.load));
+  if (const PatchSelection* patches = patches_of(input))
+    text += fmt::format("load patches{}\n", words_of(*patches));
+  if (const FaceSelection* faces = faces_of(input)) text += words_of(*faces, "load");
+  return text;
+}
+
+std::string words_of(const ProbeInput& input) {
+  if (const auto* point = std::get_if<Eigen::Vector3d>(&input.where))
+    return fmt::format("probe {}\nprobe point {}\n", input.name, words_of(*point));
+  const auto& where = std::get<PatchParameter>(input.where);
+  return fmt::format("probe {}\nprobe patch {}\nprobe parameter {}\n", input.name, where.patch,
+                     words_of(where.parameter));
+}
+
+std::string words_of(const iga::ElasticityOptions& o) {
+  const solvers::SolverOptions& s = o.solver;
+  return fmt::format("points {}\ncoupling {}\nmethod {}\ntolerance {:g}\niterations {}\n",
+                     o.quadrature_points, iga::name(o.coupling), name(s.method), s.tolerance,
+                     s.max_iterations) +
+         fmt::format("preconditioner {}\noperator {}\nsmoothing {}\nmemory {:g}\n", name(s.preconditioner),
+                     name(s.form), s.multigrid.smoothing_degree, s.memory_limit);
+}
+
+std::string words_of(const OutputInput& o) {
+  return fmt::format("directory {}\nfields {}\npieces {}\nexact {}\nprecision {}\nhdf5 {}\nreport {}\n",
+                     o.directory.string(), o.fields, o.field_options.pieces, o.field_options.exact,
+                     static_cast<int>(o.field_options.precision), o.hdf5, o.report);
+}
+
+}  // namespace
+
+std::string words_of(const Study& study) {
+  const iga::DiscretizationOptions& d = study.discretization;
+  std::string text = fmt::format("title {}\n", study.title) + words_of(study.model) +
+                     fmt::format("degree {}\nrefine {}\nelements {}\nmax_size {:g}\ncontinuity {}\n",
+                                 d.degree, d.refine, d.elements_per_direction, d.max_size, d.continuity);
+  for (const MaterialInput& input : study.materials) text += words_of(input);
+  for (const SupportInput& input : study.supports) text += words_of(input);
+  for (const AppliedLoad& input : study.loads) text += words_of(input);
+  for (const ProbeInput& input : study.probes) text += words_of(input);
+  return "\n" + text + words_of(study.options) + words_of(study.output);
+}
+
+}  // namespace isopatch::app

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+
+#include "geometry/base/atomic_file.hpp"
+#include "geometry/brep/brep.hpp"
+#include "geometry/brep/module.hpp"
+
+namespace isopatch::geometry::test {
+
+/// A STEP file in mm that OpenCASCADE made when the tests were built (made_solids/main.cpp): "block" (30 x 20
+/// x 10), "cylinder", "cone", "sphere", "torus", "drilled" (the block with a bore), "grooved" (with a quarter
+/// of a cylinder taken off an edge), "notched" (with a step in the middle of an edge), "round_edge",
+/// "round_corner" (radius 3), "spring" (two turns; splines), "named" (a plate with a coloured and named top,
+/// and a pin).
+inline std::filesystem::path made_solid(const std::string& name) {
+  return std::filesystem::path(ISOPATCH_MADE_SOLIDS) / (name + ".step");
+}
+
+/// One of them, read in this very process: faster than `read_brep`, which trusts no file.
+inline Brep made_brep(const std::string& name) {
+  const std::filesystem::path path = made_solid(name);
+  const std::string text = read_file(path);
+  return Brep(brep_module().read({.path = path, .text = text}, {}).bodies.front().kernel);
+}
+
+/// All that are one body.
+inline const std::array<std::string, 11> made_solids = {"block",      "cylinder",     "cone",    "sphere",
+                                                        "torus",      "drilled",      "grooved", "notched",
+                                                        "round_edge", "round_corner", "spring"};
+
+}  // namespace isopatch::geometry::test
