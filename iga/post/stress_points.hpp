@@ -18,8 +18,10 @@ struct Extremum {
 
 /// Relative difference up to which two values count as equal: round-off, not the model, makes one the larger.
 constexpr double same_value = 1e-9;
+/// A NaN is larger than any number, so that none is forgotten.
 inline bool is_larger(double value, double other) {
-  return value > other + same_value * (other < 0 ? -other : other);
+  const bool is_first_nan = value != value && other == other;
+  return is_first_nan || value > other + same_value * (other < 0 ? -other : other);
 }
 
 /// The larger of two; of equal ones that of the smaller patch, then of the smaller parameter, the third

@@ -3,13 +3,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "geometry/base/error.hpp"
+#include "geometry/models/box.hpp"
 #include "geometry/models/cylinder.hpp"
 #include "iga/post/face_stresses.hpp"
 #include "iga/post/internal_forces.hpp"
 #include "iga/solution/solve_elasticity.hpp"
+#include "iga/post/results.hpp"
 #include "iga/tests/small_models.hpp"
 
 namespace isopatch::iga {
@@ -46,6 +49,28 @@ TEST(LargestStress, OfEqualOnesIsTheFirstByPatchAndParameter) {
   EXPECT_EQ(larger(other_patch, first).patch, 1);
   EXPECT_EQ(larger(first, truly_larger).patch, 3);
   EXPECT_EQ(larger(Extremum{}, first).patch, 1);
+}
+
+TEST(LargestValue, IsNanWhereOneIs) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Extremum five{5, {0, 0, 0}, 1, {0, 0, 0}}, none{nan, {0, 0, 0}, 2, {0, 0, 0}};
+  EXPECT_TRUE(std::isnan(larger(five, none).value));
+  EXPECT_TRUE(std::isnan(larger(none, five).value));
+  EXPECT_TRUE(std::isnan(larger(none, none).value));
+}
+
+TEST(LargestValue, OfDisplacementsIsNanWhereACoefficientIs) {
+  const geometry::MultiPatch model = geometry::connect(geometry::box_model({.patches = {2, 1, 1}}));
+  const Discretization d = discretize(model, {.degree = {2, 2, 2}});
+  ElasticField field{d.patches, {}, {tube_steel, tube_steel}};
+  for (const NurbsVolume& patch : d.patches)
+    field.displacement.push_back(Eigen::Matrix3Xd::Ones(3, patch.size()));
+  EXPECT_NEAR(max_displacement(field).value, std::sqrt(3), 1e-12);
+  for (std::size_t p = 0; p < 2; ++p) {
+    ElasticField broken = field;
+    broken.displacement[p](1, 4) = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_TRUE(std::isnan(max_displacement(broken).value)) << p;
+  }
 }
 
 // A bar pulled between symmetry planes has one stress everywhere.
