@@ -285,7 +285,7 @@ TEST(VtuFile, RefusesWhatDoesNotFit) {
   EXPECT_THAT(open(VtuCell::bezier_hexahedron, {{{4, 3, 3}, {2, 2, 2}}}, {}, {}),
               HasSubstr("4 points along direction 1 for cells of degree 2"));
   EXPECT_THAT(open(VtuCell::hexahedron, {cube}, {{"a"}, {"a"}}, {}), HasSubstr("'a' is taken"));
-  EXPECT_THAT(open(VtuCell::hexahedron, {cube}, {{""}}, {}), HasSubstr("a field has no name"));
+  EXPECT_THAT(open(VtuCell::hexahedron, {cube}, {{"b"}, {""}}, {}), HasSubstr("a field has no name"));
   EXPECT_THAT(open(VtuCell::hexahedron, {cube}, {{"HigherOrderDegrees"}}, {}), HasSubstr("is taken"));
   EXPECT_THAT(open(VtuCell::hexahedron, {cube}, {}, {{"patch", {1, 2}}}), HasSubstr("2 values for 1 grids"));
   VtuFile file(VtuCell::hexahedron, {cube}, {{"a"}}, {}, [](std::uint64_t, std::string_view) {});
