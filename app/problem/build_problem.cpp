@@ -9,6 +9,7 @@
 #include "app/problem/loose_bodies.hpp"
 #include "app/problem/plausibility.hpp"
 #include "app/problem/read_model_file.hpp"
+#include "geometry/attach.hpp"
 #include "geometry/io/read_patches.hpp"
 #include "iga/problem/loads.hpp"
 #include "iga/solution/solver_choice.hpp"
