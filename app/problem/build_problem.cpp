@@ -18,6 +18,7 @@
 #include "app/problem/read_model_file.hpp"
 #include "app/problem/selection.hpp"
 #include "app/study/generated_models.hpp"
+#include "geometry/attach.hpp"
 #include "geometry/io/read_patches.hpp"
 #include "iga/problem/loads.hpp"
 #include "iga/solution/solver_choice.hpp"

@@ -56,11 +56,13 @@ class CollectedBlocks {
 struct Target {
   enum class Where : std::uint32_t {
     a_row,      ///< to the block `at` of a's row
-    run,        ///< the same; and the following pairs of the line to the blocks behind
-                ///< it
+    run,        ///< the same; and the following pairs of the line to the blocks behind it
     collected,  ///< to the collected block `at`
     nowhere,    ///< its transpose is computed in this task as well, as (b, a)
   };
+  Target() = default;
+  Target(Where to, std::uint32_t position) : where(to), at(position) {}
+
   Where where : 2;
   std::uint32_t at : 30;
 
