@@ -40,7 +40,8 @@ geometry::NurbsVolume interpolated(const std::array<geometry::KnotVector, 3>& kn
 }
 
 geometry::BrepFile mapped_cube(const std::string& name, const Map& map) {
-  const auto knots = geometry::KnotVector::uniform(3, 12);
+  // Of a degree above the patches', so that these have to be fitted.
+  const auto knots = geometry::KnotVector::uniform(5, 8);
   return solid_of(name, interpolated({knots, knots, knots}, map));
 }
 

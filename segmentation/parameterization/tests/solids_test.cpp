@@ -159,10 +159,10 @@ TEST(Solids, OfNoVolumeAreRefused) {
 
 /// A cube, the surface of one of its faces `off` beside its edges.
 geometry::BrepFile lid_off_its_edges(double off) {
-  const geometry::BrepFile sound = test::brick("box", {0, 0, 0}, {1, 1, 1});
+  const geometry::Brep sound = geometry::make_brep(geometry::test::block(1, 1, 1));
   const FaceId top(5);
-  const Eigen::Vector3d out = sound.brep.outward_normal(top, {0.5, 0.5});
-  return {geometry::test::altered(sound.brep,
+  const Eigen::Vector3d out = sound.outward_normal(top, {0.5, 0.5});
+  return {geometry::test::altered(sound,
                                   [&](auto& altered) {
                                     altered.moved_face = top;
                                     altered.face_moved_by = off * out;
