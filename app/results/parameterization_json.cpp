@@ -5,8 +5,8 @@
 namespace isopatch::app {
 namespace {
 
-using segmentation::FaceReport;
 using geometry::HexFaceUse;
+using segmentation::FaceReport;
 using segmentation::ParameterizationReport;
 
 Json patch_json(const segmentation::PatchReport& patch) {

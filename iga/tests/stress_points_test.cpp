@@ -11,8 +11,8 @@
 #include "geometry/models/cylinder.hpp"
 #include "iga/post/face_stresses.hpp"
 #include "iga/post/internal_forces.hpp"
-#include "iga/solution/solve_elasticity.hpp"
 #include "iga/post/results.hpp"
+#include "iga/solution/solve_elasticity.hpp"
 #include "iga/tests/small_models.hpp"
 
 namespace isopatch::iga {

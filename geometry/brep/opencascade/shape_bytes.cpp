@@ -12,8 +12,8 @@
 #include "geometry/base/error.hpp"
 #include "geometry/brep/opencascade/internal/exchange.hpp"
 
-// One line of JSON says what the shapes are called and which of their faces and vertices is which; the shapes follow as
-// the library itself stores them, which keeps every bit.
+// One line of JSON says what the shapes are called and which of their faces and vertices is which; the shapes
+// follow as the library itself stores them, which keeps every bit.
 namespace isopatch::geometry {
 namespace {
 
