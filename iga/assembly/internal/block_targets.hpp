@@ -65,9 +65,6 @@ struct Target {
 
   Where where : 2;
   std::uint32_t at : 30;
-
-  Target() = default;
-  Target(Where place, std::uint32_t number) : where(place), at(number & 0x3fffffffU) {}
 };
 static_assert(sizeof(Target) == 4, "targets are read as often as blocks are written");
 
