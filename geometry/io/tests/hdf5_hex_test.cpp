@@ -89,7 +89,7 @@ TEST_F(Hdf5Hex, ListsThatEndWithinARecordAreRefused) {
   Hdf5Writer shorter;
   shorter.write("/faces/faces", std::vector<std::int64_t>{0, 1, 5});
   shorter.write("/faces/texts", "abc");
-  EXPECT_ERROR(read_block_faces(stored(shorter), "/faces"), ErrorCode::invalid_argument, "too few numbers");
+  EXPECT_ERROR(read_block_faces(stored(shorter), "/faces"), ErrorCode::invalid_argument, "too short");
 }
 
 }  // namespace
