@@ -7,7 +7,7 @@
 #include "app/commands/console.hpp"
 #include "solvers/processes.hpp"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's own
 class App;
 }
 

@@ -13,7 +13,7 @@ namespace isopatch::app {
 struct PagePlot {
   std::string title;  ///< empty if it is inside the drawing
   std::string svg;
-  std::string section = "";  ///< heading of the part of the page that it belongs to, where there are several
+  std::string section = {};  ///< heading of the part of the page that it belongs to, where there are several
 };
 
 /// What a page says. Texts in JSON are SI values as the files of that name have them.

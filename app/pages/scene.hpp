@@ -17,7 +17,7 @@ struct SceneField {
   std::string key;    ///< "von_mises"
   std::string label;  ///< "Von Mises stress"
   DisplayUnit unit;
-  std::string on = "";                  ///< "interfaces" if it is NaN elsewhere
+  std::string on = {};                  ///< "interfaces" if it is NaN elsewhere
   std::vector<Eigen::MatrixXd> values;  ///< per patch (components, samples), SI
 };
 

@@ -54,17 +54,29 @@ Module load_module() {
   return module;
 }
 
+std::string problem_of(const Module& module, const std::string& display) {
+  std::string problem;
+  module.display_problem(display, problem);
+  return problem;
+}
+
+std::string drawn(const Module& module, const Picture& picture, const std::string& display) {
+  std::string png;
+  module.draw(picture, display, png);
+  return png;
+}
+
 }  // namespace
 
 std::string draw(const Picture& picture) {
   static const Module module = load_module();
   const char* named = std::getenv("DISPLAY");
-  if (named != nullptr && *named != '\0' && module.display_problem(named).empty())
-    return module.draw(picture, named);
+  if (named != nullptr && *named != '\0' && problem_of(module, named).empty())
+    return drawn(module, picture, named);
   const VirtualDisplay display;
-  const std::string problem = module.display_problem(display.name());
+  const std::string problem = problem_of(module, display.name());
   if (!problem.empty()) throw Error(ErrorCode::unsupported, fmt::format("Xvfb was started, but {}", problem));
-  return module.draw(picture, display.name());
+  return drawn(module, picture, display.name());
 }
 
 }  // namespace isopatch::app

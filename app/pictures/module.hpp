@@ -9,9 +9,9 @@
 extern "C" {
 
 /// Why a display (":0") cannot be drawn on; empty if it can.
-std::string isopatch_display_problem(const std::string& display);
+void isopatch_display_problem(const std::string& display, std::string& problem);
 
 /// The bytes of a PNG.
 /// @throws isopatch::Error
-std::string isopatch_draw(const isopatch::app::Picture& picture, const std::string& display);
+void isopatch_draw(const isopatch::app::Picture& picture, const std::string& display, std::string& png);
 }

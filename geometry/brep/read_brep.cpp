@@ -9,6 +9,7 @@
 #include "geometry/base/error.hpp"
 #include "geometry/brep/internal/cad_file.hpp"
 #include "geometry/brep/internal/file_format.hpp"
+#include "geometry/brep/internal/guarded_cad_file.hpp"
 #include "geometry/brep/internal/sentences.hpp"
 #include "geometry/brep/make_brep.hpp"
 #include "geometry/brep/require_solid.hpp"

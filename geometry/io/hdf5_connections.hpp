@@ -2,7 +2,8 @@
 
 #include <string>
 
-#include "geometry/io/hdf5_file.hpp"
+#include "geometry/io/hdf5_reader.hpp"
+#include "geometry/io/hdf5_writer.hpp"
 #include "geometry/patch_connections.hpp"
 
 namespace isopatch::geometry {

@@ -4,7 +4,8 @@
 
 #include "geometry/hex/block_face.hpp"
 #include "geometry/hex/hex_topology.hpp"
-#include "geometry/io/hdf5_file.hpp"
+#include "geometry/io/hdf5_reader.hpp"
+#include "geometry/io/hdf5_writer.hpp"
 
 namespace isopatch::geometry {
 

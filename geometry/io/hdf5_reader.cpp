@@ -1,9 +1,10 @@
+#include "geometry/io/hdf5_reader.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "geometry/base/error.hpp"
-#include "geometry/io/hdf5_file.hpp"
 #include "geometry/io/internal/hdf5_handle.hpp"
 
 namespace isopatch::geometry {

@@ -1,7 +1,8 @@
+#include "geometry/io/hdf5_writer.hpp"
+
 #include <fmt/format.h>
 
 #include "geometry/base/error.hpp"
-#include "geometry/io/hdf5_file.hpp"
 #include "geometry/io/internal/hdf5_handle.hpp"
 
 namespace isopatch::geometry {

@@ -207,15 +207,18 @@ TEST(Reactions, BalanceLoadsAndTheirMoments) {
 TEST(Material, RefusesWhatIsNoStiffness) {
   EXPECT_NEAR(poisson(isotropic(7, 0.3)), 0.3, 1e-15);
   EXPECT_NEAR(young(isotropic(7, 0.3)), 7, 1e-14);
-  for (const auto& [e, nu, words] :
-       std::vector<std::tuple<double, double, const char*>>{{0, 0.3, "Young's modulus is 0 Pa"},
-                                                            {-1, 0.3, "Young's modulus is -1 Pa"},
-                                                            {1, 0.5, "incompressible"},
-                                                            {1, 0.7, "Poisson's ratio is 0.7"},
-                                                            {1, -1, "Poisson's ratio is -1"},
-                                                            {NAN, 0.1, "Young's modulus is nan Pa"},
-                                                            {1, NAN, "Poisson's ratio is nan"}})
-    EXPECT_ERROR(isotropic(e, nu), ErrorCode::invalid_argument, words) << e << " " << nu;
+  struct Case {
+    double e, nu;
+    const char* words;
+  };
+  for (const Case& c : std::vector<Case>{{0, 0.3, "Young's modulus is 0 Pa"},
+                                         {-1, 0.3, "Young's modulus is -1 Pa"},
+                                         {1, 0.5, "incompressible"},
+                                         {1, 0.7, "Poisson's ratio is 0.7"},
+                                         {1, -1, "Poisson's ratio is -1"},
+                                         {NAN, 0.1, "Young's modulus is nan Pa"},
+                                         {1, NAN, "Poisson's ratio is nan"}})
+    EXPECT_ERROR(isotropic(c.e, c.nu), ErrorCode::invalid_argument, c.words) << c.e << " " << c.nu;
   try {
     isotropic(1, 0.5);
   } catch (const Error& error) {

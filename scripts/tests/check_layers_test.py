@@ -9,8 +9,10 @@ import unittest
 CHECK_LAYERS = pathlib.Path(__file__).resolve().parents[1] / "check_layers"
 
 
-def run(files):
-    """Exit code and standard output for a tree made of {path: text}; headers get their #pragma once."""
+def run(files, with_headers=True):
+    """Exit code and standard output for a tree made of {path: text}; headers get their #pragma once, sources a header."""
+    headers = {path[:-4] + ".hpp" for path in files if path.endswith(".cpp")} if with_headers else set()
+    files = {**dict.fromkeys(sorted(headers - set(files)), ""), **files}
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder)
         for path, text in files.items():
@@ -146,8 +148,13 @@ class CheckLayers(unittest.TestCase):
             done = subprocess.run([sys.executable, CHECK_LAYERS, "--root", folder], capture_output=True, text=True)
             self.assertEqual((done.returncode, done.stdout), (1, "iga/a.hpp:1: #pragma once is missing\n"))
 
+    def test_rejects_a_source_without_a_header_of_its_name(self):
+        code, output = run({"iga/spaces/a.cpp": "", "iga/spaces/internal/b.hpp": "", "iga/spaces/b.cpp": "",
+                            "iga/tests/c.cpp": "", "app/program/main.cpp": ""}, with_headers=False)
+        self.assertEqual((code, output), (1, "iga/spaces/a.cpp:1: has no header of its name\n"))
+
     def test_rejects_a_folder_that_is_no_room(self):
-        self.rejects({"tools/a.cpp": ""}, "tools/a.cpp:1", "lies in no room")
+        self.rejects({"tools/a.hpp": ""}, "tools/a.hpp:1", "lies in no room")
 
     def test_rejects_judges_that_forget_nan(self):
         for text in ("x = y.maxCoeff();", "x = y.minCoeff(&i);", "worst = std::max(worst, x);",

@@ -157,8 +157,8 @@ HexModel hex_model(std::vector<geometry::BrepFile> solids, const AssemblyOptions
         contacts.sides.push_back({first, second, found.orientation, found.distance});
       } else if (auto part = lies_in(one, two, reach)) {
         parts.push_back({first, second, std::move(*part)});
-      } else if (part = lies_in(two, one, reach)) {
-        parts.push_back({second, first, std::move(*part)});
+      } else if (auto other_part = lies_in(two, one, reach)) {
+        parts.push_back({second, first, std::move(*other_part)});
       }
     }
   model.topology = with_t_joints(static_cast<int>(model.solids.size()), std::move(contacts), parts);

@@ -23,7 +23,7 @@ enum class ReferenceKind {
 /// A study that shows a claim: a file of the tree and the keys that are set differently, so that a user can
 /// run it alone.
 struct ClaimStudy {
-  std::string file = "";                    ///< from the root of the tree; empty: no study file can say it
+  std::string file = {};                    ///< from the root of the tree; empty: no study file can say it
   std::vector<std::string> overrides = {};  ///< "discretization.degree=3"
 };
 

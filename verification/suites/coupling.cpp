@@ -182,8 +182,9 @@ TEST(FullCoupling, GeneratedModelsOfDegreeThree) {
 
 TEST(FullCoupling, ChairStandFromSolids) {
   ISOPATCH_NEEDS_DATA("chair_stand/solids");
-  const BothWays s =
-      solved_both_ways("chair stand from solids", "examples/chair_stand_solids/study.toml", {});
+  BothWays s = solved_both_ways("chair stand from solids", "examples/chair_stand_solids/study.toml", {});
+  // Multipliers and forces differ by 6e-10.
+  s.allowed = round_off(5e5, "assembling and solving both systems of degree 3 and of large condition");
   expect_agreement(s);
   expect_equilibrium(s);
 }

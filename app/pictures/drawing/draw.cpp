@@ -140,11 +140,11 @@ std::string draw(const Picture& picture, const std::string& display_name) {
 
 extern "C" {
 
-std::string isopatch_display_problem(const std::string& display) {
-  return isopatch::app::XDisplay::problem(display);
+void isopatch_display_problem(const std::string& display, std::string& problem) {
+  problem = isopatch::app::XDisplay::problem(display);
 }
 
-std::string isopatch_draw(const isopatch::app::Picture& picture, const std::string& display) {
-  return isopatch::app::draw(picture, display);
+void isopatch_draw(const isopatch::app::Picture& picture, const std::string& display, std::string& png) {
+  png = isopatch::app::draw(picture, display);
 }
 }

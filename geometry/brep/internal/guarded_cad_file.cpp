@@ -1,3 +1,5 @@
+#include "geometry/brep/internal/guarded_cad_file.hpp"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -11,7 +13,6 @@
 #include "geometry/base/error.hpp"
 #include "geometry/base/guarded_process.hpp"
 #include "geometry/brep/check_brep.hpp"
-#include "geometry/brep/internal/cad_file.hpp"
 #include "geometry/brep/internal/installed_part.hpp"
 #include "geometry/brep/solid_error.hpp"
 #include "geometry/brep/tessellation.hpp"

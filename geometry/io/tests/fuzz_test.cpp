@@ -6,7 +6,8 @@
 #include <random>
 
 #include "geometry/base/atomic_file.hpp"
-#include "geometry/io/hdf5_file.hpp"
+#include "geometry/io/hdf5_reader.hpp"
+#include "geometry/io/hdf5_writer.hpp"
 #include "geometry/io/read_gismo_solid.hpp"
 #include "geometry/io/read_off.hpp"
 #include "geometry/io/read_patches.hpp"

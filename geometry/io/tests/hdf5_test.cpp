@@ -5,7 +5,8 @@
 #include <fstream>
 
 #include "geometry/base/atomic_file.hpp"
-#include "geometry/io/hdf5_file.hpp"
+#include "geometry/io/hdf5_reader.hpp"
+#include "geometry/io/hdf5_writer.hpp"
 #include "geometry/io/tests/sample_patches.hpp"
 
 namespace isopatch::geometry {

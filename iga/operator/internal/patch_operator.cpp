@@ -1,6 +1,8 @@
 #include "iga/operator/internal/patch_operator.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <type_traits>
 #include <utility>
 
 #include "iga/spaces/internal/folded_patch.hpp"
@@ -39,6 +41,68 @@ std::int64_t bytes_of(const LineTable& table) {
       (table.first.size() + table.run_start.size()) * sizeof(int) + table.runs.size() * sizeof(PointRun);
   for (const std::vector<double>& kind : table.kinds) bytes += kind.size() * sizeof(double);
   return static_cast<std::int64_t>(bytes);
+}
+
+template <Denominators D>
+using Constant = std::integral_constant<Denominators, D>;
+
+// The fields of a group at the points: their number, and whether values are among their vectors.
+struct FieldLayout {
+  BoxContraction& contraction;
+  int fields;
+  bool values;
+
+  // From a field on.
+  LineFields from(int field) const {
+    const Lanes* const first = contraction.point(0) + field;
+    const int skipped = values ? fields : 0;
+    return {values ? first : nullptr,
+            {first + skipped, first + skipped + 2 * fields, first + skipped + fields},
+            skipped + 3 * fields};
+  }
+};
+
+// Fields are in the order displacement, places, weight, whichever there are.
+PointLine lines_of(const FieldLayout& own, const FieldLayout& geometry, bool displaced, bool together) {
+  PointLine line{};
+  if (displaced) line.displacement = own.from(0);
+  if (own.values) line.function_weight = own.from(own.fields - 1);
+  line.places = together ? own.from(displaced ? 3 : 0) : geometry.from(0);
+  if (together) line.geometry_weight = line.function_weight;
+  if (geometry.values) line.geometry_weight = geometry.from(geometry.fields - 1);
+  return line;
+}
+
+// Adds sum_kinds band * plane, summed over lanes, for C numbers per function.
+template <int C, int Kinds>
+void gather(const LaneBand& band, const Lanes* plane, const double* weights, double* target) {
+  for (int i = 0; i < band.functions; ++i) {
+    const Lanes* const at = &band.values[static_cast<std::size_t>(i * Kinds)];
+    double weight = 1;
+    if (weights) weight = Kinds == 3 ? weights[i] * weights[i] : weights[i];
+    for (int c = 0; c < C; ++c) {
+      Lanes total = at[0] * plane[c];
+      for (int kind = 1; kind < Kinds; ++kind) total += at[kind] * plane[kind * C + c];
+      target[C * i + c] += weight * sum(total);
+    }
+  }
+}
+
+// Into the numbers of the functions of a box.
+template <int C, int Kinds>
+void gather_all(const std::array<int, 2>& sizes, const BoxFunctions& box, const LaneBand& band,
+                const Eigen::VectorXd& weights, BoxContraction& contraction, double* target) {
+  double* const first = target + static_cast<std::ptrdiff_t>(C) * (band.first - box.first[0]);
+  const std::ptrdiff_t line = static_cast<std::ptrdiff_t>(C) * box.sizes[0];
+  for (int k = 0; k < contraction.planes(); ++k)
+    for (int r = 0; r < contraction.rows(); ++r) {
+      const std::ptrdiff_t node =
+          band.first + static_cast<std::ptrdiff_t>(sizes[0]) *
+                           (contraction.first_row() + r +
+                            static_cast<std::ptrdiff_t>(sizes[1]) * (contraction.first_plane() + k));
+      gather<C, Kinds>(band, contraction.plane(r, k), weights.size() > 0 ? weights.data() + node : nullptr,
+                       first + line * (r + static_cast<std::ptrdiff_t>(box.sizes[1]) * k));
+    }
 }
 
 }  // namespace
@@ -141,6 +205,169 @@ std::int64_t PatchOperator::bytes() const {
   for (const std::vector<double>& weights : quadrature_)
     result += static_cast<std::int64_t>(weights.size() * sizeof(double));
   return result;
+}
+
+template <int F>
+void PatchOperator::spread_fields(const Group& group, const Fields& fields, const LaneBand& band,
+                                  BoxContraction& contraction) {
+  std::vector<double> coefficients(static_cast<std::size_t>(band.functions * F));
+  for (int k = 0; k < contraction.planes(); ++k)
+    for (int r = 0; r < contraction.rows(); ++r) {
+      const Eigen::Index node =
+          band.first + static_cast<Eigen::Index>(group.sizes[0]) *
+                           (contraction.first_row() + r +
+                            static_cast<Eigen::Index>(group.sizes[1]) * (contraction.first_plane() + k));
+      double* to = coefficients.data();
+      for (int i = 0; i < band.functions; ++i) {
+        const double weight = fields.weights ? (*fields.weights)[node + i] : 1;
+        if (fields.displacement)
+          for (int c = 0; c < 3; ++c) *to++ = weight * fields.displacement[3 * (node + i) + c];
+        if (fields.places)
+          for (int c = 0; c < 3; ++c) *to++ = weight * fields.places->control_points()(c, node + i);
+        if (fields.weights) *to++ = weight;
+      }
+      Lanes sums[2 * F] = {};
+      for (int i = 0; i < band.functions; ++i) {
+        const Lanes value = band.values[static_cast<std::size_t>(2 * i)];
+        const Lanes derivative = band.values[static_cast<std::size_t>(2 * i + 1)];
+        for (int f = 0; f < F; ++f) {
+          const double coefficient = coefficients[static_cast<std::size_t>(F * i + f)];
+          sums[f] += coefficient * value;
+          sums[F + f] += coefficient * derivative;
+        }
+      }
+      std::copy_n(sums, 2 * F, contraction.plane(r, k));
+    }
+}
+
+void PatchOperator::spread(const Group& group, const Fields& fields, const LaneBand& band,
+                           BoxContraction& contraction) {
+  switch (fields.count()) {
+    case 1:
+      return spread_fields<1>(group, fields, band, contraction);
+    case 3:
+      return spread_fields<3>(group, fields, band, contraction);
+    case 4:
+      return spread_fields<4>(group, fields, band, contraction);
+    case 6:
+      return spread_fields<6>(group, fields, band, contraction);
+    case 7:
+      return spread_fields<7>(group, fields, band, contraction);
+    default:
+      return;
+  }
+}
+
+template <class Collect>
+void PatchOperator::integrate(const ElementBox& box, const double* displacement, const Group& result_group,
+                              const ContractionStages& result_stages, const Evaluate& evaluate,
+                              PatchOperatorScratch& scratch, Collect collect) const {
+  const geometry::NurbsVolume* const volume = space_->geometry;
+  const Fields with_functions{displacement, is_isoparametric_ ? volume : nullptr,
+                              space_->is_rational() ? &space_->weights : nullptr};
+  const Fields with_geometry{nullptr, is_isoparametric_ ? nullptr : volume,
+                             !is_isoparametric_ && volume->is_rational() ? &volume->weights() : nullptr};
+  const int own_fields = with_functions.count(), geometry_fields = with_geometry.count();
+  const bool own_values = with_functions.weights, geometry_values = with_geometry.weights;
+  const ContractionStages own_stages = field_stages(own_fields, own_values);
+  const ContractionStages geometry_stages = field_stages(geometry_fields, geometry_values);
+  if (own_fields > 0) scratch.functions.start(functions_.tables[1], functions_.tables[2], own_stages, box);
+  if (geometry_fields > 0)
+    scratch.geometry.start(geometry_.tables[1], geometry_.tables[2], geometry_stages, box);
+  scratch.results.start(result_group.tables[1], result_group.tables[2], result_stages, box);
+
+  const int points2 = static_cast<int>(elements_[1].elements.front().nodes.size());
+  const int points3 = static_cast<int>(elements_[2].elements.front().nodes.size());
+  PointLine line =
+      lines_of({scratch.functions, own_fields, own_values},
+               {scratch.geometry, geometry_fields, geometry_values}, displacement, is_isoparametric_);
+  line.points = points2;
+  for (int b = box.begin[0]; b < box.end[0]; ++b) {
+    const auto band = static_cast<std::size_t>(b);
+    line.weights1 = &lane_weights_[band];
+    if (own_fields > 0) spread(functions_, with_functions, functions_.bands[band], scratch.functions);
+    if (geometry_fields > 0) spread(geometry_, with_geometry, geometry_.bands[band], scratch.geometry);
+    scratch.results.clear_planes();
+    Lanes smallest = Lanes{} + std::numeric_limits<double>::max();
+    for (int e3 = box.begin[2]; e3 < box.end[2]; ++e3) {
+      if (own_fields > 0) scratch.functions.expand_layer(e3);
+      if (geometry_fields > 0) scratch.geometry.expand_layer(e3);
+      scratch.results.clear_rows();
+      for (int q3 = 0; q3 < points3; ++q3) {
+        line.weight3 = quadrature_[2][static_cast<std::size_t>(e3 * points3 + q3)];
+        for (int e2 = box.begin[1]; e2 < box.end[1]; ++e2) {
+          line.weights2 = &quadrature_[1][static_cast<std::size_t>(e2 * points2)];
+          if (own_fields > 0) scratch.functions.expand_points(e2, q3);
+          if (geometry_fields > 0) scratch.geometry.expand_points(e2, q3);
+          const Lanes determinants = evaluate(line, scratch.results.point(0));
+          smallest = determinants < smallest ? determinants : smallest;
+          scratch.results.collect_points(e2, q3);
+        }
+      }
+      scratch.results.collect_layer(e3);
+    }
+    for (int lane = 0; lane < lane_count; ++lane)
+      if (!(smallest[lane] > 0)) refuse_folded(box);
+    collect(result_group.bands[band]);
+  }
+}
+
+void PatchOperator::add_forces(const ElementBox& box, const double* displacement, double* forces,
+                               PatchOperatorScratch& scratch) const {
+  Evaluate evaluate;
+  const auto use = [&]<Denominators D>(Constant<D>) {
+    evaluate = [this](const PointLine& line, Lanes* out) {
+      return forces_at_points<D>(line, material_, out);
+    };
+  };
+  switch (denominators_) {
+    case Denominators::none:
+      use(Constant<Denominators::none>());
+      break;
+    case Denominators::geometry:
+      use(Constant<Denominators::geometry>());
+      break;
+    case Denominators::functions:
+      use(Constant<Denominators::functions>());
+      break;
+    case Denominators::both:
+      use(Constant<Denominators::both>());
+      break;
+    case Denominators::shared:
+      use(Constant<Denominators::shared>());
+      break;
+  }
+  const ContractionStages stages = force_stages(space_->is_rational());
+  const BoxFunctions functions = functions_of(box);
+  integrate(box, displacement, functions_, stages, evaluate, scratch, [&](const LaneBand& band) {
+    gather_all<3, 2>(functions_.sizes, functions, band, space_->weights, scratch.results, forces);
+  });
+}
+
+void PatchOperator::add_squares(const ElementBox& box, double* sums, PatchOperatorScratch& scratch) const {
+  Evaluate evaluate;
+  switch (denominators_) {
+    case Denominators::none:
+      evaluate = squares_at_points<Denominators::none>;
+      break;
+    case Denominators::geometry:
+      evaluate = squares_at_points<Denominators::geometry>;
+      break;
+    case Denominators::functions:
+      evaluate = squares_at_points<Denominators::functions>;
+      break;
+    case Denominators::both:
+      evaluate = squares_at_points<Denominators::both>;
+      break;
+    case Denominators::shared:
+      evaluate = squares_at_points<Denominators::shared>;
+      break;
+  }
+  const ContractionStages stages = square_stages(space_->is_rational());
+  const BoxFunctions functions = functions_of(box);
+  integrate(box, nullptr, squares_, stages, evaluate, scratch, [&](const LaneBand& band) {
+    gather_all<6, 3>(squares_.sizes, functions, band, space_->weights, scratch.results, sums);
+  });
 }
 
 }  // namespace isopatch::iga

@@ -33,8 +33,9 @@ TEST(SplineFit, ParametersLieInEverySpanAndAtTheEnds) {
   EXPECT_EQ(t.back(), 2);
   EXPECT_TRUE(std::is_sorted(t.begin(), t.end()));
   EXPECT_EQ(t.size(), 4u * 4 + 2);
-  for (const auto& [low, high] : {std::pair(0.0, 0.2), {0.2, 0.5}, {0.5, 0.9}, {0.9, 2.0}})
-    EXPECT_EQ(std::count_if(t.begin(), t.end(), [&](double x) { return x > low && x < high; }), 4);
+  for (const auto& span : {std::pair(0.0, 0.2), {0.2, 0.5}, {0.5, 0.9}, {0.9, 2.0}})
+    EXPECT_EQ(std::count_if(t.begin(), t.end(), [&](double x) { return x > span.first && x < span.second; }),
+              4);
 }
 
 TEST(SplineFit, FindsASplineAgain) {
