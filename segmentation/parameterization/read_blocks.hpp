@@ -14,13 +14,13 @@ namespace isopatch::segmentation {
 
 /// Files of topological hexahedra, and how they meet.
 struct BlockFiles {
-  std::vector<std::filesystem::path>
-      files;  ///< any format of `read_breps`; several solids in a file are several blocks
-  std::optional<std::filesystem::path> pairs;       ///< without it, pairs are found from the geometry
-  std::optional<double> length_unit;                ///< as of `geometry::ReadBrepOptions`
+  std::vector<std::filesystem::path> files =
+      {};  ///< any format of `read_breps`; several solids in a file are several blocks
+  std::optional<std::filesystem::path> pairs = {};  ///< without it, pairs are found from the geometry
+  std::optional<double> length_unit = {};           ///< as of `geometry::ReadBrepOptions`
   bool allow_partial = false;                       ///< likewise
   GuardLimits limits = {.seconds = 0, .bytes = 0};  ///< likewise
-  AssemblyOptions assembly;
+  AssemblyOptions assembly = {};
 };
 
 /// Blocks put together, and what the files gave cause to say.

@@ -38,10 +38,10 @@ enum class Comparison {
 /// A number that must be what a reference says. A difference that is allowed is at most a tenth of the
 /// reference (of 1 where that is 0), with a reason if it is above a hundredth; limits allow none.
 struct Claim {
-  std::string what;  ///< "u_r at the inner wall, nu = 0.3, p = 3"
-  std::string unit;  ///< "m"; empty for numbers without one
+  std::string what = {};  ///< "u_r at the inner wall, nu = 0.3, p = 3"
+  std::string unit = {};  ///< "m"; empty for numbers without one
   ReferenceKind kind = ReferenceKind::closed_form;
-  std::string source;  ///< "Lame", "NAFEMS LE10"
+  std::string source = {};  ///< "Lame", "NAFEMS LE10"
   double reference = 0;
   double value = 0;
   Tolerance allowed = 0;  ///< the largest difference
