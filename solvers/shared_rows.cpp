@@ -123,10 +123,10 @@ SharedRows::SharedRows(int block_rows) {
 }
 
 SharedRows::SharedRows(const std::vector<std::vector<int>>& processes_of_row, const Processes& processes,
-                       int block_size) {
+                       int unknowns_per_row) {
   State state;
   state.processes = processes;
-  state.block_size = block_size;
+  state.block_size = unknowns_per_row;
   state.global_rows = static_cast<int>(processes_of_row.size());
   std::vector<std::vector<int>> with(static_cast<std::size_t>(processes.count()));
   for (int row = 0; row < state.global_rows; ++row) {

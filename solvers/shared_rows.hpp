@@ -30,8 +30,7 @@ class SharedRows {
   ///                          the same on all processes
   /// The local rows are those that this process touches, in the order of the whole system.
   explicit SharedRows(const std::vector<std::vector<int>>& processes_of_row,
-                      const Processes& processes = Processes::launched(),
-                      int block_size = solvers::block_size);
+                      const Processes& processes = Processes::launched(), int unknowns_per_row = block_size);
 
   /// Block rows of this process, and of the whole system.
   int local_rows() const;

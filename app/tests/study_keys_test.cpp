@@ -303,7 +303,9 @@ TEST(StudyKeys, AreAllReadAndChangeTheStudy) {
       EXPECT_NE(with, without) << of;
       if (shown.line.empty()) continue;
       EXPECT_THAT(with, testing::HasSubstr("\n" + shown.line + "\n")) << of;
-      if (without) EXPECT_THAT(*without, testing::Not(testing::HasSubstr("\n" + shown.line + "\n"))) << of;
+      if (without) {
+        EXPECT_THAT(*without, testing::Not(testing::HasSubstr("\n" + shown.line + "\n"))) << of;
+      }
     }
 }
 
