@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/brep/cell_complex.hpp"
 #include "geometry/brep/kernel.hpp"
 #include "geometry/brep/sew_options.hpp"
 #include "geometry/polyhedron.hpp"
@@ -64,6 +65,9 @@ class BrepModule {
   virtual std::vector<TrimmedSurface> trimmed_surfaces(const BrepKernel& kernel) const = 0;
   virtual KernelSolid sew(const std::vector<TrimmedSurface>& faces, const SewOptions& options) const = 0;
   virtual KernelSolid polyhedron(const Polyhedron& polyhedron, const SewOptions& options) const = 0;
+  /// As `cell_solids`.
+  virtual std::vector<KernelSolid> cells(const BrepKernel& source, const CellComplex& complex,
+                                         const std::vector<CellId>& cells) const = 0;
 };
 
 /// The module, loaded at the first call and for good.

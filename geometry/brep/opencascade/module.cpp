@@ -83,6 +83,12 @@ class OpenCascade final : public BrepModule {
     return guarded("making a polyhedron", [&] { return polyhedral_solid(polyhedron, options); });
   }
 
+  std::vector<KernelSolid> cells(const BrepKernel& source, const CellComplex& complex,
+                                 const std::vector<CellId>& cells) const override {
+    return guarded("making solids of cells",
+                   [&] { return solids_of_cells(dynamic_cast<const ShapeKernel&>(source), complex, cells); });
+  }
+
  private:
   static FileShapes shapes_of(const KernelSource& source) {
     switch (source.format) {

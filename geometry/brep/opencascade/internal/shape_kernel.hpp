@@ -77,6 +77,8 @@ class ShapeKernel final : public BrepKernel {
   Tessellation tessellate(const TessellationOptions& options) const override;
 
   const ShapeInput& input() const { return input_; }
+  const FaceGeometry& of(FaceId face) const { return faces_[static_cast<std::size_t>(face.value)]; }
+  const EdgeGeometry& of(EdgeId edge) const { return edges_[static_cast<std::size_t>(edge.value)]; }
 
  private:
   // What is computed when first asked for.
@@ -84,9 +86,6 @@ class ShapeKernel final : public BrepKernel {
 
   const FaceMeasure& measure(std::size_t face) const;
   FaceMeasureOptions measure_options() const;
-
-  const FaceGeometry& of(FaceId face) const { return faces_[static_cast<std::size_t>(face.value)]; }
-  const EdgeGeometry& of(EdgeId edge) const { return edges_[static_cast<std::size_t>(edge.value)]; }
 
   ShapeInput input_;
   BrepTables tables_;

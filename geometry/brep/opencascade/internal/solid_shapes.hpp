@@ -20,5 +20,7 @@ double kernel_scale(double size);
 KernelSolid sewn_solid(const std::vector<TrimmedSurface>& faces, const SewOptions& options);
 std::vector<TrimmedSurface> surfaces_of(const ShapeKernel& kernel);
 KernelSolid polyhedral_solid(const Polyhedron& polyhedron, const SewOptions& options);
+std::vector<KernelSolid> solids_of_cells(const ShapeKernel& source, const CellComplex& complex,
+                                         const std::vector<CellId>& cells);
 
 }  // namespace isopatch::geometry

@@ -1,0 +1,62 @@
+#include "geometry/brep/cell_solids.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "geometry/base/error.hpp"
+#include "geometry/brep/module.hpp"
+#include "geometry/brep/require_solid.hpp"
+#include "geometry/brep/solid_error.hpp"
+
+namespace isopatch::geometry {
+namespace {
+
+void require_disc(const Brep& source, FaceId id) {
+  const BrepFace& face = source.face(id);
+  const auto refuse = [&](const std::string& what) {
+    throw SolidError(ErrorCode::unsupported, fmt::format("{} {}", describe(source, id), what),
+                     {.faces = {{id.value}}});
+  };
+  if (face.loops.size() != 1) refuse(fmt::format("has {} outlines; one is needed", face.loops.size()));
+  for (const EdgeUse& use : face.loops.front()) {
+    const BrepEdge& edge = source.edge(use.edge);
+    if (edge.start == edge.end) refuse(fmt::format("is bounded by the closed edge {}", use.edge.value));
+    if (edge.faces.size() == 2 && edge.faces[0] == edge.faces[1])
+      refuse(fmt::format("is closed on itself along edge {}", use.edge.value));
+  }
+}
+
+}  // namespace
+
+CellComplex one_cell(const Brep& source) {
+  CellComplex complex;
+  for (Eigen::Index v = 0; v < source.vertices().cols(); ++v)
+    complex.vertices.emplace_back(source.vertices().col(v));
+  for (std::size_t e = 0; e < source.edges().size(); ++e) {
+    const EdgeId id(static_cast<int>(e));
+    complex.curves.push_back({id});
+    complex.edges.push_back({CurveId(id.value), 0, 1, source.edge(id).start, source.edge(id).end});
+  }
+  Cell& cell = complex.cells.emplace_back();
+  for (std::size_t f = 0; f < source.faces().size(); ++f) {
+    const FaceId id(static_cast<int>(f));
+    require_disc(source, id);
+    complex.surfaces.emplace_back(id);
+    complex.faces.push_back({SurfaceId(id.value), source.face(id).loops.front(), id});
+    cell.faces.push_back({id, false, id.value});
+  }
+  return complex;
+}
+
+std::vector<Brep> cell_solids(const Brep& source, const CellComplex& complex,
+                              const std::vector<CellId>& cells) {
+  std::vector<Brep> result;
+  for (KernelSolid& solid : brep_module().cells(source.kernel(), complex, cells)) {
+    result.emplace_back(std::move(solid.kernel));
+    require_solid(result.back());
+  }
+  return result;
+}
+
+}  // namespace isopatch::geometry

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+
+#include "segmentation/decomposition/cutting/cell_geometry.hpp"
+
+namespace isopatch::segmentation {
+
+/// A curve across a face.
+struct AuxiliaryCurve {
+  geometry::CellCurve curve;
+  /// Smallest angle that it makes with the outline at its ends, in the domain: in (0, 180) degrees.
+  Angle smallest_angle;
+};
+
+/// The curve between two vertices of a face's outline that is straight in the domain; so it is straight on planes, a
+/// ruling or a circle on cylinders and cones where the ends allow it.
+/// @return  nothing where it would leave the face or touch its outline
+/// @param tolerance  m, of the curve in space from the one in the domain where neither is straight
+std::optional<AuxiliaryCurve> auxiliary_curve(const CellGeometry& geometry, FaceId face, VertexId from,
+                                              VertexId to, double tolerance);
+
+}  // namespace isopatch::segmentation
