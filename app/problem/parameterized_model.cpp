@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/base/engineering_units.hpp"
+#include "segmentation/decomposition/blocks.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -35,11 +36,33 @@ std::string histogram_text(const ParameterizationReport& report) {
   return text + "\n";
 }
 
+/// The solids, those that are no hexahedra taken apart, and put together.
+segmentation::ReadBlocks blocks_of(const BlocksInput& input, const Progress& progress) {
+  if (!input.decomposition || input.files.pairs) return segmentation::read_blocks(input.files, progress);
+  segmentation::ReadSolids read = segmentation::read_solids(input.files, progress);
+  std::vector<geometry::BrepFile> solids;
+  std::vector<std::string> bodies;
+  for (geometry::BrepFile& body : read.solids) {
+    std::vector<geometry::BrepFile> parts;
+    if (segmentation::is_hexahedron(body.brep))
+      parts.push_back(body);
+    else
+      parts = segmentation::blocks(
+          body, segmentation::decompose(body.brep, body.name, *input.decomposition, progress));
+    bodies.insert(bodies.end(), parts.size(), body.name);
+    for (geometry::BrepFile& part : parts) solids.push_back(std::move(part));
+  }
+  segmentation::ReadBlocks result{segmentation::hex_model(std::move(solids), input.files.assembly),
+                                  std::move(read.warnings)};
+  result.model.bodies = std::move(bodies);
+  return result;
+}
+
 }  // namespace
 
 segmentation::Parameterization parameterized(const BlocksInput& input, const Progress& progress) {
   progress("reading blocks", 0);
-  segmentation::ReadBlocks blocks = segmentation::read_blocks(input.files, progress);
+  segmentation::ReadBlocks blocks = blocks_of(input, progress);
   segmentation::Parameterization result = segmentation::parameterize(blocks.model, input.options, progress);
   result.report.warnings = std::move(blocks.warnings);
   return result;

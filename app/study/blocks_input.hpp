@@ -1,13 +1,18 @@
 #pragma once
 
+#include <optional>
+
+#include "segmentation/decomposition/decompose.hpp"
 #include "segmentation/parameterization/parameterize.hpp"
 #include "segmentation/parameterization/read_blocks.hpp"
 
 namespace isopatch::app {
 
-/// Topological hexahedra to be made patches: files and how.
+/// Solids to be made patches: files and how.
 struct BlocksInput {
   segmentation::BlockFiles files;
+  /// How solids are taken apart that are no topological hexahedra; nothing: such solids are refused.
+  std::optional<segmentation::DecompositionOptions> decomposition = {};
   segmentation::ParameterizationOptions options;
 };
 

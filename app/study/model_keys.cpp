@@ -56,8 +56,12 @@ ModelSource read_files(const ModelKeys& keys, const ConfigSection& input, const 
   const ModelPaths path{input.table, source};
   std::vector<std::filesystem::path> solids;
   for (const std::string& file : keys.blocks) solids.push_back(path(file, "blocks"));
-  if (keys.file && holds_solids(path(*keys.file, "file"))) solids.push_back(path(*keys.file, "file"));
   if (!solids.empty()) return read_solids(std::move(solids), keys, path, how);
+  if (keys.file && holds_solids(path(*keys.file, "file"))) {
+    BlocksInput whole = read_solids({path(*keys.file, "file")}, keys, path, how);
+    whole.decomposition = segmentation::DecompositionOptions{};
+    return whole;
+  }
   return PatchFile{path(*keys.file, "file"), keys.length_unit};
 }
 

@@ -13,7 +13,8 @@ CellComplex one_cell(const Brep& source);
 
 /// Cells as solids, in one frame: faces, edges and vertices that cells share are the same ones in all.
 ///
-/// Face i of a solid is the i-th of its cell; names and colours are those of the source. Vertices are in the order of
+/// Face i of a solid is the i-th of its cell; names and colours are those of the source, where faces without a name are
+/// called "face 3" by their number. Vertices are in the order of
 /// their numbers in the complex.
 /// @param source  what the complex was made of
 /// @throws Error not_manifold  a cell that is not closed

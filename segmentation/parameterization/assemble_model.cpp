@@ -37,6 +37,7 @@ HexModel loose_blocks(std::vector<geometry::BrepFile> solids) {
   for (std::size_t b = 0; b < solids.size(); ++b) {
     const geometry::Brep& brep = solids[b].brep;
     const std::array<FaceId, 6> sides = cube_sides(solids[b]);
+    model.bodies.push_back(solids[b].name);
     auto& faces = model.faces.emplace_back();
     for (std::size_t side = 0; side < 6; ++side) {
       const auto& colour = brep.face(sides[side]).colour;

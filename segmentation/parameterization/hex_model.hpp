@@ -15,6 +15,8 @@ namespace isopatch::segmentation {
 /// All of it can be stored: `geometry::to_bytes`, `write_hex_topology`, `write_block_faces`.
 struct HexModel {
   std::vector<geometry::BrepFile> solids;  ///< block b is solid b
+  /// By block: the body that it is or is a part of, which patches and their outer faces are called after.
+  std::vector<std::string> bodies;
   geometry::HexTopology topology;
   geometry::BlockFaces faces;  ///< which face of its solid each side of a block is
 

@@ -1,6 +1,7 @@
 #include "segmentation/parameterization/internal/patch_set.hpp"
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -25,15 +26,17 @@ bool is_colour_text(const std::string& text) {
          text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
 }
 
-// Outer faces under the names of the solids' faces, with the block's in front where there are several, or
+// Outer faces under the names of the solids' faces, with the body's in front where there are several, or
 // "face:" in front of names that are those of colours; then under their colours.
 std::vector<geometry::Boundary> boundaries_of(const HexModel& model) {
   std::vector<geometry::BlockSide> outer;
   for (const geometry::HexFace& face : model.topology.faces)
     if (face.uses.size() == 1) outer.push_back(face.uses.front().side);
   std::vector<geometry::Boundary> result;
+  const bool several = std::set<std::string>(model.bodies.begin(), model.bodies.end()).size() > 1;
   for (const geometry::BlockSide side : outer) {
-    const std::string name = model.solids.size() > 1 ? label_of(model, side) : model.face(side).name;
+    const std::string& body = model.bodies[static_cast<std::size_t>(side.block.value)];
+    const std::string name = several ? body + ":" + model.face(side).name : model.face(side).name;
     add_face(result, is_colour_text(name) ? "face:" + name : name, side);
   }
   for (const geometry::BlockSide side : outer) {
@@ -49,7 +52,7 @@ geometry::PatchSet patch_set(const HexModel& model, std::vector<geometry::NurbsV
   geometry::PatchSet set;
   set.patches = std::move(patches);
   set.boundaries = boundaries_of(model);
-  for (const geometry::BrepFile& solid : model.solids) set.names.push_back(solid.name);
+  set.names = model.bodies;
   for (const geometry::HexFace& face : model.topology.faces)
     if (face.uses.size() > 1)
       set.listed_interfaces.emplace_back(patch_face(face.uses[0].side), patch_face(face.uses[1].side));

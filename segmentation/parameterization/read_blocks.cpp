@@ -9,9 +9,11 @@
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/error.hpp"
 #include "geometry/base/nearest_name.hpp"
+#include "geometry/brep/brep_graph.hpp"
 #include "geometry/brep/contradictions.hpp"
 #include "geometry/brep/read_brep.hpp"
 #include "geometry/brep/solid_error.hpp"
+#include "geometry/topology/graph_connectivity.hpp"
 #include "segmentation/parameterization/assemble_model.hpp"
 
 namespace isopatch::segmentation {
@@ -84,27 +86,36 @@ std::vector<ListedPair> parse_pairs(const std::string& text, const std::string& 
   return result;
 }
 
-ReadBlocks read_blocks(const BlockFiles& files, const Progress& progress) {
+bool is_hexahedron(const geometry::Brep& solid) {
+  const geometry::EdgeGraph graph = edge_graph(solid);
+  return is_cube(graph, connectivity(graph, topology(graph, boundary(graph))));
+}
+
+ReadSolids read_solids(const BlockFiles& files, const Progress& progress) {
   if (files.files.empty()) throw Error(ErrorCode::invalid_argument, "no file of a block is given");
   geometry::ReadBrepOptions options = block_reading(files);
   options.progress = progress;
-  std::vector<geometry::BrepFile> solids;
-  std::vector<std::string> called;
-  std::vector<std::string> warnings;
+  ReadSolids result;
   BlockNames names;
   for (const std::filesystem::path& path : files.files) {
     geometry::BrepSet set = bodies_of(path, options);
     for (const std::string& warning : set.warnings)
-      warnings.push_back(fmt::format("{}: {}", path.string(), warning));
+      result.warnings.push_back(fmt::format("{}: {}", path.string(), warning));
     for (geometry::BrepFile& body : set.bodies) {
       body.name = names.add(body.name);
-      called.push_back(body.name);
-      solids.push_back(std::move(body));
+      result.solids.push_back(std::move(body));
     }
   }
-  if (!files.pairs) return {hex_model(std::move(solids), files.assembly), std::move(warnings)};
+  return result;
+}
+
+ReadBlocks read_blocks(const BlockFiles& files, const Progress& progress) {
+  ReadSolids read = read_solids(files, progress);
+  if (!files.pairs) return {hex_model(std::move(read.solids), files.assembly), std::move(read.warnings)};
+  std::vector<std::string> called;
+  for (const geometry::BrepFile& solid : read.solids) called.push_back(solid.name);
   const auto pairs = parse_pairs(read_file(*files.pairs), files.pairs->string(), called);
-  return {hex_model(std::move(solids), pairs, files.assembly), std::move(warnings)};
+  return {hex_model(std::move(read.solids), pairs, files.assembly), std::move(read.warnings)};
 }
 
 }  // namespace isopatch::segmentation

@@ -23,6 +23,19 @@ struct BlockFiles {
   AssemblyOptions assembly = {};
 };
 
+/// Solids, and what the files gave cause to say.
+struct ReadSolids {
+  std::vector<geometry::BrepFile> solids;
+  std::vector<std::string> warnings;
+};
+
+/// The solids of the files, whatever they are; lengths are metres. Called as by `read_blocks`.
+/// @throws Error as `read_breps` does; SolidError for one whose geometry contradicts itself
+ReadSolids read_solids(const BlockFiles& files, const Progress& progress = {});
+
+/// Whether a solid has the graph of a cube, whatever its shape.
+bool is_hexahedron(const geometry::Brep& solid);
+
 /// Blocks put together, and what the files gave cause to say.
 struct ReadBlocks {
   HexModel model;

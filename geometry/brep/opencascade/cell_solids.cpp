@@ -53,7 +53,7 @@ class CellMaker {
       const std::optional<FaceId> origin = complex_.face(use.face).origin;
       const BrepFace* named =
           origin ? &source_.tables().faces[static_cast<std::size_t>(origin->value)] : nullptr;
-      names.push_back(named ? named->name : "");
+      names.push_back(!named ? "" : named->name.empty() ? fmt::format("face {}", origin->value) : named->name);
       colours.push_back(named ? named->colour : std::nullopt);
       for (const EdgeUse& edge : complex_.face(use.face).loop) used.insert(complex_.from(edge));
     }
@@ -80,15 +80,20 @@ class CellMaker {
   }
 
   /// Nothing on planes, whose domain curves the library makes itself.
-  std::optional<DomainRange> domain_range(const CellCurve& curve, SurfaceId surface) const {
+  std::optional<DomainRange> domain_range(const CellCurve& curve, SurfaceId surface, const SpaceRange& space) const {
     for (const CellCurve::Trace& trace : curve.traces)
-      if (trace.surface == surface) return DomainRange{to_domain_curve(trace.domain)};
+      if (trace.surface == surface)
+        return DomainRange{to_domain_curve(over(trace.domain, space.first, space.last)), space.first, space.last};
     const auto* edge = std::get_if<EdgeId>(&curve.shape);
     const auto* face = std::get_if<FaceId>(&complex_.surface(surface));
     if (edge != nullptr && face != nullptr)
       for (const auto& [use, found] : source_.of(*face).uses)
         if (use.edge == *edge) return DomainRange{found.curve, found.first, found.last};
     return std::nullopt;
+  }
+
+  static NurbsCurve over(const NurbsCurve& curve, double first, double last) {
+    return NurbsCurve({rescaled(curve.knots(0), first, last)}, curve.control_points(), curve.weights());
   }
 
   Handle(Geom_Surface) surface(SurfaceId id) {
@@ -133,7 +138,7 @@ class CellMaker {
     const CellCurve& curve = complex_.curve(edge.curve);
     const Handle(Geom_Surface) carrier = surface(on);
     const SpaceRange space = space_range(curve);
-    const std::optional<DomainRange> domain = domain_range(curve, on);
+    const std::optional<DomainRange> domain = domain_range(curve, on, space);
     double off = 0;
     if (domain) {
       if (std::abs(domain->first - space.first) + std::abs(domain->last - space.last) >

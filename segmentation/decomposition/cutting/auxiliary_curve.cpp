@@ -71,36 +71,42 @@ bool crosses_outline(const Eigen::Matrix2Xd& polygon, const PolygonCorner& from,
 
 }  // namespace
 
-std::optional<AuxiliaryCurve> auxiliary_curve(const CellGeometry& geometry, FaceId id, VertexId from, VertexId to,
+geometry::CellCurve curve_in_domain(const CellShapes& shapes, geometry::SurfaceId surface, const CurveEnd& from,
+                                    const CurveEnd& to, double tolerance) {
+  const auto on_surface = [&](double t) -> Eigen::Vector3d {
+    return shapes.point(surface, from.uv + t * (to.uv - from.uv));
+  };
+  const Eigen::Vector3d off_from = from.point - on_surface(0), off_to = to.point - on_surface(1);
+  const CurvePoints between = [&](double t) -> Eigen::Vector3d {
+    return on_surface(t) + (1 - t) * off_from + t * off_to;
+  };
+  geometry::CellCurve curve{interpolated(between, following_knots({between}, tolerance))};
+  if (std::holds_alternative<geometry::PlaneSurface>(shapes.complex().surface(surface))) return curve;
+  Eigen::Matrix3Xd trace = Eigen::Matrix3Xd::Zero(3, 2);
+  trace.topRows<2>() << from.uv, to.uv;
+  curve.traces.push_back({surface, NurbsCurve({geometry::KnotVector()}, trace)});
+  return curve;
+}
+
+std::optional<AuxiliaryCurve> auxiliary_curve(const CellShapes& shapes, FaceId id, VertexId from, VertexId to,
                                               double tolerance) {
-  const geometry::CellFace& face = geometry.complex().face(id);
-  Eigen::Matrix2Xd polygon = outline(geometry, id);
-  if (geometry.is_turned(id)) polygon = polygon.rowwise().reverse().eval();
+  const geometry::CellFace& face = shapes.complex().face(id);
+  Eigen::Matrix2Xd polygon = outline(shapes, id);
+  if (shapes.is_turned(id)) polygon = polygon.rowwise().reverse().eval();
   const auto in_domain = [&](VertexId vertex) -> Eigen::Vector2d {
     for (const geometry::EdgeUse& use : face.loop)
-      if (geometry.complex().from(use) == vertex)
-        return geometry.domain_point(id, use.edge, use.reversed ? 1 : 0);
+      if (shapes.complex().from(use) == vertex)
+        return shapes.domain_point(id, use.edge, use.reversed ? 1 : 0);
     throw Error(ErrorCode::invalid_argument, "an auxiliary curve joins vertices of the face's outline");
   };
   const Eigen::Vector2d start = in_domain(from), end = in_domain(to);
   const PolygonCorner first = corner_at(polygon, start), last = corner_at(polygon, end);
   const double angle = std::min(free_angle(first, end - start), free_angle(last, start - end));
   if (!(angle > 1e-3) || crosses_outline(polygon, first, last)) return std::nullopt;
-  const auto on_surface = [&](double t) -> Eigen::Vector3d {
-    return geometry.point(face.surface, start + t * (end - start));
-  };
   AuxiliaryCurve result;
   result.smallest_angle = Angle::radians(angle);
-  const CurvePoints between = [&](double t) -> Eigen::Vector3d {  // with the vertices themselves at the ends
-    const Eigen::Vector3d a = geometry.complex().vertex(from) - on_surface(0),
-                          b = geometry.complex().vertex(to) - on_surface(1);
-    return on_surface(t) + (1 - t) * a + t * b;
-  };
-  result.curve.shape = interpolated(between, following_knots({between}, tolerance));
-  Eigen::Matrix3Xd trace = Eigen::Matrix3Xd::Zero(3, 2);
-  trace.topRows<2>() << start, end;
-  if (!std::holds_alternative<geometry::PlaneSurface>(geometry.complex().surface(face.surface)))
-    result.curve.traces.push_back({face.surface, NurbsCurve({geometry::KnotVector()}, trace)});
+  result.curve = curve_in_domain(shapes, face.surface, {start, shapes.complex().vertex(from)},
+                                 {end, shapes.complex().vertex(to)}, tolerance);
   return result;
 }
 

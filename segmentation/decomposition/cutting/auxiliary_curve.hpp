@@ -2,9 +2,20 @@
 
 #include <optional>
 
-#include "segmentation/decomposition/cutting/cell_geometry.hpp"
+#include "segmentation/decomposition/cutting/cell_shapes.hpp"
 
 namespace isopatch::segmentation {
+
+/// An end of a curve on a surface: in its domain, and the point in space that it must run to, m.
+struct CurveEnd {
+  Eigen::Vector2d uv;
+  Eigen::Vector3d point;
+};
+
+/// The curve on a surface that is straight in its domain, over [0, 1].
+/// @param tolerance  m, of the curve in space where it is not straight
+geometry::CellCurve curve_in_domain(const CellShapes& shapes, geometry::SurfaceId surface, const CurveEnd& from,
+                                    const CurveEnd& to, double tolerance);
 
 /// A curve across a face.
 struct AuxiliaryCurve {
@@ -17,7 +28,7 @@ struct AuxiliaryCurve {
 /// ruling or a circle on cylinders and cones where the ends allow it.
 /// @return  nothing where it would leave the face or touch its outline
 /// @param tolerance  m, of the curve in space from the one in the domain where neither is straight
-std::optional<AuxiliaryCurve> auxiliary_curve(const CellGeometry& geometry, FaceId face, VertexId from,
+std::optional<AuxiliaryCurve> auxiliary_curve(const CellShapes& shapes, FaceId face, VertexId from,
                                               VertexId to, double tolerance);
 
 }  // namespace isopatch::segmentation

@@ -21,8 +21,6 @@ NurbsCurve interpolated(const CurvePoints& curve, const KnotVector& knots) {
   return NurbsCurve({knots}, std::move(control));
 }
 
-namespace {
-
 double deviation(const CurvePoints& curve, const NurbsCurve& spline) {
   const int samples = 4 * spline.knots(0).element_count() * spline.degree(0) + 1;
   double worst = 0;
@@ -32,8 +30,6 @@ double deviation(const CurvePoints& curve, const NurbsCurve& spline) {
   }
   return worst;
 }
-
-}  // namespace
 
 KnotVector following_knots(const std::vector<CurvePoints>& curves, double tolerance) {
   const auto follow = [&](const KnotVector& knots) {

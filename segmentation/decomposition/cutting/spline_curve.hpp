@@ -15,6 +15,9 @@ using CurvePoints = std::function<Eigen::Vector3d(double)>;
 /// @cost  a dense system with as many unknowns as control points
 geometry::NurbsCurve interpolated(const CurvePoints& curve, const geometry::KnotVector& knots);
 
+/// Largest distance found between a curve and a spline at equal parameters, m.
+double deviation(const CurvePoints& curve, const geometry::NurbsCurve& spline);
+
 /// The knots over [0, 1] with which interpolation follows curves up to `tolerance`: one piece of degree 1 where all are
 /// straight at constant speed, otherwise degree 5 with as many equal spans as it takes, 64 at most.
 /// @param tolerance  m

@@ -37,7 +37,7 @@ TEST(Divide, CutsAnLIntoTwoBlocks) {
   CellComplex complex = one_cell(source);
   const double tolerance = 1e-9;
   const auto add = [&](FaceId face, VertexId from, VertexId to) {
-    const auto curve = auxiliary_curve(CellGeometry(source, complex), face, from, to, tolerance);
+    const auto curve = auxiliary_curve(CellShapes(source, complex), face, from, to, tolerance);
     EXPECT_TRUE(curve.has_value());
     complex.curves.push_back(curve->curve);
     return divide_face(complex, face, from, to, geometry::CurveId(static_cast<int>(complex.curves.size()) - 1));
@@ -49,7 +49,7 @@ TEST(Divide, CutsAnLIntoTwoBlocks) {
   const auto use = [&](EdgeId edge, VertexId from) { return EdgeUse{edge, complex.edge(edge).start != from}; };
   const std::vector<EdgeUse> walk = {use(below, VertexId(3)), use(side, VertexId(0)), use(above, VertexId(6)),
                                      use(inner, VertexId(9))};
-  const auto surface = cutting_surface(CellGeometry(source, complex), walk, tolerance);
+  const auto surface = cutting_surface(CellShapes(source, complex), {{walk[0]}, {walk[1]}, {walk[2]}, {walk[3]}}, tolerance);
   ASSERT_TRUE(surface.has_value());
   complex.surfaces.push_back(surface->surface);
   const DividedCell divided =

@@ -10,9 +10,9 @@ namespace isopatch::segmentation {
 
 /// The shapes of a complex: its source and the complex, which must outlive it. Lengths are metres, t runs over [0, 1]
 /// from an edge's start to its end.
-class CellGeometry {
+class CellShapes {
  public:
-  CellGeometry(const geometry::Brep& source, const geometry::CellComplex& complex)
+  CellShapes(const geometry::Brep& source, const geometry::CellComplex& complex)
       : source_(source), complex_(complex) {}
 
   const geometry::Brep& source() const { return source_; }
@@ -36,6 +36,8 @@ class CellGeometry {
   double curve_parameter(const geometry::CellEdge& edge, double t) const {
     return edge.low + t * (edge.high - edge.low);
   }
+  /// A point of a plane of the source in its domain.
+  Eigen::Vector2d plane_point(FaceId face, const Eigen::Vector3d& point) const;
 
   const geometry::Brep& source_;
   const geometry::CellComplex& complex_;
@@ -43,12 +45,12 @@ class CellGeometry {
 
 /// Outline of a face in its domain, as its loop walks it: a closed polygon of `pieces` chords an edge, or of one where edges
 /// and surface are straight; (2, n).
-Eigen::Matrix2Xd outline(const CellGeometry& geometry, FaceId face, int pieces = 16);
+Eigen::Matrix2Xd outline(const CellShapes& shapes, FaceId face, int pieces = 16);
 
 /// The angle inside a cell between two of its faces along their common edge, in (0, 360) degrees.
 /// @param use     of the edge, as the first face's boundary walks it with the cell inside
 /// @param second  the other face
-Angle inner_angle(const CellGeometry& geometry, geometry::CellFaceUse first, geometry::CellFaceUse second,
+Angle inner_angle(const CellShapes& shapes, geometry::CellFaceUse first, geometry::CellFaceUse second,
                   geometry::EdgeUse use, double t);
 
 }  // namespace isopatch::segmentation

@@ -1,6 +1,7 @@
-#include "segmentation/decomposition/cutting/cell_geometry.hpp"
+#include "segmentation/decomposition/cutting/cell_shapes.hpp"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <cmath>
 #include <numbers>
 
@@ -16,7 +17,7 @@ using geometry::Parameter;
 using geometry::PlaneSurface;
 using geometry::SurfaceId;
 
-Eigen::Vector3d CellGeometry::point(EdgeId id, double t) const {
+Eigen::Vector3d CellShapes::point(EdgeId id, double t) const {
   const CellEdge& edge = complex_.edge(id);
   const double at = curve_parameter(edge, t);
   const auto& shape = complex_.curve(edge.curve).shape;
@@ -24,7 +25,7 @@ Eigen::Vector3d CellGeometry::point(EdgeId id, double t) const {
   return std::get<NurbsCurve>(shape).point(Parameter<1>(at));
 }
 
-Eigen::Vector3d CellGeometry::tangent(EdgeId id, double t) const {
+Eigen::Vector3d CellShapes::tangent(EdgeId id, double t) const {
   const CellEdge& edge = complex_.edge(id);
   const double at = curve_parameter(edge, t), pace = edge.high - edge.low;
   const auto& shape = complex_.curve(edge.curve).shape;
@@ -32,14 +33,14 @@ Eigen::Vector3d CellGeometry::tangent(EdgeId id, double t) const {
   return pace * std::get<NurbsCurve>(shape).jacobian(Parameter<1>(at));
 }
 
-Eigen::Vector3d CellGeometry::point(SurfaceId id, const Eigen::Vector2d& uv) const {
+Eigen::Vector3d CellShapes::point(SurfaceId id, const Eigen::Vector2d& uv) const {
   const geometry::CellSurface& surface = complex_.surface(id);
   if (const auto* face = std::get_if<FaceId>(&surface)) return source_.point(*face, uv);
   if (const auto* plane = std::get_if<PlaneSurface>(&surface)) return plane->point(uv);
   return std::get<NurbsSurface>(surface).point(uv);
 }
 
-Eigen::Vector3d CellGeometry::normal(FaceId id, const Eigen::Vector2d& uv) const {
+Eigen::Vector3d CellShapes::normal(FaceId id, const Eigen::Vector2d& uv) const {
   const geometry::CellSurface& surface = complex_.surface(complex_.face(id).surface);
   if (const auto* face = std::get_if<FaceId>(&surface)) return source_.outward_normal(*face, uv);
   if (const auto* plane = std::get_if<PlaneSurface>(&surface)) return plane->normal();
@@ -47,7 +48,7 @@ Eigen::Vector3d CellGeometry::normal(FaceId id, const Eigen::Vector2d& uv) const
   return derivatives.col(0).cross(derivatives.col(1)).normalized();
 }
 
-Eigen::Vector2d CellGeometry::domain_point(FaceId face, EdgeId id, double t) const {
+Eigen::Vector2d CellShapes::domain_point(FaceId face, EdgeId id, double t) const {
   const CellEdge& edge = complex_.edge(id);
   const CellCurve& curve = complex_.curve(edge.curve);
   const SurfaceId on = complex_.face(face).surface;
@@ -60,37 +61,44 @@ Eigen::Vector2d CellGeometry::domain_point(FaceId face, EdgeId id, double t) con
     if (const auto* source = std::get_if<EdgeId>(&curve.shape))
       for (const geometry::EdgeUse& use : source_.face(*origin).loops.front())
         if (use.edge == *source) return source_.domain_point(*origin, use, at);
+  if (is_plane(on)) return plane_point(std::get<FaceId>(surface), point(id, t));
   throw Error(ErrorCode::internal, "an edge has no curve in the domain of its face");
 }
 
-bool CellGeometry::is_plane(SurfaceId id) const {
+Eigen::Vector2d CellShapes::plane_point(FaceId face, const Eigen::Vector3d& point) const {
+  const Eigen::Vector2d start = source_.domain(face).low;
+  const Eigen::Matrix<double, 3, 2> axes = source_.derivatives(face, start);
+  return start + (axes.transpose() * axes).inverse() * axes.transpose() * (point - source_.point(face, start));
+}
+
+bool CellShapes::is_plane(SurfaceId id) const {
   const geometry::CellSurface& surface = complex_.surface(id);
   if (const auto* face = std::get_if<FaceId>(&surface))
     return source_.face(*face).kind == geometry::SurfaceKind::plane;
   return std::holds_alternative<PlaneSurface>(surface);
 }
 
-bool CellGeometry::is_turned(FaceId face) const {
+bool CellShapes::is_turned(FaceId face) const {
   const auto* origin = std::get_if<FaceId>(&complex_.surface(complex_.face(face).surface));
   return origin != nullptr && source_.face(*origin).reversed;
 }
 
-bool CellGeometry::is_straight(EdgeId id) const {
+bool CellShapes::is_straight(EdgeId id) const {
   const auto& shape = complex_.curve(complex_.edge(id).curve).shape;
   if (const auto* source = std::get_if<EdgeId>(&shape))
     return source_.edge(*source).kind == geometry::CurveKind::line;
   return std::get<NurbsCurve>(shape).size() == 2;
 }
 
-Eigen::Matrix2Xd outline(const CellGeometry& geometry, FaceId id, int pieces) {
-  const geometry::CellFace& face = geometry.complex().face(id);
-  const bool plane = geometry.is_plane(face.surface);
+Eigen::Matrix2Xd outline(const CellShapes& shapes, FaceId id, int pieces) {
+  const geometry::CellFace& face = shapes.complex().face(id);
+  const bool plane = shapes.is_plane(face.surface);
   std::vector<Eigen::Vector2d> points;
   for (const geometry::EdgeUse& use : face.loop) {
-    const int count = plane && geometry.is_straight(use.edge) ? 1 : pieces;
+    const int count = plane && shapes.is_straight(use.edge) ? 1 : pieces;
     for (int i = 0; i < count; ++i) {
       const double t = double(i) / count;
-      points.push_back(geometry.domain_point(id, use.edge, use.reversed ? 1 - t : t));
+      points.push_back(shapes.domain_point(id, use.edge, use.reversed ? 1 - t : t));
     }
   }
   Eigen::Matrix2Xd result(2, static_cast<Eigen::Index>(points.size()));
@@ -98,15 +106,15 @@ Eigen::Matrix2Xd outline(const CellGeometry& geometry, FaceId id, int pieces) {
   return result;
 }
 
-Angle inner_angle(const CellGeometry& geometry, geometry::CellFaceUse first, geometry::CellFaceUse second,
+Angle inner_angle(const CellShapes& shapes, geometry::CellFaceUse first, geometry::CellFaceUse second,
                   geometry::EdgeUse use, double t) {
   const auto outward = [&](const geometry::CellFaceUse& face) -> Eigen::Vector3d {
     const Eigen::Vector3d front =
-        geometry.normal(face.face, geometry.domain_point(face.face, use.edge, t));
+        shapes.normal(face.face, shapes.domain_point(face.face, use.edge, t));
     return face.reversed ? Eigen::Vector3d(-front) : front;
   };
   const Eigen::Vector3d one = outward(first), two = outward(second);
-  Eigen::Vector3d along = geometry.tangent(use.edge, t).normalized();
+  Eigen::Vector3d along = shapes.tangent(use.edge, t).normalized();
   if (use.reversed) along = -along;
   return Angle::radians(std::numbers::pi - std::atan2(one.cross(two).dot(along), one.dot(two)));
 }

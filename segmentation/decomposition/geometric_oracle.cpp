@@ -1,0 +1,46 @@
+#include "segmentation/decomposition/geometric_oracle.hpp"
+
+#include <utility>
+
+#include "segmentation/decomposition/cutting/plane_section.hpp"
+
+namespace isopatch::segmentation {
+
+bool is_finished(const BaseSolid& base) {
+  return base.kind == BaseKind::hexahedron || base.kind == BaseKind::tetrahedron ||
+         (base.kind == BaseKind::prism && base.sides == 3);
+}
+
+namespace {
+
+/// Sections by planes through edges that are not convex; through any where all are.
+std::vector<CuttingLoop> proposals(CellStore& store, const SearchCell& cell) {
+  const CellStore::Entry& entry = store.entry(cell.handle);
+  const CellShapes shapes(store.source(), entry.complex);
+  std::vector<CuttingLoop> result;
+  if (!entry.polyhedral) return result;
+  const bool convex = non_convex_count(cell.graph) == 0;
+  for (std::size_t e = 0; e < cell.graph.edges.size(); ++e) {
+    if (!convex && cell.graph.edges[e].kind != EdgeKind::non_convex) continue;
+    for (SpacedLoop& loop :
+         plane_sections(shapes, entry.sides, EdgeId(static_cast<int>(e)), 1e-7 * store.source().size())) {
+      store.propose(cell.handle, loop.loop, std::move(loop.places));
+      result.push_back(std::move(loop.loop));
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+SearchOracle geometric_oracle(CellStore& store) {
+  SearchOracle oracle;
+  oracle.cut = [&store](const SearchCell& cell, const CuttingLoop& loop) { return store.cut(cell, loop); };
+  oracle.propose = [&store](const SearchCell& cell) { return proposals(store, cell); };
+  oracle.accepts = [](const SearchCell& cell, const BaseSolid& base) {
+    return is_finished(base) && non_convex_count(cell.graph) == 0;
+  };
+  return oracle;
+}
+
+}  // namespace isopatch::segmentation

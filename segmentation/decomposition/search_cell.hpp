@@ -1,0 +1,56 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <deque>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geometry/brep/brep.hpp"
+#include "geometry/brep/cell_complex.hpp"
+#include "segmentation/decomposition/combinatorics/decomposition_search.hpp"
+#include "segmentation/decomposition/cutting/cut_cell.hpp"
+
+namespace isopatch::segmentation {
+
+/// Cells of a search, each cut for itself: what the handles of `SearchCell` stand for.
+class CellStore {
+ public:
+  CellStore(geometry::Brep source, CutOptions options) : source_(std::move(source)), options_(std::move(options)) {}
+
+  /// A cell by itself.
+  SearchCell add(const geometry::CellComplex& complex, geometry::CellId cell);
+
+  /// Says where the places of a loop are to be, m.
+  void propose(int handle, const CuttingLoop& loop, std::vector<Eigen::Vector3d> places);
+
+  /// Cuts by geometry, and remembers where places were.
+  CutAnswer cut(const SearchCell& cell, const CuttingLoop& loop);
+
+  struct Entry {
+    geometry::CellComplex complex;
+    geometry::CellId cell;
+    CellSides sides;
+    bool polyhedral = false;  ///< plane sides and straight edges: stays so, by plane cuts
+  };
+  const geometry::Brep& source() const { return source_; }
+  const Entry& entry(int handle) const { return entries_[static_cast<std::size_t>(handle)]; }
+
+  /// Why cuts were refused, each reason with how often, without its figures.
+  const std::map<std::string, int>& refusals() const { return refusals_; }
+
+  /// Where the places of a loop are that a cell was cut along, m.
+  std::vector<Eigen::Vector3d> places(int handle, const CuttingLoop& loop) const;
+
+ private:
+  geometry::Brep source_;
+  CutOptions options_;
+  CutAnswer refused(const std::string& why);
+
+  std::deque<Entry> entries_;
+  std::map<std::string, int> refusals_;
+  std::map<std::pair<int, CuttingLoop>, std::vector<Eigen::Vector3d>> proposed_, places_;
+};
+
+}  // namespace isopatch::segmentation
