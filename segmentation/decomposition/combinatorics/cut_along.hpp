@@ -4,16 +4,6 @@
 
 namespace isopatch::segmentation {
 
-/// The two pieces of a cell, each with origins in it. Of two faces that are one, the new face's origin is in
-/// both.
-///
-/// The angles of the loop's edges are guesses for geometry to correct: an edge is convex in both pieces with
-/// half its angle, an auxiliary edge with 90 degrees; where a face is extended the edge is convex in the
-/// other piece, with 180 degrees less than it had.
-struct CutPieces {
-  DerivedGraph left, right;
-};
-
 /// Cuts a cell along a loop: the pieces to its left and right, the faces extended that the loop extends.
 ///
 /// The new face is the last in a piece unless it continues others. Vertices that an extension leaves with

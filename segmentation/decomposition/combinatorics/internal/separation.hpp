@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "segmentation/decomposition/combinatorics/cut_along.hpp"
+#include "segmentation/decomposition/combinatorics/origin.hpp"
 
 namespace isopatch::segmentation {
 
