@@ -1,7 +1,6 @@
 #include "segmentation/decomposition/combinatorics/hexahedra_count.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -9,6 +8,7 @@
 
 #include "geometry/base/error.hpp"
 #include "segmentation/decomposition/combinatorics/base_solid.hpp"
+#include "segmentation/decomposition/combinatorics/internal/loop_excess.hpp"
 #include "segmentation/decomposition/combinatorics/internal/map_code.hpp"
 #include "segmentation/decomposition/combinatorics/internal/map_cut.hpp"
 
@@ -125,14 +125,7 @@ int HexahedraCount::remembered() const {
 }
 
 double estimated_hexahedra(const CellGraph& graph) {
-  std::vector<int> degrees(graph.vertex_count);
-  double excess = 0;
-  for (const CellGraph::Corners& face : graph.faces) {
-    excess += std::abs(static_cast<int>(face.size()) - 4);
-    for (const VertexId vertex : face) ++degrees[vertex.value];
-  }
-  for (const int degree : degrees) excess += std::abs(degree - 3);
-  return 1 + excess;
+  return 1 + excess(graph);
 }
 
 }  // namespace isopatch::segmentation
