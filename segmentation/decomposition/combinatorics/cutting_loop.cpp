@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "geometry/base/error.hpp"
 
@@ -12,6 +14,19 @@ namespace {
 std::optional<EdgeId> edge_along(const CellIncidence& incidence, const LoopPlace& a, const LoopPlace& b) {
   if (a.auxiliary() || b.auxiliary()) return std::nullopt;
   return incidence.edge_between(a.vertex, b.vertex);
+}
+
+Extension turned(Extension extension) {
+  if (extension == Extension::none) return extension;
+  return extension == Extension::left ? Extension::right : Extension::left;
+}
+
+// The other way round, from the same place on.
+CuttingLoop reversed(CuttingLoop loop) {
+  std::reverse(loop.places.begin() + 1, loop.places.end());
+  std::reverse(loop.steps.begin(), loop.steps.end());
+  for (LoopStep& step : loop.steps) step.extension = turned(step.extension);
+  return loop;
 }
 
 }  // namespace
@@ -29,6 +44,16 @@ int CuttingLoop::auxiliary_vertices() const {
 int CuttingLoop::auxiliary_edges() const {
   return static_cast<int>(
       std::count_if(steps.begin(), steps.end(), [](const LoopStep& step) { return step.auxiliary(); }));
+}
+
+CuttingLoop normal_form(const CuttingLoop& loop) {
+  if (loop.places.empty() || loop.steps.size() != loop.places.size()) return loop;
+  CuttingLoop result = loop;
+  const auto lowest = std::min_element(loop.places.begin(), loop.places.end()) - loop.places.begin();
+  std::rotate(result.places.begin(), result.places.begin() + lowest, result.places.end());
+  std::rotate(result.steps.begin(), result.steps.begin() + lowest, result.steps.end());
+  return result.places.back() < result.places[1 % result.places.size()] ? reversed(std::move(result))
+                                                                        : result;
 }
 
 std::vector<FaceId> faces_at(const CellIncidence& incidence, const LoopPlace& place) {

@@ -52,6 +52,10 @@ struct CuttingLoop {
   auto operator<=>(const CuttingLoop&) const = default;
 };
 
+/// The same loop from its lowest place on, towards the lower of that place's two neighbours: equal for loops
+/// that cut the same, whatever their start and direction (of which extensions are left or right).
+CuttingLoop normal_form(const CuttingLoop& loop);
+
 /// The faces that a place lies on.
 std::vector<FaceId> faces_at(const CellIncidence& incidence, const LoopPlace& place);
 

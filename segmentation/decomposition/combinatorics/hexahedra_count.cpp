@@ -8,7 +8,7 @@
 
 #include "geometry/base/error.hpp"
 #include "segmentation/decomposition/combinatorics/base_solid.hpp"
-#include "segmentation/decomposition/combinatorics/internal/loop_excess.hpp"
+#include "segmentation/decomposition/combinatorics/internal/hexahedra_estimate.hpp"
 #include "segmentation/decomposition/combinatorics/internal/map_code.hpp"
 #include "segmentation/decomposition/combinatorics/internal/map_cut.hpp"
 
@@ -117,15 +117,11 @@ int HexahedraCount::minimum(const CellGraph& graph) {
 double HexahedraCount::estimate(const CellGraph& graph, int exact_up_to) {
   if (graph.vertex_count <= exact_up_to) return minimum(graph);
   const auto base = base_solid(graph);
-  return base ? template_hexahedra(base->kind, base->sides) : estimated_hexahedra(graph);
+  return base ? template_hexahedra(base->kind, base->sides) : hexahedra_estimate(graph);
 }
 
 int HexahedraCount::remembered() const {
   return static_cast<int>(memory_->known.size());
-}
-
-double estimated_hexahedra(const CellGraph& graph) {
-  return 1 + excess(graph);
 }
 
 }  // namespace isopatch::segmentation

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "segmentation/decomposition/combinatorics/constructive_loop.hpp"
-#include "segmentation/decomposition/combinatorics/internal/loop_excess.hpp"
+#include "segmentation/decomposition/combinatorics/internal/hexahedra_estimate.hpp"
 #include "segmentation/decomposition/combinatorics/internal/separation.hpp"
 #include "segmentation/decomposition/combinatorics/loop_enumeration.hpp"
 #include "segmentation/decomposition/combinatorics/loop_validity.hpp"
@@ -33,20 +33,29 @@ std::vector<EdgeId> splittable_impeding_edges(const CellGraph& graph, EdgeId edg
   return result;
 }
 
-// Through existing vertices where that is possible; else short ones with new vertices.
-LoopList loops_extending(const CellGraph& graph, FaceId face, LoopOptions options) {
-  LoopList loops = extending_loops(graph, face, options);
-  if (!loops.loops.empty()) return loops;
-  options.may_be_split = edges_of_kind(graph, false);
-  options.max_length = std::min(options.max_length, 6);
-  options.max_loops = 500;
-  return extending_loops(graph, face, options);
+// Through existing vertices, and some shorter ones with new vertices: a carrier seldom meets others.
+void append_extending(std::vector<CuttingLoop>& loops, const CellGraph& graph, FaceId face,
+                      const LoopOptions& options) {
+  LoopOptions longer = options;
+  longer.max_length = 2 * options.max_length;
+  append(loops, extending_loops(graph, face, longer));
+  LoopOptions through_new = options;
+  through_new.may_be_split = edges_of_kind(graph, false);
+  through_new.max_loops = 300;
+  LoopList more = extending_loops(graph, face, through_new);
+  std::erase_if(more.loops, [](const CuttingLoop& loop) { return loop.auxiliary_vertices() == 0; });
+  append(loops, std::move(more));
 }
 
-std::vector<CuttingLoop> loops_at_non_convex_edges(const CellGraph& graph, LoopOptions options) {
+std::vector<CuttingLoop> loops_extending_faces(const CellGraph& graph, const LoopOptions& options) {
   std::vector<CuttingLoop> loops;
   for (int f = 0; f < static_cast<int>(graph.faces.size()); ++f)
-    append(loops, loops_extending(graph, FaceId(f), options));
+    append_extending(loops, graph, FaceId(f), options);
+  return loops;
+}
+
+std::vector<CuttingLoop> loops_through_non_convex_edges(const CellGraph& graph, LoopOptions options) {
+  std::vector<CuttingLoop> loops;
   for (const EdgeId edge : edges_of_kind(graph, true)) {
     options.may_be_split = splittable_impeding_edges(graph, edge);
     append(loops, valid_loops_through(graph, edge, options));
@@ -70,24 +79,28 @@ std::vector<CuttingLoop> loops_with_new_vertices(const CellGraph& graph, LoopOpt
   return loops;
 }
 
-// The part of a loop's cost that is known without cutting.
+// What is known of a loop's cost without cutting.
 double quick_cost(const CellGraph& graph, const CellIncidence& incidence, const CuttingLoop& loop,
                   const CostOptions& weight) {
-  return weight.length * std::abs(loop.length() - 4) + weight.auxiliary_edge * loop.auxiliary_edges() +
+  const double length = weight.length * std::abs(loop.length() - 4);
+  if (loop.extends()) return length;
+  return length + weight.auxiliary_edge * loop.auxiliary_edges() +
          weight.auxiliary_vertex * loop.auxiliary_vertices() +
-         (loop.extends() ? -1000 : weight.hexahedra * excess_change(graph, incidence, loop));
+         weight.hexahedra * estimate_change(graph, incidence, loop);
 }
 
-// The first of equal loops stays; proposals come first and stay all.
-void keep_best(const CellGraph& graph, const CellIncidence& incidence, std::vector<CuttingLoop>& loops,
-               int most, const CostOptions& weight) {
-  if (static_cast<int>(loops.size()) <= most) return;
+// One batch after the other, the best first; of equally good ones the first.
+void keep_batch(const CellGraph& graph, const CellIncidence& incidence, std::vector<CuttingLoop>& loops,
+                int size, int batch, const CostOptions& weight) {
+  const auto count = static_cast<std::ptrdiff_t>(loops.size());
+  const std::ptrdiff_t begin = std::min<std::ptrdiff_t>(count, static_cast<std::ptrdiff_t>(size) * batch);
+  const std::ptrdiff_t end = std::min<std::ptrdiff_t>(count, begin + size);
   std::vector<std::pair<double, int>> order;
-  for (int k = 0; k < static_cast<int>(loops.size()); ++k)
+  for (int k = 0; k < static_cast<int>(count); ++k)
     order.emplace_back(quick_cost(graph, incidence, loops[k], weight), k);
-  std::partial_sort(order.begin(), order.begin() + most, order.end());
+  std::partial_sort(order.begin(), order.begin() + end, order.end());
   std::vector<CuttingLoop> best;
-  for (int k = 0; k < most; ++k) best.push_back(std::move(loops[order[k].second]));
+  for (std::ptrdiff_t k = begin; k < end; ++k) best.push_back(std::move(loops[order[k].second]));
   loops = std::move(best);
 }
 
@@ -98,7 +111,7 @@ class CandidateList {
       : cell_(cell), incidence_(incidence), count_(count), options_(options) {}
 
   void add(const CuttingLoop& loop) {
-    if (!known_.insert(loop).second || why_invalid(cell_.graph, incidence_, loop)) return;
+    if (!known_.insert(normal_form(loop)).second || why_invalid(cell_.graph, incidence_, loop)) return;
     const Separation cut = separate(cell_.graph, loop);
     if (!cut.pieces) return;
     const CostOptions& weight = options_.cost;
@@ -127,19 +140,25 @@ class CandidateList {
 }  // namespace
 
 std::vector<LoopCandidate> loop_candidates(const SearchCell& cell, const std::vector<CuttingLoop>& proposed,
-                                           CandidateStage stage, HexahedraCount& count,
+                                           CandidateStage stage, int batch, HexahedraCount& count,
                                            const SearchOptions& options) {
   const CellGraph& graph = cell.graph;
   const CellIncidence incidence(graph);
   LoopOptions wanted;
   wanted.max_length = options.max_length;
-  std::vector<CuttingLoop> loops;
-  if (stage == CandidateStage::non_convex) loops = loops_at_non_convex_edges(graph, wanted);
+  std::vector<CuttingLoop> loops, extending;
+  if (stage == CandidateStage::non_convex) {
+    extending = loops_extending_faces(graph, wanted);
+    loops = loops_through_non_convex_edges(graph, wanted);
+  }
   if (stage == CandidateStage::anywhere) loops = loops_anywhere(graph, wanted);
   if (stage == CandidateStage::new_vertices) loops = loops_with_new_vertices(graph, wanted);
-  keep_best(graph, incidence, loops, options.considered, options.cost);
+  // Most of those that extend faces cost little to refuse, and the best are worth a longer look.
+  keep_batch(graph, incidence, extending, 3 * options.considered, batch, options.cost);
+  keep_batch(graph, incidence, loops, options.considered, batch, options.cost);
   CandidateList list(cell, incidence, count, options);
   for (const CuttingLoop& loop : proposed) list.add(loop);
+  for (const CuttingLoop& loop : extending) list.add(loop);
   for (const CuttingLoop& loop : loops) list.add(loop);
   return std::move(list).sorted();
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "geometry/base/error.hpp"
 
@@ -49,14 +50,12 @@ bool has(const CellGraph::Corners& face, VertexId vertex) {
 }
 
 // The part of a face that has both vertices.
-FaceId part_with(const DerivedGraph& derived, FaceId face, VertexId a, VertexId b) {
+std::optional<FaceId> part_with(const DerivedGraph& derived, FaceId face, VertexId a, VertexId b) {
   for (int f = 0; f < static_cast<int>(derived.faces.size()); ++f)
     if (derived.faces[f].faces.front() == face && has(derived.graph.faces[f], a) &&
         has(derived.graph.faces[f], b))
       return FaceId(f);
-  throw Error(ErrorCode::invalid_argument,
-              fmt::format("a loop crosses face {} between two places that are no corners of one part of it",
-                          face.value));
+  return std::nullopt;
 }
 
 void check_edge(const CellGraph& graph, EdgeId edge) {
@@ -89,7 +88,7 @@ DerivedGraph with_edge_across_face(const CellGraph& graph, FaceId face, VertexId
   return result;
 }
 
-RefinedAlongLoop refined_along(const CellGraph& graph, const CuttingLoop& loop) {
+std::optional<RefinedAlongLoop> refined_along(const CellGraph& graph, const CuttingLoop& loop) {
   check_places(graph, loop.places);
   RefinedAlongLoop result{identity(graph), {}};
   for (const LoopPlace& place : loop.places)
@@ -97,7 +96,9 @@ RefinedAlongLoop refined_along(const CellGraph& graph, const CuttingLoop& loop) 
   for (std::size_t k = 0; k < loop.steps.size(); ++k) {
     if (!loop.steps[k].auxiliary()) continue;
     const VertexId from = result.loop[k], to = result.loop[(k + 1) % result.loop.size()];
-    divide_face(result.derived, part_with(result.derived, loop.steps[k].face, from, to), from, to);
+    const auto part = part_with(result.derived, loop.steps[k].face, from, to);
+    if (!part) return std::nullopt;
+    divide_face(result.derived, *part, from, to);
   }
   return result;
 }

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "segmentation/decomposition/combinatorics/origin.hpp"
 
 namespace isopatch::segmentation {
@@ -20,7 +23,8 @@ struct RefinedAlongLoop {
   DerivedGraph derived;
   std::vector<VertexId> loop;
 };
-/// @throws Error invalid_argument  a place or a step that does not exist
-RefinedAlongLoop refined_along(const CellGraph& graph, const CuttingLoop& loop);
+/// @return nothing if a step crosses a face between places that are not two corners of one part of it
+/// @throws Error invalid_argument  a place that does not exist
+std::optional<RefinedAlongLoop> refined_along(const CellGraph& graph, const CuttingLoop& loop);
 
 }  // namespace isopatch::segmentation

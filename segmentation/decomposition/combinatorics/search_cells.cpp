@@ -35,32 +35,34 @@ const std::vector<CutOption>& SearchCells::options(int number, int wanted) {
   while (static_cast<int>(entry.options.size()) < wanted && entry.refusals < options_.refusals) {
     if (entry.next_candidate < entry.candidates.size())
       try_next(number);
-    else if (!entry.options.empty() || !prepare_next_stage(entry))
+    else if (!entry.options.empty() || !prepare_next_batch(entry))
       break;
   }
   return entry.options;
 }
 
-bool SearchCells::prepare_next_stage(Entry& entry) {
+bool SearchCells::prepare_next_batch(Entry& entry) {
   std::vector<CuttingLoop> proposed;
-  if (!entry.prepared) {
+  if (entry.batch < 0) {
     entry.stage =
         non_convex_count(entry.cell.graph) > 0 ? CandidateStage::non_convex : CandidateStage::anywhere;
     if (oracle_.propose) proposed = oracle_.propose(entry.cell);
-  } else if (entry.stage != CandidateStage::none) {
-    entry.stage = after(entry.stage);
   }
-  entry.prepared = true;
-  if (entry.stage == CandidateStage::none) return false;
-  entry.candidates = loop_candidates(entry.cell, proposed, entry.stage, count_, options_);
   entry.next_candidate = 0;
-  return true;
+  for (; entry.stage != CandidateStage::none; entry.stage = after(entry.stage), entry.batch = -1) {
+    entry.candidates = loop_candidates(entry.cell, proposed, entry.stage, ++entry.batch, count_, options_);
+    if (!entry.candidates.empty()) return true;
+  }
+  entry.candidates.clear();
+  entry.batch = 0;
+  return false;
 }
 
 void SearchCells::try_next(int number) {
   // The deque keeps the entry where it is while its pieces are added.
   Entry& entry = entries_[static_cast<std::size_t>(number)];
   const LoopCandidate& candidate = entry.candidates[entry.next_candidate++];
+  if (!entry.tried.insert(normal_form(candidate.loop)).second) return;
   CutAnswer answer = oracle_.cut(entry.cell, candidate.loop);
   ++evaluations_;
   CutOption option{candidate.loop, {}, candidate.penalty + answer.penalty};

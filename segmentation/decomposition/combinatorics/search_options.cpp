@@ -22,7 +22,7 @@ void validate(const SearchOptions& options) {
   check_search("evaluations", options.evaluations, 1, many);
   check_search("refusals", options.refusals, 1, many);
   check_search("cuts", options.cuts, 0, many);
-  check_search("max_length", options.max_length, 3, 1000);
+  check_search("max_length", options.max_length, 3, 500);
   check_search("considered", options.considered, 1, many);
   validate(options.cost);
 }

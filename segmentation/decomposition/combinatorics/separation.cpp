@@ -139,6 +139,10 @@ std::string divide(const RefinedAlongLoop& refined, DividedGraph& divided) {
     if (divided.loop.back() < 0) return "a step of the loop runs along an edge that does not join its places";
   }
   if (!find_sides(divided)) return "the loop has one face on both sides";
+  // A solid has four faces, one of which is new.
+  for (const Side side : {Side::left, Side::right})
+    if (std::count(divided.side.begin(), divided.side.end(), side) < 3)
+      return "fewer than three faces lie on one side";
   return {};
 }
 
@@ -148,12 +152,16 @@ Separation separate(const CellGraph& graph, const CuttingLoop& loop) {
   Separation result;
   result.fault = loop_fault(loop);
   if (!result.fault.empty()) return result;
-  const RefinedAlongLoop refined = refined_along(graph, loop);
+  const auto refined = refined_along(graph, loop);
+  if (!refined) {
+    result.fault = "a step crosses a face between places that are no corners of one part of it";
+    return result;
+  }
   DividedGraph divided;
-  result.fault = divide(refined, divided);
+  result.fault = divide(*refined, divided);
   if (!result.fault.empty()) return result;
-  auto left = finished_part(refined, divided, loop, Extension::left);
-  auto right = finished_part(refined, divided, loop, Extension::right);
+  auto left = finished_part(*refined, divided, loop, Extension::left);
+  auto right = finished_part(*refined, divided, loop, Extension::right);
   if (left && right)
     result.pieces = CutPieces{std::move(*left), std::move(*right)};
   else

@@ -23,9 +23,11 @@ enum class CandidateStage {
   none
 };
 
-/// The loops to try for a cell at a stage, best first; those proposed are among them.
+/// The loops to try for a cell at a stage, best first; those proposed are among them. Of many, `considered`
+/// are looked at (of those that extend faces three times as many), the next ones in the next batch; none
+/// after the last.
 std::vector<LoopCandidate> loop_candidates(const SearchCell& cell, const std::vector<CuttingLoop>& proposed,
-                                           CandidateStage stage, HexahedraCount& count,
+                                           CandidateStage stage, int batch, HexahedraCount& count,
                                            const SearchOptions& options);
 
 }  // namespace isopatch::segmentation

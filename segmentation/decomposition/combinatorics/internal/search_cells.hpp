@@ -1,6 +1,8 @@
 #pragma once
 
 #include <deque>
+#include <optional>
+#include <set>
 #include <vector>
 
 #include "segmentation/decomposition/combinatorics/canonical_code.hpp"
@@ -25,10 +27,11 @@ class SearchCells {
     std::size_t fingerprint = 0;    ///< of its code with kinds of edges
     std::vector<CutOption> options;
     CandidateStage stage = CandidateStage::none;
+    int batch = -1;  ///< of the stage; -1 before the first
     std::vector<LoopCandidate> candidates;
     std::size_t next_candidate = 0;
+    std::set<CuttingLoop> tried;  ///< in normal form
     int refusals = 0;
-    bool prepared = false;
   };
 
   SearchCells(const SearchOracle& oracle, const SearchOptions& options)
@@ -46,7 +49,7 @@ class SearchCells {
   int refusals() const { return refusals_; }
 
  private:
-  bool prepare_next_stage(Entry& entry);
+  bool prepare_next_batch(Entry& entry);
   void try_next(int number);
 
   const SearchOracle& oracle_;

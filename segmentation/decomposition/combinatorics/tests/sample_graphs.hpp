@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <utility>
 #include <vector>
 
@@ -86,6 +87,54 @@ inline CellGraph cut_l_shape() {
                                    {13, 12, 9, 8},
                                    {11, 12, 13, 10}}),
                    {{4, 5}}, EdgeKind::non_convex);
+}
+
+/// An L with one leg pointed below: 11 vertices; edge 4 - 5 is not convex.
+inline CellGraph pointed_l_shape() {
+  return with_kind(cell_graph(11, {{0, 3, 2, 1},
+                                   {0, 1, 8},
+                                   {1, 2, 6, 5, 9, 8},
+                                   {2, 3, 7, 6},
+                                   {0, 8, 10, 4, 7, 3},
+                                   {5, 4, 10, 9},
+                                   {8, 9, 10},
+                                   {4, 5, 6, 7}}),
+                   {{4, 5}}, EdgeKind::non_convex);
+}
+
+/// Two tetrahedra on one base 0, 1, 2, the one with apex 3 inside that with apex 4: the edges at 3 are not
+/// convex.
+inline CellGraph hollow_pyramid() {
+  return with_kind(cell_graph(5, {{0, 3, 1}, {1, 3, 2}, {0, 2, 3}, {0, 1, 4}, {1, 2, 4}, {0, 4, 2}}),
+                   {{0, 3}, {1, 3}, {2, 3}}, EdgeKind::non_convex);
+}
+
+/// An L, the prism over (0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2): bottom 0 .. 5, top 6 .. 11.
+inline CellGraph l_shape() {
+  return with_kind(prism(6), {{3, 9}}, EdgeKind::non_convex);
+}
+
+inline Eigen::Matrix3Xd l_shape_points() {
+  Eigen::Matrix3Xd points(3, 12);
+  points << 0, 2, 2, 1, 1, 0, 0, 2, 2, 1, 1, 0,  //
+      0, 0, 1, 1, 2, 2, 0, 0, 1, 1, 2, 2,        //
+      0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1;
+  return points;
+}
+
+/// The cube [0, 2]^3 without [1, 2]^3. 0 .. 6: its corners but (2, 2, 2), x fastest; 7: (1, 1, 1); 8, 9, 10:
+/// from there along x, y, z; 11, 12, 13: (1, 2, 2), (2, 1, 2), (2, 2, 1). Face 6 is the floor of the notch.
+inline CellGraph notched_cube() {
+  return with_kind(cell_graph(14, {{0, 2, 3, 1},
+                                   {0, 1, 5, 4},
+                                   {0, 4, 6, 2},
+                                   {1, 3, 13, 8, 12, 5},
+                                   {2, 6, 11, 9, 13, 3},
+                                   {4, 5, 12, 10, 11, 6},
+                                   {7, 8, 13, 9},
+                                   {7, 10, 12, 8},
+                                   {7, 9, 11, 10}}),
+                   {{7, 8}, {7, 9}, {7, 10}}, EdgeKind::non_convex);
 }
 
 }  // namespace isopatch::segmentation::test

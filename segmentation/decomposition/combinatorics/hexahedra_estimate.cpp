@@ -1,17 +1,19 @@
-#include "segmentation/decomposition/combinatorics/internal/loop_excess.hpp"
+#include "segmentation/decomposition/combinatorics/internal/hexahedra_estimate.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <vector>
 
 namespace isopatch::segmentation {
 namespace {
 
-int face_excess(int corners) {
-  return std::abs(corners - 4);
+constexpr double share_of_any_cell = 5;
+
+double face_share(int corners) {
+  if (corners == 3) return 0.5;
+  return corners % 2 == 1 ? 1.1 + 0.4 * (corners - 5) : 0.25 * (corners - 4);
 }
-int vertex_excess(int degree) {
-  return std::abs(degree - 3);
+double vertex_share(int degree) {
+  return 2.4 * std::max(0, degree - 3);
 }
 
 // Where a step leaves or reaches a vertex, in halves of turns around it: 2 k along edge k, 2 k + 1 inside
@@ -30,12 +32,12 @@ int edges_between(int from, int to, int degree) {
   return (to - 1) / 2 - from / 2;
 }
 
-int vertex_change(const CellIncidence& incidence, VertexId vertex, const LoopStep& before,
-                  const LoopStep& after) {
+double vertex_change(const CellIncidence& incidence, VertexId vertex, const LoopStep& before,
+                     const LoopStep& after) {
   const int degree = static_cast<int>(incidence.edges_at(vertex).size());
   const int in = spoke(incidence, vertex, before), out = spoke(incidence, vertex, after);
-  return vertex_excess(2 + edges_between(out, in, degree)) +
-         vertex_excess(2 + edges_between(in, out, degree)) - vertex_excess(degree);
+  return vertex_share(2 + edges_between(out, in, degree)) + vertex_share(2 + edges_between(in, out, degree)) -
+         vertex_share(degree);
 }
 
 // Corners of a face from one place to another, both counted, as the face walks.
@@ -53,18 +55,18 @@ int corners_from(const CellGraph& graph, const CellIncidence& incidence, FaceId 
   return 2 + edges_between(at(a), at(b), n);
 }
 
-int face_change(const CellGraph& graph, const CellIncidence& incidence, const LoopPlace& from,
-                const LoopPlace& to, FaceId face) {
-  return face_excess(corners_from(graph, incidence, face, from, to)) +
-         face_excess(corners_from(graph, incidence, face, to, from)) -
-         face_excess(static_cast<int>(graph.face(face).size()));
+double face_change(const CellGraph& graph, const CellIncidence& incidence, const LoopPlace& from,
+                   const LoopPlace& to, FaceId face) {
+  return face_share(corners_from(graph, incidence, face, from, to)) +
+         face_share(corners_from(graph, incidence, face, to, from)) -
+         face_share(static_cast<int>(graph.face(face).size()));
 }
 
 }  // namespace
 
-int excess_change(const CellGraph& graph, const CellIncidence& incidence, const CuttingLoop& loop) {
+double estimate_change(const CellGraph& graph, const CellIncidence& incidence, const CuttingLoop& loop) {
   const int length = loop.length();
-  int change = 2 * face_excess(length);
+  double change = share_of_any_cell + 2 * face_share(length);
   for (int k = 0; k < length; ++k) {
     const LoopPlace& place = loop.places[k];
     if (!place.auxiliary())
@@ -75,14 +77,14 @@ int excess_change(const CellGraph& graph, const CellIncidence& incidence, const 
   return change;
 }
 
-int excess(const CellGraph& graph) {
+double hexahedra_estimate(const CellGraph& graph) {
   std::vector<int> degrees(graph.vertex_count);
-  int sum = 0;
+  double sum = share_of_any_cell;
   for (const CellGraph::Corners& face : graph.faces) {
-    sum += face_excess(static_cast<int>(face.size()));
+    sum += face_share(static_cast<int>(face.size()));
     for (const VertexId vertex : face) ++degrees[vertex.value];
   }
-  for (const int degree : degrees) sum += vertex_excess(degree);
+  for (const int degree : degrees) sum += vertex_share(degree);
   return sum;
 }
 
