@@ -1,9 +1,12 @@
 #include "segmentation/decomposition/combinatorics/contraction.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 #include <utility>
 
+#include "geometry/base/error.hpp"
 #include "geometry/base/union_find.hpp"
 #include "segmentation/decomposition/combinatorics/cell_incidence.hpp"
 #include "segmentation/decomposition/combinatorics/internal/planar_map.hpp"
@@ -164,6 +167,11 @@ std::optional<DerivedGraph> three_connected_without(const CellGraph& graph,
 }  // namespace
 
 std::optional<DerivedGraph> contracted(const CellGraph& graph, const std::vector<EdgeId>& edges) {
+  const CellIncidence checked(graph);
+  for (const EdgeId edge : edges)
+    if (edge.value < 0 || edge.value >= static_cast<int>(graph.edges.size()))
+      throw Error(ErrorCode::invalid_argument, fmt::format("there is no edge {} to remove; the cell has {}",
+                                                           edge.value, graph.edges.size()));
   return Contraction(graph, edges).result();
 }
 

@@ -170,6 +170,9 @@ class BeamSearch {
 
 CutTree search_cuts(const SearchCell& cell, const SearchOracle& oracle, const SearchOptions& options) {
   validate(options);
+  if (!oracle.cut)
+    throw Error(ErrorCode::invalid_argument,
+                "a search needs SearchOracle::cut; take combinatorial_oracle() where there is no geometry");
   return BeamSearch(cell, oracle, options).run();
 }
 

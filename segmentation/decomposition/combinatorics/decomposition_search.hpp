@@ -31,7 +31,9 @@ struct CutTree {
 /// best are kept, by hexahedra estimated and penalties, and of equal ones one. Non-convex edges go first.
 /// Loops are ranked without the oracle, which is asked for the best only, and never twice for the same cell.
 /// The same arguments give the same tree.
-/// @throws Error not_three_connected  a cell whose graph is not; what the oracle throws
+/// @throws Error not_three_connected  a cell whose graph is not;  invalid_argument  an oracle without `cut`;
+/// what the oracle
+///               throws
 CutTree search_cuts(const SearchCell& cell, const SearchOracle& oracle, const SearchOptions& options = {});
 
 }  // namespace isopatch::segmentation

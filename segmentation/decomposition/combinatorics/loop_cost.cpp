@@ -85,6 +85,18 @@ void check_weight(const char* field, double value) {
                 fmt::format("CostOptions::{} is {}, range 0 or more", field, value));
 }
 
+void check_sizes(const CellGraph& graph, const CellGeometry& geometry) {
+  const auto points = geometry.points.cols();
+  const std::size_t flags = geometry.has_neighbour.size(), faces = graph.faces.size();
+  if ((points != 0 && points != graph.vertex_count) || (flags != 0 && flags != faces))
+    throw Error(
+        ErrorCode::invalid_argument,
+        fmt::format(
+            "a cell of {} vertices and {} faces has {} points and {} marks of neighbours; give one for "
+            "each or none",
+            graph.vertex_count, faces, points, flags));
+}
+
 }  // namespace
 
 void validate(const CostOptions& options) {
@@ -112,6 +124,7 @@ void validate(const CostOptions& options) {
 LoopCost loop_cost(const CellGraph& graph, const CellIncidence& incidence, const CellGeometry& geometry,
                    const CuttingLoop& loop, const CutPieces& pieces, HexahedraCount& count,
                    const CostOptions& options) {
+  check_sizes(graph, geometry);
   LoopCost cost;
   cost.length = std::abs(loop.length() - 4);
   cost.auxiliary_edges = loop.auxiliary_edges();

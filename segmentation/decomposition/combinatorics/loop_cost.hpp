@@ -56,6 +56,7 @@ struct LoopCost {
 ///
 /// The cutting surface is taken as plane for angles. An edge of the loop counts as not convex in a piece also
 /// where that plane leaves it an angle of 180 degrees or more, unless a face is extended there.
+/// @throws Error invalid_argument  points or marks of neighbours that are not as many as vertices or faces
 /// @param incidence, pieces  of the graph; of the loop
 LoopCost loop_cost(const CellGraph& graph, const CellIncidence& incidence, const CellGeometry& geometry,
                    const CuttingLoop& loop, const CutPieces& pieces, HexahedraCount& count,

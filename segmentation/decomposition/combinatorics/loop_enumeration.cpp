@@ -176,6 +176,9 @@ std::vector<EdgeId> impeding_edges(const CellGraph& graph, EdgeId edge) {
 LoopList extending_loops(const CellGraph& graph, FaceId face, const LoopOptions& options) {
   validate(options);
   check_three_connected(graph);
+  if (face.value < 0 || face.value >= static_cast<int>(graph.faces.size()))
+    throw Error(ErrorCode::invalid_argument, fmt::format("there is no face {} to extend; the cell has {}",
+                                                         face.value, graph.faces.size()));
   const CellIncidence incidence(graph);
   const CellPlaces places(graph, incidence, options.may_be_split);
   const CellGraph::Corners& corners = graph.face(face);

@@ -246,6 +246,10 @@ TEST(DecompositionSearch, RefusesCellsThatTwoVerticesTakeApart) {
                "3-connected");
 }
 
+TEST(DecompositionSearch, NeedsAnOracle) {
+  EXPECT_ERROR(search_cuts(cell_of(test::cube()), {}), ErrorCode::invalid_argument, "SearchOracle::cut");
+}
+
 TEST(CombinatorialOracle, CarriesPointsAndNeighbours) {
   SearchCell cell = cell_of(test::l_shape());
   cell.geometry.points = test::l_shape_points();

@@ -131,6 +131,14 @@ TEST(LoopCost, CountsTJointsOnFacesWithNeighbours) {
   EXPECT_EQ(cost_of(graph, geometry, places).t_joints, 2);
 }
 
+TEST(LoopCost, RefusesPointsThatAreNotOneAVertex) {
+  CellGeometry geometry{cube_points().leftCols(7), {}};
+  const std::vector<LoopPlace> diagonal = {corner(0), corner(4), corner(6), corner(2)};
+  EXPECT_ERROR(cost_of(test::cube(), geometry, diagonal), ErrorCode::invalid_argument, "7 points");
+  geometry = {{}, {true}};
+  EXPECT_ERROR(cost_of(test::cube(), geometry, diagonal), ErrorCode::invalid_argument, "1 marks");
+}
+
 TEST(CostOptions, NamesWhatIsOutOfRange) {
   CostOptions options;
   options.t_joint = -1;

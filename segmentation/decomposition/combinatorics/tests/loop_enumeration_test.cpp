@@ -221,6 +221,11 @@ TEST(ExtendingLoops, ContinueAWallOfAnLShape) {
   EXPECT_TRUE(extending_loops(graph, FaceId(0), up_to(8)).loops.empty());  // has no edge that is not convex
 }
 
+TEST(ExtendingLoops, OfNoFaceAreRefused) {
+  EXPECT_ERROR(extending_loops(test::cube(), FaceId(6)), ErrorCode::invalid_argument, "no face 6");
+  EXPECT_ERROR(valid_loops(test::cube(), up_to(4, {EdgeId(12)})), ErrorCode::invalid_argument, "edge 12");
+}
+
 TEST(ExtendingLoops, ContinueTheFloorOfANotchThroughTwoEdges) {
   const CellGraph graph = test::notched_cube();
   const std::vector<EdgeId> uprights = {edge(graph, 0, 4), edge(graph, 1, 5), edge(graph, 2, 6)};

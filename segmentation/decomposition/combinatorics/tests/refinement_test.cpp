@@ -102,6 +102,13 @@ TEST(Contraction, LeavesFlatEdgesThatTheGraphNeeds) {
   EXPECT_EQ(result.graph.vertex_count, 6);
 }
 
+TEST(Contraction, RefusesWhatIsNoCell) {
+  CellGraph open = test::cube();
+  open.faces.pop_back();
+  EXPECT_ERROR(sides(open), ErrorCode::not_manifold, "no sphere");
+  EXPECT_ERROR(contracted(test::cube(), {EdgeId(12)}), ErrorCode::invalid_argument, "no edge 12");
+}
+
 TEST(Contraction, KeepsTheWorstKindAndAnglesThatAgree) {
   CellGraph graph = with_vertex_on_edge(test::cube(), EdgeId(1)).graph;
   graph.edges[1].kind = EdgeKind::non_convex;
