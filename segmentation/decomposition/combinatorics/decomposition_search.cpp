@@ -1,0 +1,179 @@
+#include "segmentation/decomposition/combinatorics/decomposition_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "geometry/base/error.hpp"
+#include "segmentation/decomposition/combinatorics/internal/search_cells.hpp"
+
+namespace isopatch::segmentation {
+namespace {
+
+constexpr double unfinished_cost = 1000;
+
+// How a state came about, last cut first; shared by all that come of it.
+struct CutDecision {
+  int cell = -1, option = -1;
+  std::shared_ptr<const CutDecision> before;
+};
+
+// A set of cells that the whole has been cut into.
+struct SearchState {
+  std::vector<int> open;
+  double done = 0;  // what cells that stay and penalties cost
+  double score = 0;
+  int cuts = 0;
+  std::size_t fingerprint = 0;
+  std::shared_ptr<const CutDecision> decisions;
+};
+
+class BeamSearch {
+ public:
+  BeamSearch(const SearchCell& cell, const SearchOracle& oracle, const SearchOptions& options)
+      : options_(options), cells_(oracle, options), root_(cells_.add(cell)) {
+    if (root_ < 0)
+      throw Error(ErrorCode::not_three_connected,
+                  "the cell to be cut must have a 3-connected graph; put auxiliary edges in its faces "
+                  "before, or contract "
+                  "flat edges");
+  }
+
+  CutTree run() {
+    SearchState start;
+    put(start, root_);
+    rate(start);
+    beam_.push_back(std::move(start));
+    while (!beam_.empty()) advance();
+    return tree();
+  }
+
+ private:
+  void put(SearchState& state, int cell) const {
+    if (cells_.entry(cell).base)
+      state.done += cells_.entry(cell).cost;
+    else
+      state.open.push_back(cell);
+  }
+
+  // Open cells dearest first: the last is the cheapest.
+  void rate(SearchState& state) const {
+    std::sort(state.open.begin(), state.open.end(), [&](int a, int b) {
+      const double dear_a = cells_.entry(a).cost, dear_b = cells_.entry(b).cost;
+      return dear_a != dear_b ? dear_a > dear_b : a < b;
+    });
+    state.score = state.done;
+    state.fingerprint = 0;
+    for (const int cell : state.open) {
+      state.score += cells_.entry(cell).cost;
+      state.fingerprint += cells_.entry(cell).fingerprint;
+    }
+  }
+
+  // One round: every state cut at its dearest cell.
+  void advance() {
+    const bool greedy = cells_.evaluations() >= options_.evaluations;
+    if (greedy) beam_.resize(1);
+    std::vector<SearchState> next;
+    for (const SearchState& state : beam_) {
+      if (state.open.empty())
+        finish(state);
+      else
+        expand(state, greedy ? 1 : options_.branches, next);
+    }
+    std::erase_if(next, [&](const SearchState& state) { return best_ && state.score >= best_->score; });
+    std::stable_sort(next.begin(), next.end(),
+                     [](const SearchState& a, const SearchState& b) { return a.score < b.score; });
+    next.erase(std::unique(next.begin(), next.end(), are_alike), next.end());
+    if (static_cast<int>(next.size()) > options_.beam) next.resize(static_cast<std::size_t>(options_.beam));
+    beam_ = std::move(next);
+  }
+
+  // Scores of the same cells summed in another order differ by rounding.
+  static bool are_alike(const SearchState& a, const SearchState& b) {
+    return a.fingerprint == b.fingerprint && std::abs(a.score - b.score) < 1e-9 * (1 + std::abs(a.score));
+  }
+
+  void finish(const SearchState& state) {
+    if (!best_ || state.score < best_->score) best_ = state;
+  }
+
+  void expand(const SearchState& state, int branches, std::vector<SearchState>& next) {
+    const int cell = state.open.front();
+    const std::size_t count = state.cuts < options_.cuts ? cells_.options(cell, branches).size() : 0;
+    const std::size_t followed = std::min(count, static_cast<std::size_t>(branches));
+    for (std::size_t k = 0; k < followed; ++k) next.push_back(after_cut(state, cell, static_cast<int>(k)));
+    if (followed == 0) next.push_back(without_cut(state, cell));
+  }
+
+  SearchState after_cut(const SearchState& state, int cell, int option) const {
+    const CutOption& cut = cells_.entry(cell).options[static_cast<std::size_t>(option)];
+    SearchState result = state;
+    result.open.erase(result.open.begin());
+    result.done += cut.penalty;
+    ++result.cuts;
+    for (const int piece : cut.pieces) put(result, piece);
+    result.decisions = std::make_shared<const CutDecision>(CutDecision{cell, option, state.decisions});
+    rate(result);
+    return result;
+  }
+
+  SearchState without_cut(const SearchState& state, int cell) const {
+    SearchState result = state;
+    result.open.erase(result.open.begin());
+    result.done += unfinished_cost + cells_.entry(cell).cost;
+    rate(result);
+    return result;
+  }
+
+  CutTree tree() const {
+    std::map<int, int> option_of;
+    for (const CutDecision* d = best_->decisions.get(); d; d = d->before.get())
+      option_of[d->cell] = d->option;
+    CutTree result;
+    add_node(result, root_, option_of);
+    result.evaluations = cells_.evaluations();
+    result.refusals = cells_.refusals();
+    result.cost = best_->score;
+    return result;
+  }
+
+  int add_node(CutTree& tree, int cell, const std::map<int, int>& option_of) const {
+    const int number = static_cast<int>(tree.nodes.size());
+    const SearchCells::Entry& entry = cells_.entry(cell);
+    tree.nodes.push_back({entry.cell, std::nullopt, {}, entry.base});
+    if (entry.base) {
+      tree.hexahedra += template_hexahedra(entry.base->kind, entry.base->sides);
+    } else if (const auto found = option_of.find(cell); found != option_of.end()) {
+      const CutOption& cut = entry.options[static_cast<std::size_t>(found->second)];
+      tree.nodes[static_cast<std::size_t>(number)].loop = cut.loop;
+      for (const int piece : cut.pieces) {
+        const int node = add_node(tree, piece, option_of);
+        tree.nodes[static_cast<std::size_t>(number)].pieces.push_back(node);
+      }
+    } else {
+      tree.unfinished.push_back(number);
+    }
+    return number;
+  }
+
+  const SearchOptions& options_;
+  SearchCells cells_;
+  int root_;
+  std::vector<SearchState> beam_;
+  std::optional<SearchState> best_;
+};
+
+}  // namespace
+
+CutTree search_cuts(const SearchCell& cell, const SearchOracle& oracle, const SearchOptions& options) {
+  validate(options);
+  if (!oracle.cut)
+    throw Error(ErrorCode::invalid_argument,
+                "a search needs SearchOracle::cut; take combinatorial_oracle() where there is no geometry");
+  return BeamSearch(cell, oracle, options).run();
+}
+
+}  // namespace isopatch::segmentation

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "segmentation/decomposition/combinatorics/loop_cost.hpp"
+
+namespace isopatch::segmentation {
+
+/// How far a search looks.
+struct SearchOptions {
+  int beam = 8;            ///< states kept after each round; range 1 .. 10000
+  int branches = 4;        ///< cuts of one cell that are followed from a state; range 1 .. 1000
+  int evaluations = 2000;  ///< by the oracle, after which the best state is finished greedily; range 1 ..
+  int refusals = 100;      ///< of one cell, after which no more of its cuts are tried; range 1 ..
+  int cuts = 1000;         ///< on the way to one state; range 0 ..
+  int max_length = 6;      ///< of a loop; extending ones may be twice as long; range 3 .. 500
+  int considered = 50;     ///< loops of a cell that are cut and costed before the oracle is asked; range 1 ..
+  CostOptions cost;
+};
+/// @throws Error invalid_argument  naming field, value and range
+void validate(const SearchOptions& options);
+
+}  // namespace isopatch::segmentation
