@@ -8,6 +8,8 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(PUGIXML REQUIRED IMPORTED_TARGET pugixml)
 pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5-serial)
 pkg_check_modules(PETSC REQUIRED IMPORTED_TARGET PETSc)
+# Debian's file gives flags that PETSc itself was built with (_FORTIFY_SOURCE), which do not suit our headers.
+set_property(TARGET PkgConfig::PETSC PROPERTY INTERFACE_COMPILE_OPTIONS "")
 find_package(MPI REQUIRED COMPONENTS C)
 pkg_check_modules(NLOPT REQUIRED IMPORTED_TARGET nlopt)
 find_library(CHOLMOD_LIBRARY cholmod REQUIRED)

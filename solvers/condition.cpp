@@ -1,12 +1,12 @@
 #include "solvers/condition.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
 
+#include "geometry/base/dense_matrices.hpp"
 #include "geometry/base/error.hpp"
 #include "solvers/block_product.hpp"
 #include "solvers/solve.hpp"
@@ -42,9 +42,7 @@ double largest_eigenvalue(const std::function<Eigen::VectorXd(const Eigen::Vecto
     for (int pass = 0; pass < 2; ++pass)
       next -= basis.leftCols(k + 1) * (basis.leftCols(k + 1).transpose() * next);
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(projected.topLeftCorner(k, k),
-                                                             Eigen::EigenvaluesOnly);
-  return eigen.eigenvalues().cwiseAbs().maxCoeff();
+  return symmetric_eigenvalues(projected.topLeftCorner(k, k)).cwiseAbs().maxCoeff();
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <Eigen/SVD>
+#include <Eigen/Eigenvalues>
 #include <optional>
 
 #include "geometry/base/error.hpp"
@@ -83,15 +83,18 @@ std::optional<Eigen::Vector2d> crossing(const Eigen::Vector2d& a, const Eigen::V
 /// Where the outline of a plane polygon crosses itself, if it is plane and does.
 std::optional<Eigen::Vector3d> self_crossing(const Eigen::Matrix3Xd& corners, double same_point) {
   const Eigen::Vector3d centre = corners.rowwise().mean();
-  const Eigen::JacobiSVD<Eigen::Matrix3Xd> axes(corners.colwise() - centre, Eigen::ComputeFullU);
-  if (corners.cols() > 3 && axes.singularValues()[2] > same_point) return std::nullopt;
-  const Eigen::Matrix2Xd flat = axes.matrixU().leftCols<2>().transpose() * (corners.colwise() - centre);
+  const Eigen::Matrix3Xd arms = corners.colwise() - centre;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(arms * arms.transpose());
+  const Eigen::Vector3d normal = axes.eigenvectors().col(0);
+  if (corners.cols() > 3 && (normal.transpose() * arms).norm() > same_point) return std::nullopt;
+  const Eigen::Matrix<double, 3, 2> plane = axes.eigenvectors().rightCols<2>();
+  const Eigen::Matrix2Xd flat = plane.transpose() * arms;
   const Eigen::Index n = flat.cols();
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index j = i + 2; j < n; ++j) {
       if (i == 0 && j == n - 1) continue;
       if (const auto at = crossing(flat.col(i), flat.col(i + 1), flat.col(j), flat.col((j + 1) % n)))
-        return centre + axes.matrixU().leftCols<2>() * *at;
+        return centre + plane * *at;
     }
   return std::nullopt;
 }

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "geometry/base/dense_matrices.hpp"
 #include "geometry/base/error.hpp"
 #include "geometry/measures.hpp"
 
@@ -51,11 +51,11 @@ std::vector<Eigen::Vector3d> readable_directions(const std::vector<Eigen::Vector
 std::vector<std::string> described(const Eigen::MatrixXd& null_space, const Eigen::Vector3d& centre,
                                    double size) {
   const Eigen::MatrixXd turning = null_space.bottomRows<3>();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> rotations(turning.transpose() * turning);
-  const Eigen::MatrixXd mixed = null_space * rotations.eigenvectors();
+  const SymmetricEigen rotations = symmetric_eigen(turning.transpose() * turning);
+  const Eigen::MatrixXd mixed = null_space * rotations.vectors;
   std::vector<Eigen::Vector3d> shifts, turns, shifts_of_turns;
   for (Eigen::Index k = 0; k < mixed.cols(); ++k) {
-    const double square = rotations.eigenvalues()[k];
+    const double square = rotations.values[k];
     if (square < 1e-12) {
       shifts.push_back(mixed.col(k).head<3>());
     } else {
@@ -103,12 +103,12 @@ std::vector<FreeBody> free_bodies(const Discretization& d, const GlobalNodes& gl
         }
       }
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(gram);
+    const SymmetricEigen eigen = symmetric_eigen(gram);
     // A support that holds a motion only by round-off or by a millionth of the part is none.
-    const double threshold = 1e-10 * std::max(eigen.eigenvalues()[5], 1e-300);
+    const double threshold = 1e-10 * std::max(eigen.values[5], 1e-300);
     Eigen::Index free = 0;
-    while (free < 6 && eigen.eigenvalues()[free] <= threshold) ++free;
-    if (free > 0) result.push_back({body, described(eigen.eigenvectors().leftCols(free), centre, size)});
+    while (free < 6 && eigen.values[free] <= threshold) ++free;
+    if (free > 0) result.push_back({body, described(eigen.vectors.leftCols(free), centre, size)});
   }
   return result;
 }

@@ -1,11 +1,14 @@
 #include "iga/multigrid/fast_diagonalization.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <algorithm>
+#include <cstdint>
 #include <map>
 
+#include "geometry/base/dense_matrices.hpp"
 #include "geometry/quadrature.hpp"
 #include "iga/internal/dense_along.hpp"
+#include "iga/internal/parallel_for.hpp"
 #include "iga/multigrid/separable_coefficients.hpp"
 #include "iga/spaces/element_tables.hpp"
 
@@ -68,11 +71,10 @@ Modes modes(const LineMatrices& l, int low, int high, bool fixed_low, bool fixed
   Modes result;
   Eigen::MatrixXd vectors = Eigen::MatrixXd::Zero(n, std::max(0, count));
   if (count > 0) {
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
-        l.stiffness.block(low + first, low + first, count, count),
-        l.mass.block(low + first, low + first, count, count));
-    vectors.middleRows(first, count) = solver.eigenvectors();
-    result.values = solver.eigenvalues().cwiseMax(0.0);
+    const SymmetricEigen eigen = symmetric_eigen(l.stiffness.block(low + first, low + first, count, count),
+                                                 l.mass.block(low + first, low + first, count, count));
+    vectors.middleRows(first, count) = eigen.vectors;
+    result.values = eigen.values.cwiseMax(0.0);
   }
   result.vectors = std::make_shared<const Eigen::MatrixXd>(std::move(vectors));
   return result;

@@ -1,8 +1,8 @@
 #include "iga/multigrid/level.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 
+#include "geometry/base/dense_matrices.hpp"
 #include "geometry/splines/transfer.hpp"
 #include "iga/internal/dense_along.hpp"
 
@@ -65,8 +65,7 @@ Eigen::VectorXd coarser_weights(const PatchSpace& fine, const PatchSpace& coarse
   std::array<Eigen::MatrixXd, 3> up;
   for (std::size_t d = 0; d < 3; ++d) {
     up[d] = Eigen::MatrixXd(geometry::transfer(coarse.knots[d], fine.knots[d]));
-    weights = apply_dense_along(weights, sizes, static_cast<int>(d),
-                                Eigen::MatrixXd(up[d].completeOrthogonalDecomposition().pseudoInverse()));
+    weights = apply_dense_along(weights, sizes, static_cast<int>(d), pseudo_inverse(up[d]));
   }
   Eigen::VectorXd again = weights;
   for (std::size_t d = 0; d < 3; ++d) again = apply_dense_along(again, back, static_cast<int>(d), up[d]);

@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 
+#include "geometry/base/dense_matrices.hpp"
 #include "geometry/splines/basis.hpp"
 #include "iga/output/hexahedra_output.hpp"
 #include "iga/output/internal/grid_sums.hpp"
@@ -24,7 +25,7 @@ Eigen::MatrixXd interpolation(int degree) {
   Eigen::MatrixXd values(degree + 1, degree + 1);
   for (int q = 0; q <= degree; ++q)
     values.row(q) = geometry::basis(knots, static_cast<double>(q) / degree).values.row(0);
-  return values.inverse();
+  return pseudo_inverse(values);
 }
 
 ElementPieces pieces_of_degree(const NurbsVolume& patch) {

@@ -1,9 +1,9 @@
 #include "iga/output/interface_tractions.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/SparseLU>
 #include <algorithm>
 
+#include "geometry/base/sparse_lu.hpp"
 #include "geometry/quadrature.hpp"
 #include "iga/coupling/global_nodes.hpp"
 #include "iga/coupling/support_frames.hpp"
@@ -191,9 +191,9 @@ std::optional<Eigen::MatrixXd> traction_coefficients(const NurbsSurface& surface
   const SparseMatrix extended = extension(surface, range);
   const SparseMatrix tested = selection(surface.sizes(), range);
   const SparseMatrix system = tested * mass * extended;
-  Eigen::SparseLU<SparseMatrix> factors(system);
-  if (factors.info() != Eigen::Success) return std::nullopt;
-  return extended * factors.solve(tested * forces);
+  const std::optional<Eigen::MatrixXd> solution = solve_by_lu(system, tested * forces);
+  if (!solution) return std::nullopt;
+  return extended * *solution;
 }
 
 InterfaceTraction traction_of(const Discretization& d, int index, const std::vector<bool>& attributable,

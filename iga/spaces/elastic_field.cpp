@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -80,12 +79,11 @@ Location closest(const NurbsVolume& patch, int index, const Eigen::Vector3d& pla
     }
     if (kept.empty()) break;
     if (kept.size() < 3) {
-      Eigen::MatrixXd reduced(3, kept.size());
-      for (std::size_t k = 0; k < kept.size(); ++k)
-        reduced.col(static_cast<Eigen::Index>(k)) = jacobian.col(kept[k]);
-      const Eigen::VectorXd part = reduced.colPivHouseholderQr().solve(place - patch.point(best.parameter));
-      step.setZero();
-      for (std::size_t k = 0; k < kept.size(); ++k) step[kept[k]] = part[static_cast<Eigen::Index>(k)];
+      Eigen::Matrix3d reduced = Eigen::Matrix3d::Zero();
+      for (const int d : kept) reduced.col(d) = jacobian.col(d);
+      step = Eigen::Matrix3d(reduced.transpose() * reduced)
+                 .fullPivLu()
+                 .solve(reduced.transpose() * (place - patch.point(best.parameter)));
     }
     bool moved = false;
     for (int halving = 0; halving < 12 && !moved; ++halving, step *= 0.5) {

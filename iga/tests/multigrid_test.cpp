@@ -1,9 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <random>
 
+#include "geometry/base/dense_matrices.hpp"
 #include "geometry/base/error.hpp"
 #include "geometry/base/larger.hpp"
 #include "geometry/models/cylinder.hpp"
@@ -158,9 +158,7 @@ double condition(const ElasticityProblem& p) {
   const Eigen::MatrixXd a_free = a(free, free);
   const Eigen::MatrixXd b_free = b(free, free);
   // B A has the eigenvalues of the pencil (A, B^-1).
-  const Eigen::VectorXd values = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(
-                                     a_free, b_free.inverse(), Eigen::EigenvaluesOnly)
-                                     .eigenvalues();
+  const Eigen::VectorXd values = symmetric_eigen(a_free, pseudo_inverse(b_free)).values;
   EXPECT_GT(values.minCoeff<Eigen::PropagateNaN>(), 0);
   return values.maxCoeff<Eigen::PropagateNaN>() / values.minCoeff<Eigen::PropagateNaN>();
 }

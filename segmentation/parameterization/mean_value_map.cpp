@@ -1,12 +1,14 @@
 #include "segmentation/parameterization/internal/mean_value_map.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
+#include "geometry/base/error.hpp"
+#include "geometry/base/sparse_lu.hpp"
 #include "segmentation/parameterization/internal/face_map.hpp"
 #include "segmentation/parameterization/internal/mesh_refinement.hpp"
 #include "segmentation/parameterization/internal/outline.hpp"
@@ -81,8 +83,14 @@ std::vector<Eigen::Vector2d> solve(const Eigen::SparseMatrix<double>& weight,
   }
   Eigen::SparseMatrix<double> matrix(unknown, unknown);
   matrix.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::MatrixX2d inner = Eigen::SparseLU<Eigen::SparseMatrix<double>>(matrix).solve(right);
-  for (Eigen::Index i = 0; i < unknown; ++i) square.emplace_back(inner.row(i));
+  if (unknown == 0) return square;
+  const std::optional<Eigen::MatrixXd> inner = solve_by_lu(matrix, right);
+  if (!inner)
+    throw Error(ErrorCode::singular_system,
+                "the weights of a face's mean value map are singular; the face may have slivers, so try more "
+                "points on "
+                "its outline");
+  for (Eigen::Index i = 0; i < unknown; ++i) square.emplace_back(inner->row(i).transpose());
   return square;
 }
 

@@ -1,9 +1,9 @@
 #include "segmentation/parameterization/internal/paper_method.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <map>
 
+#include "geometry/base/dense_matrices.hpp"
 #include "geometry/base/union_find.hpp"
 #include "geometry/splines/grid.hpp"
 #include "geometry/splines/tensor.hpp"
@@ -43,7 +43,7 @@ Eigen::Matrix3Xd sampled(const Hexahedron& block) {
 
 Eigen::Matrix3Xd fitted(Eigen::Matrix3Xd points) {
   const Eigen::MatrixXd basis(geometry::collocation(paper_knots(), equal_shares(samples)));
-  const Eigen::MatrixXd inverse = basis.completeOrthogonalDecomposition().pseudoInverse();
+  const Eigen::MatrixXd inverse = pseudo_inverse(basis);
   std::array<int, 3> sizes{samples, samples, samples};
   for (int d = 0; d < 3; ++d) {
     points = geometry::apply_along<3>(points, sizes, d, inverse);

@@ -1,8 +1,8 @@
 #include "segmentation/parameterization/internal/spline_fit.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 
+#include "geometry/base/dense_matrices.hpp"
 #include "geometry/splines/grid.hpp"
 #include "geometry/splines/tensor.hpp"
 
@@ -11,10 +11,6 @@ namespace {
 
 Eigen::MatrixXd dense_collocation(const KnotVector& knots, const std::vector<double>& parameters) {
   return Eigen::MatrixXd(geometry::collocation(knots, parameters));
-}
-
-Eigen::MatrixXd pseudoinverse(const Eigen::MatrixXd& matrix) {
-  return matrix.completeOrthogonalDecomposition().pseudoInverse();
 }
 
 }  // namespace
@@ -32,7 +28,7 @@ std::vector<double> fitting_parameters(const KnotVector& knots, int per_span) {
 Eigen::MatrixXd inner_fit(const KnotVector& knots, const std::vector<double>& parameters) {
   const Eigen::MatrixXd all = dense_collocation(knots, parameters);
   if (all.cols() <= 2) return Eigen::MatrixXd(0, all.rows());
-  return pseudoinverse(all.middleCols(1, all.cols() - 2));
+  return pseudo_inverse(all.middleCols(1, all.cols() - 2));
 }
 
 Eigen::Matrix3Xd fit_curve(const KnotVector& knots, const std::vector<double>& parameters,
@@ -82,7 +78,7 @@ std::vector<double> line_errors(const std::array<KnotVector, 2>& knots,
   const Eigen::MatrixXd basis = dense_collocation(knots[d], parameters[d]);
   const std::array<int, 2> grid{static_cast<int>(parameters[0].size()),
                                 static_cast<int>(parameters[1].size())};
-  const Eigen::MatrixXd projector = basis * pseudoinverse(basis);
+  const Eigen::MatrixXd projector = basis * pseudo_inverse(basis);
   const Eigen::Matrix3Xd rest = points - geometry::apply_along<2>(points, grid, direction, projector);
   const std::vector<double> breaks = knots[d].breaks();
   std::vector<double> result(breaks.size() - 1, 0.0);

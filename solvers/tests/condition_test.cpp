@@ -1,8 +1,7 @@
 #include "solvers/condition.hpp"
+#include "geometry/base/dense_matrices.hpp"
 
 #include <gtest/gtest.h>
-
-#include <Eigen/Eigenvalues>
 
 #include "solvers/tests/sample_systems.hpp"
 
@@ -10,8 +9,7 @@ namespace isopatch::solvers {
 namespace {
 
 double number_of(const Eigen::MatrixXd& dense) {
-  const Eigen::VectorXd values =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dense, Eigen::EigenvaluesOnly).eigenvalues().cwiseAbs();
+  const Eigen::VectorXd values = symmetric_eigenvalues(dense).cwiseAbs();
   return values.maxCoeff<Eigen::PropagateNaN>() / values.minCoeff<Eigen::PropagateNaN>();
 }
 

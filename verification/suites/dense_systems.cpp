@@ -1,9 +1,9 @@
 #include "verification/suites/dense_systems.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/base/dense_matrices.hpp"
 #include "iga/solution/assembled_system.hpp"
 
 namespace isopatch::verification {
@@ -40,8 +40,7 @@ Eigen::MatrixXd dense(const solvers::LinearSystem& system) {
 }
 
 Eigen::VectorXd sorted_eigenvalues(const Eigen::MatrixXd& symmetric) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(symmetric, Eigen::EigenvaluesOnly);
-  Eigen::VectorXd values = eigen.eigenvalues();
+  Eigen::VectorXd values = symmetric_eigenvalues(symmetric);
   std::sort(values.begin(), values.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
   return values;
 }

@@ -1,10 +1,13 @@
 #include "iga/output/internal/grid_fields.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
+#include <cstdint>
 
 #include "geometry/scaled_jacobian.hpp"
 #include "geometry/splines/basis.hpp"
 #include "iga/internal/dense_along.hpp"
+#include "iga/internal/parallel_for.hpp"
 #include "iga/material/internal/point_fields.hpp"
 
 namespace isopatch::iga {
