@@ -62,11 +62,28 @@ bool has_surface(const SearchCell& cell, const CuttingLoop& loop, bool cell_is_p
   return axes.singularValues()[2] <= tolerance;
 }
 
-/// How many more faces a cell has than sides: where other cells will have to be cut for theirs.
-int sides_in_parts(const CellSides& sides) {
-  int count = 0;
-  for (const auto& side : sides.faces) count += static_cast<int>(side.size()) - 1;
-  return count;
+/// What the edges inside a cell's sides will cost, in hexahedra: the cell has to be cut along them, into others than hexahedra
+/// where they end in its corners or inside a side.
+double cost_of_parts(const CellComplex& complex, const CellSides& sides) {
+  double cost = 0;
+  for (const auto& side : sides.faces) {
+    if (side.size() < 2) continue;
+    std::map<EdgeId, int> uses;
+    for (const auto& face : side)
+      for (const geometry::EdgeUse& use : complex.face(face.face).loop) ++uses[use.edge];
+    std::map<VertexId, bool> on_outline;
+    for (const auto& [edge, count] : uses)
+      for (const VertexId end : {complex.edge(edge).start, complex.edge(edge).end}) on_outline[end] |= count == 1;
+    for (const auto& [edge, count] : uses) {
+      if (count == 1) continue;
+      cost += 1;
+      for (const VertexId end : {complex.edge(edge).start, complex.edge(edge).end}) {
+        const bool corner = std::find(sides.vertices.begin(), sides.vertices.end(), end) != sides.vertices.end();
+        if (corner || !on_outline[end]) cost += 3;
+      }
+    }
+  }
+  return cost;
 }
 
 /// What sharp angles and short edges of a piece weigh, in hexahedra.
@@ -111,12 +128,12 @@ CutAnswer CellStore::cut(const SearchCell& cell, const CuttingLoop& loop) {
   } catch (const Error& error) {
     return refused(error.what());
   }
-  int parts = -sides_in_parts(entry(cell.handle).sides);
+  double parts = -cost_of_parts(entry(cell.handle).complex, entry(cell.handle).sides);
   for (const SearchCell& piece : answer.pieces) {
     answer.penalty += penalty(piece);
-    parts += sides_in_parts(entry(piece.handle).sides);
+    parts += cost_of_parts(entry(piece.handle).complex, entry(piece.handle).sides);
   }
-  answer.penalty += 2.0 * std::max(0, parts);
+  answer.penalty += std::max(0.0, parts);
   std::vector<Eigen::Vector3d>& at = places_[{cell.handle, loop}];
   for (const VertexId vertex : attempt.cut->places) at.push_back(attempt.cut->complex.vertex(vertex));
   return answer;

@@ -155,10 +155,24 @@ double smallest_sine(const FaceMap& map) {
   return smallest;
 }
 
+/// Sine of the narrowest corner, which no map can open.
+double narrowest_corner(const FaceMap& map) {
+  constexpr double near = 1e-3;
+  double smallest = 1;
+  for (const double s : {0.0, 1.0})
+    for (const double t : {0.0, 1.0}) {
+      const double along = s == 0 ? near : 1 - near, across = t == 0 ? near : 1 - near;
+      const Eigen::Vector3d here = map.grid({s}, {t}), x = map.grid({along}, {t}) - here,
+                            y = map.grid({s}, {across}) - here;
+      smallest = std::min(smallest, x.cross(y).norm() / (x.norm() * y.norm()));
+    }
+  return smallest;
+}
+
 FaceMap face_map(const QuadFace& face, const std::array<SidePace, 4>& paces) {
   const FaceMap blend(face, paces);
   double best = smallest_sine(blend);
-  if (best > good_sine) return blend;
+  if (best > std::min(good_sine, 0.95 * narrowest_corner(blend))) return blend;
   const std::optional<DomainMesh> mesh = face.mesh ? face.mesh() : std::nullopt;
   if (!mesh) return blend;
   FaceMap result = blend;
