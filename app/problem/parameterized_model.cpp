@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/base/engineering_units.hpp"
-#include "segmentation/decomposition/blocks.hpp"
+#include "app/problem/cut_solids.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -39,22 +39,10 @@ std::string histogram_text(const ParameterizationReport& report) {
 /// The solids, those that are no hexahedra taken apart, and put together.
 segmentation::ReadBlocks blocks_of(const BlocksInput& input, const Progress& progress) {
   if (!input.decomposition || input.files.pairs) return segmentation::read_blocks(input.files, progress);
-  segmentation::ReadSolids read = segmentation::read_solids(input.files, progress);
-  std::vector<geometry::BrepFile> solids;
-  std::vector<std::string> bodies;
-  for (geometry::BrepFile& body : read.solids) {
-    std::vector<geometry::BrepFile> parts;
-    if (segmentation::is_hexahedron(body.brep))
-      parts.push_back(body);
-    else
-      parts = segmentation::blocks(
-          body, segmentation::decompose(body.brep, body.name, *input.decomposition, progress));
-    bodies.insert(bodies.end(), parts.size(), body.name);
-    for (geometry::BrepFile& part : parts) solids.push_back(std::move(part));
-  }
-  segmentation::ReadBlocks result{segmentation::hex_model(std::move(solids), input.files.assembly),
-                                  std::move(read.warnings)};
-  result.model.bodies = std::move(bodies);
+  CutSolids cut = cut_solids(input, progress);
+  segmentation::ReadBlocks result{segmentation::hex_model(std::move(cut.blocks), input.files.assembly),
+                                  std::move(cut.warnings)};
+  result.model.bodies = std::move(cut.bodies);
   return result;
 }
 

@@ -11,6 +11,7 @@
 #include "app/study/file_kind.hpp"
 #include "app/study/generated_models.hpp"
 #include "app/study/parameterization_keys.hpp"
+#include "app/study/segmentation_keys.hpp"
 #include "app/study/study_path.hpp"
 
 namespace isopatch::app {
@@ -51,15 +52,23 @@ BlocksInput read_solids(std::vector<std::filesystem::path> files, const ModelKey
 }
 
 /// A file of patches or of solids, or several files of solids.
-ModelSource read_files(const ModelKeys& keys, const ConfigSection& input, const ConfigSection& how,
+ModelSource read_files(const ModelKeys& keys, const ConfigSection& input, const SolidSections& how,
                        const std::string& source) {
   const ModelPaths path{input.table, source};
   std::vector<std::filesystem::path> solids;
   for (const std::string& file : keys.blocks) solids.push_back(path(file, "blocks"));
-  if (!solids.empty()) return read_solids(std::move(solids), keys, path, how);
+  if (!solids.empty()) {
+    if (!how.segmentation.table.entries.empty())
+      throw error_at(
+          how.segmentation.place,
+          "[segmentation] cuts the solids of `file`; those of `blocks` are hexahedra already; remove one");
+    return read_solids(std::move(solids), keys, path, how.parameterization);
+  }
   if (keys.file && holds_solids(path(*keys.file, "file"))) {
-    BlocksInput whole = read_solids({path(*keys.file, "file")}, keys, path, how);
-    whole.decomposition = segmentation::DecompositionOptions{};
+    BlocksInput whole = read_solids({path(*keys.file, "file")}, keys, path, how.parameterization);
+    whole.decomposition = read_table<SegmentationKeys>(how.segmentation.table, how.segmentation.place,
+                                                       "[segmentation]", segmentation_keys())
+                              .options;
     return whole;
   }
   return PatchFile{path(*keys.file, "file"), keys.length_unit};
@@ -90,7 +99,7 @@ ModelTables divided(const ConfigTable& table) {
 }
 
 ModelSource read_source(const ModelKeys& keys, const ModelTables& tables, const ConfigSection& input,
-                        const ConfigSection& how, const std::string& source) {
+                        const SolidSections& how, const std::string& source) {
   if (!tables.generator) return read_files(keys, input, how, source);
   return GeneratedInput{tables.generator->read(tables.dimensions, input.place, keys.length_unit),
                         keys.length_unit};
@@ -110,8 +119,11 @@ const Keys<ModelKeys>& model_keys() {
           "file", &ModelKeys::file,
           "A file of patches: G+Smo XML (.xml), GoTools (.g2) or MFEM NURBS mesh (.mesh). Relative "
           "paths count from the study's folder; ${NAME} and ${NAME:-default} are environment "
-          "variables. Or a file of topological hexahedra, as in `blocks`. Either this, `blocks` or "
-          "`generate`."),
+          "variables. Or a file of solids in any format of `blocks`: those that are no topological hexahedra "
+          "are cut "
+          "into such, as [segmentation] says; faces keep their names, \"face 3\" where they have none. "
+          "Either this, "
+          "`blocks` or `generate`."),
       custom_key<ModelKeys>(
           "blocks", "array of strings",
           "Files of solids that are topological hexahedra: STEP (.step, .stp, .p21), IGES "
@@ -172,19 +184,20 @@ const Keys<ModelKeys>& model_keys() {
   return keys;
 }
 
-ModelInput read_model(const ConfigSection& input, const ConfigSection& parameterization,
-                      const std::string& source) {
+ModelInput read_model(const ConfigSection& input, const SolidSections& how, const std::string& source) {
   const ModelTables tables = divided(input.table);
   const auto keys = read_table<ModelKeys>(tables.common, input.place, "[model]", model_keys());
   check(keys, input.place);
-  ModelInput model{read_source(keys, tables, input, parameterization, source)};
+  ModelInput model{read_source(keys, tables, input, how, source)};
   model.place = input.place;
   model.tolerance = {.same_point = keys.same_point, .near_miss = keys.near_miss, .same_knot = keys.same_knot};
   if (!std::holds_alternative<BlocksInput>(model.source)) {
     if (keys.pairs) throw error_at(input.place, "pairs says how blocks meet, but [model] has no blocks");
-    if (!parameterization.table.entries.empty())
-      throw error_at(parameterization.place,
-                     "[parameterization] is for solids, but [model] has patches already; remove one");
+    for (const auto& [section, name] : {std::pair(&how.parameterization, "[parameterization]"),
+                                        std::pair(&how.segmentation, "[segmentation]")})
+      if (!section->table.entries.empty())
+        throw error_at(section->place,
+                       fmt::format("{} is for solids, but [model] has patches already; remove one", name));
   }
   for (const ConfigSection& attachment : sections(keys.attach, "model.attach"))
     model.attachments.push_back(read_attachment(attachment, {keys.length_unit}));

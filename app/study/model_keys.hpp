@@ -29,11 +29,15 @@ struct ModelKeys {
 
 const Keys<ModelKeys>& model_keys();
 
-/// @param input             [model]
-/// @param parameterization  [parameterization], for models made of solids
-/// @param source            path of the study, for relative paths
+/// The sections that say how solids become patches.
+struct SolidSections {
+  ConfigSection parameterization, segmentation;
+};
+
+/// @param input   [model]
+/// @param how     for models made of solids
+/// @param source  path of the study, for relative paths
 /// @throws Error invalid_argument  for wrong keys, and for none or several sources of patches
-ModelInput read_model(const ConfigSection& input, const ConfigSection& parameterization,
-                      const std::string& source);
+ModelInput read_model(const ConfigSection& input, const SolidSections& how, const std::string& source);
 
 }  // namespace isopatch::app

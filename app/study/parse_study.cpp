@@ -56,7 +56,9 @@ Study parse_study(const std::string& text, const std::filesystem::path& source_n
   const auto top = read_table<StudyKeys>(table, {study.source, 0, 0}, "the study", study_keys());
   study.title = top.title;
   study.model = read_model(section(top.model, "model", study.source),
-                           section(top.parameterization, "parameterization", study.source), study.source);
+                           {section(top.parameterization, "parameterization", study.source),
+                            section(top.segmentation, "segmentation", study.source)},
+                           study.source);
   for (const ConfigSection& input : sections(top.material, "material"))
     study.materials.push_back(read_material(input));
   for (const ConfigSection& input : sections(top.support, "support"))

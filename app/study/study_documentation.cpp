@@ -9,6 +9,7 @@
 #include "app/study/material_keys.hpp"
 #include "app/study/model_keys.hpp"
 #include "app/study/parameterization_keys.hpp"
+#include "app/study/segmentation_keys.hpp"
 #include "app/study/selection_keys.hpp"
 #include "app/study/study_keys.hpp"
 #include "app/study/support_keys.hpp"
@@ -67,7 +68,13 @@ std::vector<SectionText> study_sections() {
        texts(model_keys())},
       {"parameterization", "[parameterization]",
        "How topological hexahedra become patches, if [model] has `blocks` or a `file` of solids.",
-       texts(parameterization_keys())}};
+       texts(parameterization_keys())},
+      {"segmentation", "[segmentation]",
+       "How solids are cut into topological hexahedra, if [model] has a `file` of solids: along loops on "
+       "their boundaries, through "
+       "concave edges first, until all parts are hexahedra, prisms over triangles or tetrahedra, which then "
+       "become hexahedra.",
+       texts(segmentation_keys())}};
   for (const GeneratedModel& model : generated_models())
     sections.push_back({"model." + model.name, fmt::format("[model] with generate = \"{}\"", model.name),
                         model.meaning + " Plain numbers are model units, see `length_unit`.", model.keys});

@@ -59,6 +59,9 @@ const Keys<StudyKeys>& study_keys() {
       value_key<StudyKeys>("model", "table", &StudyKeys::model, "Where the patches come from.").required(),
       value_key<StudyKeys>("parameterization", "table", &StudyKeys::parameterization,
                            "How solids become patches, where the model is made of solids."),
+      value_key<StudyKeys>(
+          "segmentation", "table", &StudyKeys::segmentation,
+          "How solids are cut into topological hexahedra, where the model is a file of solids."),
       value_key<StudyKeys>("discretization", "table", &StudyKeys::discretization, "The solution space."),
       value_key<StudyKeys>("material", "array of tables", &StudyKeys::material,
                            "Materials; every patch needs exactly one.")

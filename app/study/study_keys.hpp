@@ -26,6 +26,7 @@ struct StudyKeys {
   std::string title;
   std::optional<ConfigValue> model;
   std::optional<ConfigValue> parameterization;
+  std::optional<ConfigValue> segmentation;
   std::optional<ConfigValue> discretization;
   std::optional<ConfigValue> material;
   std::optional<ConfigValue> support;

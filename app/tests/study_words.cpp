@@ -66,6 +66,16 @@ std::string words_of(const geometry::PatchSet& set) {
       words_of(points.rightCols<1>().col(0)));
 }
 
+std::string words_of_cutting(const BlocksInput& blocks) {
+  if (!blocks.decomposition) return "";
+  const segmentation::DecompositionOptions& o = *blocks.decomposition;
+  return fmt::format(
+      "cutting seconds {:g}\ncells {}\nbeam {}\nbranches {}\nsmallest cut angle {:.4g}\nlargest cut angle "
+      "{:.4g}\ncut edge {:g}\n",
+      o.time_limit, o.max_cells, o.search.beam, o.search.branches, o.cut.smallest_angle.degrees(),
+      o.cut.largest_angle.degrees(), o.cut.shortest_edge);
+}
+
 std::string words_of(const BlocksInput& blocks) {
   std::string text;
   for (const auto& file : blocks.files.files) text += fmt::format("block {}\n", file.string());
@@ -79,7 +89,7 @@ std::string words_of(const BlocksInput& blocks) {
          fmt::format("fit of {} degree\nfit method {}\nfit tolerance {:g}\nfit spans {} to {}\n",
                      o.fit.degree, static_cast<int>(o.method), o.fit.tolerance, o.fit.start_spans,
                      o.fit.max_spans) +
-         fmt::format("wanted {:g}\noptimize {}\n", o.wanted_quality, o.optimize);
+         fmt::format("wanted {:g}\noptimize {}\n", o.wanted_quality, o.optimize) + words_of_cutting(blocks);
 }
 
 std::string words_of(const PatchFile& file) {

@@ -51,7 +51,8 @@ struct CellEdge {
 /// A piece of a surface with one closed outline.
 struct CellFace {
   SurfaceId surface;
-  /// The face to the left, seen from its front: outside the source solid on its faces, where the normal points on others.
+  /// The face to the left, seen from its front: outside the source solid on its faces, where the normal
+  /// points on others.
   std::vector<EdgeUse> loop;
   std::optional<FaceId> origin = {};  ///< the face of the source solid that it is a part of
 };

@@ -13,11 +13,11 @@ CellComplex one_cell(const Brep& source);
 
 /// Cells as solids, in one frame: faces, edges and vertices that cells share are the same ones in all.
 ///
-/// Face i of a solid is the i-th of its cell; names and colours are those of the source, where faces without a name are
-/// called "face 3" by their number. Vertices are in the order of
-/// their numbers in the complex.
+/// Face i of a solid is the i-th of its cell; names and colours are those of the source, where faces without
+/// a name are called "face 3" by their number. Vertices are in the order of their numbers in the complex.
 /// @param source  what the complex was made of
 /// @throws Error not_manifold  a cell that is not closed
-std::vector<Brep> cell_solids(const Brep& source, const CellComplex& complex, const std::vector<CellId>& cells);
+std::vector<Brep> cell_solids(const Brep& source, const CellComplex& complex,
+                              const std::vector<CellId>& cells);
 
 }  // namespace isopatch::geometry

@@ -7,8 +7,9 @@
 
 namespace isopatch::segmentation {
 
-/// The cells of a decomposition as solids called "part", "part#1", "part#2", ... after the one that they are parts of. Faces
-/// that are parts of its faces have their names and colours; faces between cells have no names.
+/// The cells of a decomposition as solids called "part", "part#1", "part#2", ... after the one that they are
+/// parts of. Faces that are parts of its faces have their names and colours; faces between cells have no
+/// names.
 std::vector<geometry::BrepFile> blocks(const geometry::BrepFile& solid, const Decomposition& decomposition);
 
 }  // namespace isopatch::segmentation

@@ -62,9 +62,10 @@ std::vector<Chord> chords_of(const CellShapes& shapes, const CellSides& sides) {
         std::size_t steps = 0;
         while (!outline.contains(complex.to(use)) && ++steps < 100) {
           const auto& next = inside.at(complex.to(use));
-          const auto ahead = std::max_element(next.begin(), next.end(), [&](const EdgeUse& a, const EdgeUse& b) {
-            return direction(a, 0).dot(direction(use, 1)) < direction(b, 0).dot(direction(use, 1));
-          });
+          const auto ahead =
+              std::max_element(next.begin(), next.end(), [&](const EdgeUse& a, const EdgeUse& b) {
+                return direction(a, 0).dot(direction(use, 1)) < direction(b, 0).dot(direction(use, 1));
+              });
           if (direction(*ahead, 0).dot(direction(use, 1)) < 1 - 1e-6) break;
           use = *ahead;
         }
@@ -80,9 +81,14 @@ std::vector<Chord> chords_of(const CellShapes& shapes, const CellSides& sides) {
 
 class Conformer {
  public:
-  Conformer(const Brep& source, CellComplex complex, const DecompositionOptions& options, DecompositionReport& report,
-            const Progress& progress)
-      : source_(source), complex_(std::move(complex)), options_(options), cut_options_(options.cut), report_(report), progress_(progress) {
+  Conformer(const Brep& source, CellComplex complex, const DecompositionOptions& options,
+            DecompositionReport& report, const Progress& progress)
+      : source_(source),
+        complex_(std::move(complex)),
+        options_(options),
+        cut_options_(options.cut),
+        report_(report),
+        progress_(progress) {
     cut_options_.smallest_angle = Angle::degrees(1);
     cut_options_.shortest_edge /= 10;
   }
@@ -105,9 +111,10 @@ class Conformer {
         changed = true;
         first = false;
         if (static_cast<int>(complex_.cells.size()) > options_.max_cells)
-          throw Error(ErrorCode::unsupported,
-                      fmt::format("more than {} cells would be needed for them to meet side to side; raise max_cells",
-                                  options_.max_cells));
+          throw Error(
+              ErrorCode::unsupported,
+              fmt::format("more than {} cells would be needed for them to meet side to side; raise max_cells",
+                          options_.max_cells));
         progress_(fmt::format("letting {} cells meet side to side", complex_.cells.size()), 0);
       }
       first = false;
@@ -120,7 +127,8 @@ class Conformer {
   CellSides sides_of(CellId cell) const { return cell_sides(shapes(), cell, options_.cut.sides); }
 
   /// The place of a vertex on a cell's graph.
-  static std::optional<LoopPlace> place_of(const CellComplex& complex, const CellSides& sides, VertexId vertex) {
+  static std::optional<LoopPlace> place_of(const CellComplex& complex, const CellSides& sides,
+                                           VertexId vertex) {
     for (std::size_t v = 0; v < sides.vertices.size(); ++v)
       if (sides.vertices[v] == vertex) return LoopPlace::at(VertexId(static_cast<int>(v)));
     for (std::size_t e = 0; e < sides.edges.size(); ++e)
@@ -145,22 +153,24 @@ class Conformer {
       if (cut_best(cell, loops)) return;
     }
     throw Error(ErrorCode::unsupported,
-                fmt::format("cell {} cannot be cut along the edges that its neighbours put on its sides: {}", cell.value,
-                            refusal_));
+                fmt::format("cell {} cannot be cut along the edges that its neighbours put on its sides: {}",
+                            cell.value, refusal_));
   }
 
   /// Cuts a hexahedron into two through four opposite edges, two of which the ends of a chord divide.
   bool cut_as_sheet(CellId cell, const CellSides& sides, const Chord& chord) {
     const auto base = base_solid(sides.graph);
     const auto from = place_of(complex_, sides, chord.from), to = place_of(complex_, sides, chord.to);
-    if (!base || base->kind != BaseKind::hexahedron || !from || !to || !from->auxiliary() || !to->auxiliary()) return false;
+    if (!base || base->kind != BaseKind::hexahedron || !from || !to || !from->auxiliary() || !to->auxiliary())
+      return false;
     const CellIncidence incidence(sides.graph);
     PlacedLoop loop;
     EdgeId edge = from->edge;
     FaceId side(chord.side);
     do {
       const std::vector<EdgeId>& around = incidence.sides(side);
-      const auto at = static_cast<std::size_t>(std::find(around.begin(), around.end(), edge) - around.begin());
+      const auto at =
+          static_cast<std::size_t>(std::find(around.begin(), around.end(), edge) - around.begin());
       if (around.size() != 4 || at == 4) return false;
       loop.loop.places.push_back(LoopPlace::inside(edge));
       loop.loop.steps.push_back(LoopStep::across(side));
@@ -193,7 +203,8 @@ class Conformer {
       const geometry::CellFace& face = complex_.faces[f];
       const auto* plane = std::get_if<geometry::PlaneSurface>(&complex_.surface(face.surface));
       if (plane == nullptr || own.contains(FaceId(static_cast<int>(f)))) continue;
-      if (std::any_of(face.loop.begin(), face.loop.end(), [&](const EdgeUse& use) { return use.edge == chord.first; }))
+      if (std::any_of(face.loop.begin(), face.loop.end(),
+                      [&](const EdgeUse& use) { return use.edge == chord.first; }))
         add(plane->normal());
     }
     const CellFaceUse side = sides.faces[static_cast<std::size_t>(chord.side)].front();
@@ -263,7 +274,8 @@ class Conformer {
         break;
       }
     }
-    std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::stable_sort(found.begin(), found.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<PlacedLoop> result;
     for (auto& [price, loop] : found)
       if (result.size() < 12) result.push_back(std::move(loop));
@@ -274,10 +286,10 @@ class Conformer {
   static double price(const CellSides& sides, const PlacedLoop& loop) {
     double sum = std::abs(double(loop.loop.places.size()) - 4);
     for (const LoopPlace& place : loop.loop.places)
-      if (place.auxiliary()) sum += sides.edges[static_cast<std::size_t>(place.edge.value)].size() > 1 ? 0.1 : 0.5;
+      if (place.auxiliary())
+        sum += sides.edges[static_cast<std::size_t>(place.edge.value)].size() > 1 ? 0.1 : 0.5;
     for (const LoopStep& step : loop.loop.steps)
-      if (step.auxiliary())
-        sum += std::abs(double(sides.graph.face(step.face).size()) - 4) > 0 ? 0.4 : 0.1;
+      if (step.auxiliary()) sum += std::abs(double(sides.graph.face(step.face).size()) - 4) > 0 ? 0.4 : 0.1;
     return sum;
   }
 
@@ -290,17 +302,20 @@ class Conformer {
       if (around.size() < 4) continue;
       for (std::size_t i = 0; i < around.size(); ++i)
         for (std::size_t j = i + 2; j < around.size() && !(i == 0 && j + 1 == around.size()); ++j)
-          if (auto loop = section_through(sides, VertexId(v), around[i], around[j])) loops.push_back(std::move(*loop));
+          if (auto loop = section_through(sides, VertexId(v), around[i], around[j]))
+            loops.push_back(std::move(*loop));
     }
     std::vector<PlacedLoop> placed;
     for (SpacedLoop& loop : loops) placed.push_back({std::move(loop.loop), {}, std::move(loop.places)});
     if (!cut_best(cell, placed))
       throw Error(ErrorCode::unsupported,
-                  fmt::format("cell {} cannot be cut where more than three of its edges meet: {}", cell.value, refusal_));
+                  fmt::format("cell {} cannot be cut where more than three of its edges meet: {}", cell.value,
+                              refusal_));
   }
 
   /// By the plane of two edges at a vertex.
-  std::optional<SpacedLoop> section_through(const CellSides& sides, VertexId vertex, EdgeId first, EdgeId second) const {
+  std::optional<SpacedLoop> section_through(const CellSides& sides, VertexId vertex, EdgeId first,
+                                            EdgeId second) const {
     const auto other_end = [&](EdgeId id) {
       const CellGraph::Edge& edge = sides.graph.edge(id);
       const VertexId end = edge.start == vertex ? edge.end : edge.start;

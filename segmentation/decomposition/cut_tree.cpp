@@ -58,8 +58,8 @@ class SameCell {
 
 }  // namespace
 
-int apply_cuts(const Brep& source, CellComplex& complex, CellId cell, const CutTree& tree, const CellStore& store,
-               const CutOptions& options) {
+int apply_cuts(const Brep& source, CellComplex& complex, CellId cell, const CutTree& tree,
+               const CellStore& store, const CutOptions& options) {
   const double same_point = 1e-7 * source.size();
   std::vector<std::pair<int, CellId>> open = {{0, cell}};
   int cuts = 0;
@@ -80,8 +80,8 @@ int apply_cuts(const Brep& source, CellComplex& complex, CellId cell, const CutT
         continue;
       }
       place.edge = same(place.edge);
-      loop.at[i] = vertex_on_chain(source, complex, sides.edges[static_cast<std::size_t>(place.edge.value)], places[i],
-                             same_point);
+      loop.at[i] = vertex_on_chain(source, complex, sides.edges[static_cast<std::size_t>(place.edge.value)],
+                                   places[i], same_point);
     }
     for (LoopStep& step : loop.loop.steps)
       if (step.auxiliary())

@@ -6,8 +6,8 @@
 
 namespace isopatch::segmentation {
 
-/// The ways that a cell was cut, repeated in a complex that it belongs to, so that its neighbours' sides are divided with
-/// its own.
+/// The ways that a cell was cut, repeated in a complex that it belongs to, so that its neighbours' sides are
+/// divided with its own.
 /// @param store  in which the search cut it
 /// @return  how many cuts
 /// @throws Error unsupported  a cut that the complex refuses

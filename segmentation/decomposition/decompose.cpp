@@ -9,8 +9,8 @@
 #include "geometry/base/stopwatch.hpp"
 #include "segmentation/decomposition/conforming.hpp"
 #include "segmentation/decomposition/cut_tree.hpp"
-#include "segmentation/decomposition/prepare.hpp"
 #include "segmentation/decomposition/geometric_oracle.hpp"
+#include "segmentation/decomposition/prepare.hpp"
 #include "segmentation/decomposition/star_cells.hpp"
 #include "segmentation/decomposition/templates.hpp"
 
@@ -42,30 +42,25 @@ geometry::CellComplex side_to_side(const geometry::Brep& solid, geometry::CellCo
 
 }  // namespace
 
-void validate(const DecompositionOptions& options) {
-  validate(options.search);
-  validate(options.cut);
-  if (options.max_cells < 1)
-    throw Error(ErrorCode::invalid_argument, fmt::format("max_cells is {}; it must be 1 or more", options.max_cells));
-}
-
-Decomposition decompose(const geometry::Brep& solid, const std::string& name, const DecompositionOptions& options,
-                        const Progress& progress) {
+Decomposition decompose(const geometry::Brep& solid, const std::string& name,
+                        const DecompositionOptions& options, const Progress& progress) {
   validate(options);
   const Stopwatch watch;
   progress(fmt::format("cutting '{}'", name), 0);
   Decomposition result;
   result.complex = prepared(solid);
-  CellStore store(solid, options.cut);
+  CellStore store(solid, options.cut, options.time_limit);
   const geometry::CellId all(0);
   const SearchCell whole = store.add(result.complex, all);
   const CutTree tree = search_cuts(whole, geometric_oracle(store), options.search);
   result.report.evaluations = tree.evaluations;
   if (!tree.complete())
-    throw Error(ErrorCode::unsupported,
-                fmt::format("solid '{}': {} of its parts could not be cut into hexahedra, prisms and tetrahedra; {} cuts "
-                            "were tried, {} of them refused{}",
-                            name, tree.unfinished.size(), tree.evaluations, tree.refusals, reasons(store)));
+    throw Error(
+        ErrorCode::unsupported,
+        fmt::format(
+            "solid '{}': {} of its parts could not be cut into hexahedra, prisms and tetrahedra; {} cuts "
+            "were tried, {} of them refused{}",
+            name, tree.unfinished.size(), tree.evaluations, tree.refusals, reasons(store)));
   result.report.cuts = apply_cuts(solid, result.complex, all, tree, store, options.cut);
   result.report.cells = static_cast<int>(result.complex.cells.size());
   result.complex = side_to_side(solid, std::move(result.complex), options, result.report, progress);

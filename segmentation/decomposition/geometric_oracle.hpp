@@ -4,7 +4,8 @@
 
 namespace isopatch::segmentation {
 
-/// Whether templates make hexahedra of a base solid as it is: a hexahedron, a prism over a triangle, a tetrahedron.
+/// Whether templates make hexahedra of a base solid as it is: a hexahedron, a prism over a triangle, a
+/// tetrahedron.
 bool is_finished(const BaseSolid& base);
 
 /// Cuts by geometry.

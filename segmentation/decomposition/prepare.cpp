@@ -28,7 +28,8 @@ bool in_one_plane(const Brep& source, FaceId a, FaceId b) {
   if (!one || !two || one->kind != geometry::SurfaceKind::plane || two->kind != one->kind) return false;
   const double off = std::abs((two->origin - one->origin).dot(one->axis));
   return one->axis.cross(two->axis).norm() < 1e-7 && off < 1e-7 * source.size() &&
-         source.outward_normal(a, source.domain(a).low).dot(source.outward_normal(b, source.domain(b).low)) > 0;
+         source.outward_normal(a, source.domain(a).low).dot(source.outward_normal(b, source.domain(b).low)) >
+             0;
 }
 
 bool belong_together(const Brep& source, FaceId a, FaceId b) {
@@ -157,7 +158,8 @@ CellComplex merged(const Brep& source) {
 
 bool is_three_connected(const Brep& source, const CellComplex& complex) {
   try {
-    return segmentation::is_three_connected(cell_sides(CellShapes(source, complex), geometry::CellId(0)).graph);
+    return segmentation::is_three_connected(
+        cell_sides(CellShapes(source, complex), geometry::CellId(0)).graph);
   } catch (const Error&) {
     return false;
   }

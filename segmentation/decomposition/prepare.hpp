@@ -5,9 +5,9 @@
 
 namespace isopatch::segmentation {
 
-/// A solid as one cell whose neighbouring faces are merged where they lie in one plane and have the same name and colour, if the
-/// graph is 3-connected then: a triangulated box has six sides again. The merged face is the lowest of them; vertices that are left on
-/// straight edges are gone.
+/// A solid as one cell whose neighbouring faces are merged where they lie in one plane and have the same name
+/// and colour, if the graph is 3-connected then: a triangulated box has six sides again. The merged face is
+/// the lowest of them; vertices that are left on straight edges are gone.
 /// @throws Error as `geometry::one_cell`
 geometry::CellComplex prepared(const geometry::Brep& source);
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "geometry/base/error.hpp"
 #include "segmentation/decomposition/combinatorics/cell_incidence.hpp"
 #include "segmentation/decomposition/cutting/vertex_on_chain.hpp"
@@ -20,14 +22,16 @@ SearchCell CellStore::add(const CellComplex& complex, CellId cell) {
   entry.polyhedral = is_polyhedral(CellShapes(source_, entry.complex), CellId(0));
   SearchCell result;
   result.graph = entry.sides.graph;
-  for (CellGraph::Edge& edge : result.graph.edges)  // a hexahedron has no use for an angle that is nearly flat
-    if (edge.angle && edge.angle->degrees() > options_.largest_angle.degrees()) edge.kind = EdgeKind::non_convex;
+  for (CellGraph::Edge& edge :
+       result.graph.edges)  // a hexahedron has no use for an angle that is nearly flat
+    if (edge.angle && edge.angle->degrees() > options_.largest_angle.degrees())
+      edge.kind = EdgeKind::non_convex;
   result.geometry.points.resize(3, static_cast<Eigen::Index>(entry.sides.vertices.size()));
   for (std::size_t v = 0; v < entry.sides.vertices.size(); ++v)
     result.geometry.points.col(static_cast<Eigen::Index>(v)) = complex.vertex(entry.sides.vertices[v]);
   for (const auto& side : entry.sides.faces)
-    result.geometry.has_neighbour.push_back(
-        std::any_of(side.begin(), side.end(), [&](const auto& use) { return !complex.face(use.face).origin; }));
+    result.geometry.has_neighbour.push_back(std::any_of(
+        side.begin(), side.end(), [&](const auto& use) { return !complex.face(use.face).origin; }));
   result.handle = static_cast<int>(entries_.size());
   entries_.push_back(std::move(entry));
   return result;
@@ -62,8 +66,8 @@ bool has_surface(const SearchCell& cell, const CuttingLoop& loop, bool cell_is_p
   return axes.singularValues()[2] <= tolerance;
 }
 
-/// What the edges inside a cell's sides will cost, in hexahedra: the cell has to be cut along them, into others than hexahedra
-/// where they end in its corners or inside a side.
+/// What the edges inside a cell's sides will cost, in hexahedra: the cell has to be cut along them, into
+/// others than hexahedra where they end in its corners or inside a side.
 double cost_of_parts(const CellComplex& complex, const CellSides& sides) {
   double cost = 0;
   for (const auto& side : sides.faces) {
@@ -73,12 +77,14 @@ double cost_of_parts(const CellComplex& complex, const CellSides& sides) {
       for (const geometry::EdgeUse& use : complex.face(face.face).loop) ++uses[use.edge];
     std::map<VertexId, bool> on_outline;
     for (const auto& [edge, count] : uses)
-      for (const VertexId end : {complex.edge(edge).start, complex.edge(edge).end}) on_outline[end] |= count == 1;
+      for (const VertexId end : {complex.edge(edge).start, complex.edge(edge).end})
+        on_outline[end] |= count == 1;
     for (const auto& [edge, count] : uses) {
       if (count == 1) continue;
       cost += 1;
       for (const VertexId end : {complex.edge(edge).start, complex.edge(edge).end}) {
-        const bool corner = std::find(sides.vertices.begin(), sides.vertices.end(), end) != sides.vertices.end();
+        const bool corner =
+            std::find(sides.vertices.begin(), sides.vertices.end(), end) != sides.vertices.end();
         if (corner || !on_outline[end]) cost += 3;
       }
     }
@@ -101,8 +107,15 @@ double penalty(const SearchCell& piece) {
 }  // namespace
 
 CutAnswer CellStore::cut(const SearchCell& cell, const CuttingLoop& loop) {
+  if (watch_.seconds() > time_limit_)
+    throw Error(
+        ErrorCode::unsupported,
+        fmt::format("no way of cutting it into hexahedra was found in {:.3g} s; raise time_limit, or cut the "
+                    "solid in the CAD program where its parts join",
+                    time_limit_));
   const auto proposed = proposed_.find({cell.handle, loop});
-  if (proposed == proposed_.end() && !has_surface(cell, loop, entry(cell.handle).polyhedral, 1e-7 * source_.size()))
+  if (proposed == proposed_.end() &&
+      !has_surface(cell, loop, entry(cell.handle).polyhedral, 1e-7 * source_.size()))
     return refused("no surface is known through its places");
   const Entry& whole = entry(cell.handle);
   CutAttempt attempt;
@@ -113,7 +126,8 @@ CutAnswer CellStore::cut(const SearchCell& cell, const CuttingLoop& loop) {
     PlacedLoop placed{loop, std::vector<VertexId>(loop.places.size())};
     for (std::size_t i = 0; i < loop.places.size(); ++i)
       if (loop.places[i].auxiliary())
-        placed.at[i] = vertex_on_chain(source_, complex, whole.sides.edges[static_cast<std::size_t>(loop.places[i].edge.value)],
+        placed.at[i] = vertex_on_chain(source_, complex,
+                                       whole.sides.edges[static_cast<std::size_t>(loop.places[i].edge.value)],
                                        proposed->second[i], 1e-7 * source_.size());
     const CellSides sides = cell_sides(CellShapes(source_, complex), whole.cell, options_.sides);
     attempt = cut_cell(source_, std::move(complex), whole.cell, sides, placed, options_);

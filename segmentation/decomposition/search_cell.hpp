@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/base/stopwatch.hpp"
 #include "geometry/brep/brep.hpp"
 #include "geometry/brep/cell_complex.hpp"
 #include "segmentation/decomposition/combinatorics/decomposition_search.hpp"
@@ -17,7 +18,9 @@ namespace isopatch::segmentation {
 /// Cells of a search, each cut for itself: what the handles of `SearchCell` stand for.
 class CellStore {
  public:
-  CellStore(geometry::Brep source, CutOptions options) : source_(std::move(source)), options_(std::move(options)) {}
+  /// @param time_limit  seconds from now, after which `cut` throws Error unsupported
+  CellStore(geometry::Brep source, CutOptions options, double time_limit)
+      : source_(std::move(source)), options_(std::move(options)), time_limit_(time_limit) {}
 
   /// A cell by itself.
   SearchCell add(const geometry::CellComplex& complex, geometry::CellId cell);
@@ -46,6 +49,8 @@ class CellStore {
  private:
   geometry::Brep source_;
   CutOptions options_;
+  double time_limit_;
+  Stopwatch watch_;
   CutAnswer refused(const std::string& why);
 
   std::deque<Entry> entries_;

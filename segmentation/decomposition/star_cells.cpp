@@ -42,7 +42,8 @@ class StarMaker {
   }
 
   EdgeUse edge_between(VertexId from, VertexId to) {
-    const auto [found, fresh] = edges_.try_emplace(std::minmax(from, to), EdgeId(static_cast<int>(complex_.edges.size())));
+    const auto [found, fresh] =
+        edges_.try_emplace(std::minmax(from, to), EdgeId(static_cast<int>(complex_.edges.size())));
     if (fresh) {
       Eigen::Matrix3Xd ends(3, 2);
       ends << complex_.vertex(from), complex_.vertex(to);
@@ -53,10 +54,12 @@ class StarMaker {
     return {found->second, complex_.edge(found->second).start != from};
   }
 
-  /// The triangle between an edge and a point; made when it is first asked for, so that its front is to the left of that walk.
+  /// The triangle between an edge and a point; made when it is first asked for, so that its front is to the
+  /// left of that walk.
   /// @return  as a cell uses it that walks the edge against its use, or along it
   CellFaceUse triangle(EdgeUse base, VertexId apex, int side) {
-    const auto [found, fresh] = triangles_.try_emplace({base.edge, apex}, FaceId(static_cast<int>(complex_.faces.size())));
+    const auto [found, fresh] =
+        triangles_.try_emplace({base.edge, apex}, FaceId(static_cast<int>(complex_.faces.size())));
     if (fresh) {
       const VertexId from = complex_.from(base), to = complex_.to(base);
       const EdgeUse up = edge_between(to, apex), down = edge_between(apex, from);
@@ -66,7 +69,8 @@ class StarMaker {
       plane.x = (b - a).normalized();
       plane.y = (b - a).cross(c - a).normalized().cross(plane.x);
       complex_.surfaces.emplace_back(plane);
-      complex_.faces.push_back({geometry::SurfaceId(static_cast<int>(complex_.surfaces.size()) - 1), {base, up, down}});
+      complex_.faces.push_back(
+          {geometry::SurfaceId(static_cast<int>(complex_.surfaces.size()) - 1), {base, up, down}});
     }
     const EdgeUse first = complex_.face(found->second).loop.front();
     return {found->second, first.reversed != base.reversed, side};
@@ -79,7 +83,8 @@ class StarMaker {
     const CellFace whole = complex_.face(id);
     if (whole.loop.size() == 3) return found->second;
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    for (const EdgeUse& use : whole.loop) middle += complex_.vertex(complex_.from(use)) / double(whole.loop.size());
+    for (const EdgeUse& use : whole.loop)
+      middle += complex_.vertex(complex_.from(use)) / double(whole.loop.size());
     const VertexId centre = add_vertex(middle);
     for (const EdgeUse& use : whole.loop) {
       CellFace part = whole;

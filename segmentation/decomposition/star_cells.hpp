@@ -5,8 +5,9 @@
 
 namespace isopatch::segmentation {
 
-/// Divides every cell into tetrahedra around a point inside it, every side around a point in the middle: what comes out meets side
-/// to side, whatever met in parts before. Many cells, so a last resort: as many as the faces have edges, counted from both sides.
+/// Divides every cell into tetrahedra around a point inside it, every side around a point in the middle: what
+/// comes out meets side to side, whatever met in parts before. Many cells, so a last resort: as many as the
+/// faces have edges, counted from both sides.
 /// @param complex  convex cells with plane faces and straight edges
 /// @throws Error unsupported  a cell with curved sides or edges
 geometry::CellComplex star_cells(const geometry::Brep& source, geometry::CellComplex complex);

@@ -11,11 +11,11 @@
 
 #include "geometry/base/error.hpp"
 #include "geometry/base/union_find.hpp"
-#include "segmentation/decomposition/simple_cell.hpp"
 #include "segmentation/decomposition/cutting/auxiliary_curve.hpp"
 #include "segmentation/decomposition/cutting/cell_sides.hpp"
 #include "segmentation/decomposition/cutting/cutting_surface.hpp"
 #include "segmentation/decomposition/cutting/divide.hpp"
+#include "segmentation/decomposition/simple_cell.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -38,8 +38,8 @@ struct OldCell {
   std::set<VertexId> corners;
 };
 
-/// Edges that have to be divided: those of sides without four corners, and those that a side with four corners has across from
-/// one that is divided.
+/// Edges that have to be divided: those of sides without four corners, and those that a side with four
+/// corners has across from one that is divided.
 std::set<EdgeId> edges_to_divide(const CellComplex& complex, const std::vector<CellSides>& cells) {
   UnionFind together(static_cast<int>(complex.edges.size()));
   std::set<EdgeId> divided;
@@ -71,7 +71,8 @@ class Templates {
     std::set<EdgeId> used;
     for (const auto& [id, face] : faces_) used.insert(face.edges.begin(), face.edges.end());
     for (const EdgeId edge : divided_)
-      if (used.contains(edge)) middle_[edge] = divide_edge(complex_, edge, middle_parameter(edge), middle_point(edge));
+      if (used.contains(edge))
+        middle_[edge] = divide_edge(complex_, edge, middle_parameter(edge), middle_point(edge));
     for (const auto& [id, face] : faces_) divide_face(id, face);
     std::vector<Cell> result;
     for (const OldCell& cell : cells_) divide_cell(cell, result);
@@ -88,11 +89,14 @@ class Templates {
       result.push_back(cell_sides(shapes(), CellId(static_cast<int>(c))));
       const CellSides& sides = result.back();
       if (!is_simple(sides.graph))
-        throw Error(ErrorCode::unsupported, fmt::format("more than three edges meet at a vertex of cell {}", c));
-      const bool whole =
-          std::all_of(sides.faces.begin(), sides.faces.end(), [](const auto& side) { return side.size() == 1; }) &&
-          std::all_of(sides.edges.begin(), sides.edges.end(), [](const auto& edge) { return edge.size() == 1; });
-      if (!whole) throw Error(ErrorCode::unsupported, fmt::format("cell {} meets its neighbours in parts of sides", c));
+        throw Error(ErrorCode::unsupported,
+                    fmt::format("more than three edges meet at a vertex of cell {}", c));
+      const bool whole = std::all_of(sides.faces.begin(), sides.faces.end(),
+                                     [](const auto& side) { return side.size() == 1; }) &&
+                         std::all_of(sides.edges.begin(), sides.edges.end(),
+                                     [](const auto& edge) { return edge.size() == 1; });
+      if (!whole)
+        throw Error(ErrorCode::unsupported, fmt::format("cell {} meets its neighbours in parts of sides", c));
     }
     return result;
   }
@@ -121,11 +125,13 @@ class Templates {
     constexpr int pieces = 64;
     std::vector<double> length = {0};
     for (int i = 1; i <= pieces; ++i)
-      length.push_back(length.back() + (shapes().point(edge, double(i) / pieces) -
-                                        shapes().point(edge, double(i - 1) / pieces)).norm());
+      length.push_back(
+          length.back() +
+          (shapes().point(edge, double(i) / pieces) - shapes().point(edge, double(i - 1) / pieces)).norm());
     int i = 1;
     while (length[static_cast<std::size_t>(i)] < length.back() / 2) ++i;
-    const double before = length[static_cast<std::size_t>(i) - 1], after = length[static_cast<std::size_t>(i)];
+    const double before = length[static_cast<std::size_t>(i) - 1],
+                 after = length[static_cast<std::size_t>(i)];
     return (i - 1 + (length.back() / 2 - before) / (after - before)) / pieces;
   }
   Eigen::Vector3d middle_point(EdgeId edge) const { return shapes().point(edge, middle_parameter(edge)); }
@@ -151,22 +157,27 @@ class Templates {
     for (const EdgeId edge : face.edges)
       if (is_divided(edge)) split.push_back(edge);
     if (split.size() == 2) {
-      const auto curve = auxiliary_curve(shapes(), id, middle_.at(split[0]), middle_.at(split[1]), tolerance_);
-      if (!curve) throw Error(ErrorCode::unsupported, "the middles of a side's edges cannot be joined inside it");
+      const auto curve =
+          auxiliary_curve(shapes(), id, middle_.at(split[0]), middle_.at(split[1]), tolerance_);
+      if (!curve)
+        throw Error(ErrorCode::unsupported, "the middles of a side's edges cannot be joined inside it");
       complex_.curves.push_back(curve->curve);
-      const EdgeId chord = segmentation::divide_face(complex_, id, middle_.at(split[0]), middle_.at(split[1]), last_curve());
+      const EdgeId chord =
+          segmentation::divide_face(complex_, id, middle_.at(split[0]), middle_.at(split[1]), last_curve());
       chords_[id] = chord;
       const FaceId added = last_face();
       assign_part(id, face, id);
       assign_part(id, face, added);
     } else if (!split.empty()) {
       divide_by_star(id, face);
-    }  else {
+    } else {
       assign_part(id, face, id);
     }
   }
 
-  geometry::CurveId last_curve() const { return geometry::CurveId(static_cast<int>(complex_.curves.size()) - 1); }
+  geometry::CurveId last_curve() const {
+    return geometry::CurveId(static_cast<int>(complex_.curves.size()) - 1);
+  }
   FaceId last_face() const { return FaceId(static_cast<int>(complex_.faces.size()) - 1); }
 
   /// Remembers which old corners a part of a face has.
@@ -197,7 +208,8 @@ class Templates {
       spokes_[{id, edge}] = spoke;
     }
     std::vector<EdgeUse> loop = whole.loop;
-    const auto first = std::find_if(loop.begin(), loop.end(), [&](const EdgeUse& use) { return spokes.contains(complex_.from(use)); });
+    const auto first = std::find_if(loop.begin(), loop.end(),
+                                    [&](const EdgeUse& use) { return spokes.contains(complex_.from(use)); });
     std::rotate(loop.begin(), first, loop.end());
     std::vector<FaceId> made;
     for (std::size_t i = 0; i < loop.size();) {
@@ -223,11 +235,12 @@ class Templates {
     throw Error(ErrorCode::internal, "a vertex is not on the outline of its face");
   }
 
-  /// A path of edges inside a cell, from the middle of one divided edge over chords to another, or to a centre.
+  /// A path of edges inside a cell, from the middle of one divided edge over chords to another, or to a
+  /// centre.
   struct Inner {
     std::vector<EdgeUse> walk;
-    VertexId below, above;  ///< old corners on both sides of it: the ends of one of its divided edges
-    std::vector<EdgeId> of; ///< the divided edges
+    VertexId below, above;   ///< old corners on both sides of it: the ends of one of its divided edges
+    std::vector<EdgeId> of;  ///< the divided edges
   };
 
   EdgeUse use_from(EdgeId edge, VertexId from) const { return {edge, complex_.edge(edge).start != from}; }
@@ -245,7 +258,8 @@ class Templates {
     std::vector<VertexId> centres;
     for (const CellFaceUse& use : cell.faces) {
       edges.insert(faces_.at(use.face).edges.begin(), faces_.at(use.face).edges.end());
-      if (const auto found = centres_.find(use.face); found != centres_.end()) centres.push_back(found->second);
+      if (const auto found = centres_.find(use.face); found != centres_.end())
+        centres.push_back(found->second);
     }
     std::vector<std::pair<VertexId, VertexId>> whole_edges;
     for (const EdgeId edge : edges)
@@ -262,12 +276,14 @@ class Templates {
       const std::map<VertexId, EdgeId> to_inside = inner_edges(cell, centres);
       std::set<EdgeId> done;
       for (const EdgeId edge : edges)
-        if (is_divided(edge) && !done.contains(edge)) add_inner_face(cell, edge, to_inside, done, part_of, made);
+        if (is_divided(edge) && !done.contains(edge))
+          add_inner_face(cell, edge, to_inside, done, part_of, made);
     }
     for (auto& [corner, piece] : made) result.push_back(std::move(piece));
   }
 
-  /// Edges inside the cell from the centres of its faces: to each other where there are two, else to the middle of the cell.
+  /// Edges inside the cell from the centres of its faces: to each other where there are two, else to the
+  /// middle of the cell.
   std::map<VertexId, EdgeId> inner_edges(const OldCell& cell, const std::vector<VertexId>& centres) {
     std::map<VertexId, EdgeId> result;
     if (centres.size() == 2) {
@@ -275,7 +291,8 @@ class Templates {
       result = {{centres[0], edge}, {centres[1], edge}};
     } else if (!centres.empty()) {
       Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-      for (const VertexId corner : cell.corners) middle += complex_.vertex(corner) / double(cell.corners.size());
+      for (const VertexId corner : cell.corners)
+        middle += complex_.vertex(corner) / double(cell.corners.size());
       const VertexId inside(static_cast<int>(complex_.vertices.size()));
       complex_.vertices.push_back(middle);
       for (const VertexId centre : centres) result[centre] = straight_edge(centre, inside);
@@ -283,9 +300,11 @@ class Templates {
     return result;
   }
 
-  /// The face between the parts on both sides of a divided edge: around it over chords, up to centres, and through the inside.
-  void add_inner_face(const OldCell& cell, EdgeId first, const std::map<VertexId, EdgeId>& to_inside, std::set<EdgeId>& done,
-                      const std::map<VertexId, VertexId>& part_of, std::map<VertexId, Cell>& made) {
+  /// The face between the parts on both sides of a divided edge: around it over chords, up to centres, and
+  /// through the inside.
+  void add_inner_face(const OldCell& cell, EdgeId first, const std::map<VertexId, EdgeId>& to_inside,
+                      std::set<EdgeId>& done, const std::map<VertexId, VertexId>& part_of,
+                      std::map<VertexId, Cell>& made) {
     std::vector<FaceId> around;
     for (const CellFaceUse& use : cell.faces)
       if (const auto& of = faces_.at(use.face).edges; std::find(of.begin(), of.end(), first) != of.end())
@@ -311,7 +330,8 @@ class Templates {
     StepWalk steps;
     for (const EdgeUse& use : walk) steps.push_back({use});
     const auto surface = cutting_surface(shapes(), steps, tolerance_);
-    if (!surface) throw Error(ErrorCode::unsupported, "no surface is known through the middles of a cell's sides");
+    if (!surface)
+      throw Error(ErrorCode::unsupported, "no surface is known through the middles of a cell's sides");
     const geometry::SurfaceId id(static_cast<int>(complex_.surfaces.size()));
     complex_.surfaces.push_back(surface->surface);
     for (std::size_t i = 0; i < surface->traces.size(); ++i)
@@ -368,12 +388,13 @@ class Templates {
   std::set<EdgeId> divided_;
   std::map<FaceId, OldFace> faces_;
   std::vector<OldCell> cells_;
-  std::vector<std::pair<VertexId, VertexId>> ends_;           // of the old edges
-  std::map<EdgeId, VertexId> middle_;                         // of divided edges
-  std::map<FaceId, VertexId> centres_;                        // of faces divided by stars
-  std::map<FaceId, EdgeId> chords_;                           // of faces divided in two
-  std::map<std::pair<FaceId, EdgeId>, EdgeId> spokes_;        // from the middle of an edge to the centre of a face
-  std::map<FaceId, std::vector<std::pair<VertexId, FaceId>>> parts_;  // of each old face: old corner, the part that has it
+  std::vector<std::pair<VertexId, VertexId>> ends_;     // of the old edges
+  std::map<EdgeId, VertexId> middle_;                   // of divided edges
+  std::map<FaceId, VertexId> centres_;                  // of faces divided by stars
+  std::map<FaceId, EdgeId> chords_;                     // of faces divided in two
+  std::map<std::pair<FaceId, EdgeId>, EdgeId> spokes_;  // from the middle of an edge to the centre of a face
+  std::map<FaceId, std::vector<std::pair<VertexId, FaceId>>>
+      parts_;  // of each old face: old corner, the part that has it
 };
 
 }  // namespace

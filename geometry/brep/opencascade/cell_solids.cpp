@@ -19,11 +19,12 @@ namespace isopatch::geometry {
 namespace {
 
 Handle(Geom_BSplineCurve) to_curve(const NurbsCurve& curve, double scale) {
-  const NurbsSurface strip({curve.knots(0), KnotVector()},
-                           (Eigen::Matrix3Xd(3, 2 * curve.size()) << curve.control_points(),
-                            curve.control_points() + Eigen::Matrix3Xd::Ones(3, curve.size()))
-                               .finished(),
-                           (Eigen::VectorXd(2 * curve.size()) << curve.weights(), curve.weights()).finished());
+  const NurbsSurface strip(
+      {curve.knots(0), KnotVector()},
+      (Eigen::Matrix3Xd(3, 2 * curve.size()) << curve.control_points(),
+       curve.control_points() + Eigen::Matrix3Xd::Ones(3, curve.size()))
+          .finished(),
+      (Eigen::VectorXd(2 * curve.size()) << curve.weights(), curve.weights()).finished());
   return Handle(Geom_BSplineCurve)::DownCast(to_shape(strip, scale)->VIso(0));
 }
 
@@ -53,7 +54,9 @@ class CellMaker {
       const std::optional<FaceId> origin = complex_.face(use.face).origin;
       const BrepFace* named =
           origin ? &source_.tables().faces[static_cast<std::size_t>(origin->value)] : nullptr;
-      names.push_back(!named ? "" : named->name.empty() ? fmt::format("face {}", origin->value) : named->name);
+      names.push_back(!named                ? ""
+                      : named->name.empty() ? fmt::format("face {}", origin->value)
+                                            : named->name);
       colours.push_back(named ? named->colour : std::nullopt);
       for (const EdgeUse& edge : complex_.face(use.face).loop) used.insert(complex_.from(edge));
     }
@@ -80,10 +83,12 @@ class CellMaker {
   }
 
   /// Nothing on planes, whose domain curves the library makes itself.
-  std::optional<DomainRange> domain_range(const CellCurve& curve, SurfaceId surface, const SpaceRange& space) const {
+  std::optional<DomainRange> domain_range(const CellCurve& curve, SurfaceId surface,
+                                          const SpaceRange& space) const {
     for (const CellCurve::Trace& trace : curve.traces)
       if (trace.surface == surface)
-        return DomainRange{to_domain_curve(over(trace.domain, space.first, space.last)), space.first, space.last};
+        return DomainRange{to_domain_curve(over(trace.domain, space.first, space.last)), space.first,
+                           space.last};
     const auto* edge = std::get_if<EdgeId>(&curve.shape);
     const auto* face = std::get_if<FaceId>(&complex_.surface(surface));
     if (edge != nullptr && face != nullptr)
@@ -97,14 +102,15 @@ class CellMaker {
   }
 
   Handle(Geom_Surface) surface(SurfaceId id) {
-    Handle(Geom_Surface) & made = surfaces_[id];
+    Handle(Geom_Surface)& made = surfaces_[id];
     if (!made.IsNull()) return made;
     const CellSurface& given = complex_.surface(id);
     if (const auto* face = std::get_if<FaceId>(&given)) {
       made = source_.of(*face).surface;
     } else if (const auto* plane = std::get_if<PlaneSurface>(&given)) {
       const Eigen::Vector3d normal = plane->normal();
-      made = new Geom_Plane(gp_Ax3(to_point(plane->origin / metres_), direction(normal), direction(plane->x)));
+      made =
+          new Geom_Plane(gp_Ax3(to_point(plane->origin / metres_), direction(normal), direction(plane->x)));
     } else {
       made = to_shape(std::get<NurbsSurface>(given), 1 / metres_);
     }
@@ -130,7 +136,8 @@ class CellMaker {
   /// A vertex' ball holds the end of the edge.
   void allow(const TopoDS_Edge& edge, VertexId at, const gp_Pnt& end) {
     const TopoDS_Vertex known = vertex(at);
-    builder_.UpdateVertex(known, std::max(1.01 * end.Distance(BRep_Tool::Pnt(known)), BRep_Tool::Tolerance(edge)));
+    builder_.UpdateVertex(known,
+                          std::max(1.01 * end.Distance(BRep_Tool::Pnt(known)), BRep_Tool::Tolerance(edge)));
   }
 
   /// Gives an edge its curve in the domain of a surface, and the tolerance that it then needs.
@@ -143,8 +150,9 @@ class CellMaker {
     if (domain) {
       if (std::abs(domain->first - space.first) + std::abs(domain->last - space.last) >
           1e-9 * (1 + std::abs(space.last - space.first)))
-        throw Error(ErrorCode::unsupported, fmt::format("a curve in the domain of a surface runs at another pace than "
-                                                        "the edge in space; let the CAD program repair the solid"));
+        throw Error(ErrorCode::unsupported,
+                    fmt::format("a curve in the domain of a surface runs at another pace than "
+                                "the edge in space; let the CAD program repair the solid"));
       constexpr int samples = 16;
       for (int i = 0; i <= samples; ++i) {
         const double t = edge.low + (edge.high - edge.low) * i / samples;

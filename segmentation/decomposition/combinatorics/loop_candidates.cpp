@@ -148,7 +148,7 @@ std::vector<LoopCandidate> loop_candidates(const SearchCell& cell, const std::ve
   wanted.max_length = options.max_length;
   std::vector<CuttingLoop> loops, extending;
   if (stage == CandidateStage::non_convex) {
-    extending = loops_extending_faces(graph, wanted);
+    if (options.extensions) extending = loops_extending_faces(graph, wanted);
     loops = loops_through_non_convex_edges(graph, wanted);
   }
   if (stage == CandidateStage::anywhere) loops = loops_anywhere(graph, wanted);

@@ -38,7 +38,8 @@ PolygonCorner corner_at(const Eigen::Matrix2Xd& polygon, const Eigen::Vector2d& 
   return corner;
 }
 
-/// The smaller of the angles that a way from a corner leaves to both sides, 0 where it leaves the polygon; counter-clockwise.
+/// The smaller of the angles that a way from a corner leaves to both sides, 0 where it leaves the polygon;
+/// counter-clockwise.
 double free_angle(const PolygonCorner& corner, const Eigen::Vector2d& direction) {
   const Eigen::Vector2d after = corner.after - corner.point, before = corner.before - corner.point;
   const double whole = turn(after, before), here = turn(after, direction);
@@ -46,7 +47,8 @@ double free_angle(const PolygonCorner& corner, const Eigen::Vector2d& direction)
 }
 
 /// Whether segments a b and c d meet, ends included.
-bool meet(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c, const Eigen::Vector2d& d) {
+bool meet(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
+          const Eigen::Vector2d& d) {
   const double slack = 1e-9 * (b - a).squaredNorm();
   const auto side = [&](const Eigen::Vector2d& p, const Eigen::Vector2d& q, const Eigen::Vector2d& r) {
     const double value = area(q - p, r - p);
@@ -71,8 +73,8 @@ bool crosses_outline(const Eigen::Matrix2Xd& polygon, const PolygonCorner& from,
 
 }  // namespace
 
-geometry::CellCurve curve_in_domain(const CellShapes& shapes, geometry::SurfaceId surface, const CurveEnd& from,
-                                    const CurveEnd& to, double tolerance) {
+geometry::CellCurve curve_in_domain(const CellShapes& shapes, geometry::SurfaceId surface,
+                                    const CurveEnd& from, const CurveEnd& to, double tolerance) {
   const auto on_surface = [&](double t) -> Eigen::Vector3d {
     return shapes.point(surface, from.uv + t * (to.uv - from.uv));
   };

@@ -14,8 +14,8 @@ struct CurveEnd {
 
 /// The curve on a surface that is straight in its domain, over [0, 1].
 /// @param tolerance  m, of the curve in space where it is not straight
-geometry::CellCurve curve_in_domain(const CellShapes& shapes, geometry::SurfaceId surface, const CurveEnd& from,
-                                    const CurveEnd& to, double tolerance);
+geometry::CellCurve curve_in_domain(const CellShapes& shapes, geometry::SurfaceId surface,
+                                    const CurveEnd& from, const CurveEnd& to, double tolerance);
 
 /// A curve across a face.
 struct AuxiliaryCurve {
@@ -24,8 +24,8 @@ struct AuxiliaryCurve {
   Angle smallest_angle;
 };
 
-/// The curve between two vertices of a face's outline that is straight in the domain; so it is straight on planes, a
-/// ruling or a circle on cylinders and cones where the ends allow it.
+/// The curve between two vertices of a face's outline that is straight in the domain; so it is straight on
+/// planes, a ruling or a circle on cylinders and cones where the ends allow it.
 /// @return  nothing where it would leave the face or touch its outline
 /// @param tolerance  m, of the curve in space from the one in the domain where neither is straight
 std::optional<AuxiliaryCurve> auxiliary_curve(const CellShapes& shapes, FaceId face, VertexId from,

@@ -57,7 +57,7 @@ Eigen::Vector2d CellShapes::domain_point(FaceId face, EdgeId id, double t) const
     if (trace.surface == on) return trace.domain.point(Parameter<1>(at)).head<2>();
   const geometry::CellSurface& surface = complex_.surface(on);
   if (const auto* plane = std::get_if<PlaneSurface>(&surface)) return plane->domain_point(point(id, t));
-  if (const auto *origin = std::get_if<FaceId>(&surface); origin != nullptr)
+  if (const auto* origin = std::get_if<FaceId>(&surface); origin != nullptr)
     if (const auto* source = std::get_if<EdgeId>(&curve.shape))
       for (const geometry::EdgeUse& use : source_.face(*origin).loops.front())
         if (use.edge == *source) return source_.domain_point(*origin, use, at);
@@ -68,7 +68,8 @@ Eigen::Vector2d CellShapes::domain_point(FaceId face, EdgeId id, double t) const
 Eigen::Vector2d CellShapes::plane_point(FaceId face, const Eigen::Vector3d& point) const {
   const Eigen::Vector2d start = source_.domain(face).low;
   const Eigen::Matrix<double, 3, 2> axes = source_.derivatives(face, start);
-  return start + (axes.transpose() * axes).inverse() * axes.transpose() * (point - source_.point(face, start));
+  return start +
+         (axes.transpose() * axes).inverse() * axes.transpose() * (point - source_.point(face, start));
 }
 
 bool CellShapes::is_plane(SurfaceId id) const {
@@ -109,8 +110,7 @@ Eigen::Matrix2Xd outline(const CellShapes& shapes, FaceId id, int pieces) {
 Angle inner_angle(const CellShapes& shapes, geometry::CellFaceUse first, geometry::CellFaceUse second,
                   geometry::EdgeUse use, double t) {
   const auto outward = [&](const geometry::CellFaceUse& face) -> Eigen::Vector3d {
-    const Eigen::Vector3d front =
-        shapes.normal(face.face, shapes.domain_point(face.face, use.edge, t));
+    const Eigen::Vector3d front = shapes.normal(face.face, shapes.domain_point(face.face, use.edge, t));
     return face.reversed ? Eigen::Vector3d(-front) : front;
   };
   const Eigen::Vector3d one = outward(first), two = outward(second);

@@ -8,8 +8,8 @@
 
 namespace isopatch::segmentation {
 
-/// The shapes of a complex: its source and the complex, which must outlive it. Lengths are metres, t runs over [0, 1]
-/// from an edge's start to its end.
+/// The shapes of a complex: its source and the complex, which must outlive it. Lengths are metres, t runs
+/// over [0, 1] from an edge's start to its end.
 class CellShapes {
  public:
   CellShapes(const geometry::Brep& source, const geometry::CellComplex& complex)
@@ -28,7 +28,8 @@ class CellShapes {
   /// @throws Error internal  it has no curve there
   Eigen::Vector2d domain_point(FaceId face, EdgeId edge, double t) const;
   bool is_plane(geometry::SurfaceId surface) const;
-  /// Whether a loop runs clockwise around its face in the domain, which is so where the source's surface looks inwards.
+  /// Whether a loop runs clockwise around its face in the domain, which is so where the source's surface
+  /// looks inwards.
   bool is_turned(FaceId face) const;
   bool is_straight(EdgeId edge) const;
 
@@ -43,8 +44,8 @@ class CellShapes {
   const geometry::CellComplex& complex_;
 };
 
-/// Outline of a face in its domain, as its loop walks it: a closed polygon of `pieces` chords an edge, or of one where edges
-/// and surface are straight; (2, n).
+/// Outline of a face in its domain, as its loop walks it: a closed polygon of `pieces` chords an edge, or of
+/// one where edges and surface are straight; (2, n).
 Eigen::Matrix2Xd outline(const CellShapes& shapes, FaceId face, int pieces = 16);
 
 /// The angle inside a cell between two of its faces along their common edge, in (0, 360) degrees.

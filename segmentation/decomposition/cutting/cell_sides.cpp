@@ -65,7 +65,8 @@ std::array<Angle, 2> angles_along(const CellShapes& shapes, const std::vector<Bo
                         shapes.is_plane(shapes.complex().face(between[0].face.face).surface) &&
                         shapes.is_plane(shapes.complex().face(between[1].face.face).surface);
   std::array<Angle, 2> range = {Angle::degrees(360), Angle::degrees(0)};
-  for (const double t : straight ? std::vector<double>{0.5} : std::vector<double>{0.02, 0.25, 0.5, 0.75, 0.98}) {
+  for (const double t :
+       straight ? std::vector<double>{0.5} : std::vector<double>{0.02, 0.25, 0.5, 0.75, 0.98}) {
     const Angle angle = inner_angle(shapes, between[0].face, between[1].face, between[0].use, t);
     if (angle.degrees() < range[0].degrees()) range[0] = angle;
     if (angle.degrees() > range[1].degrees()) range[1] = angle;
@@ -92,7 +93,8 @@ CellSides cell_sides(const CellShapes& shapes, geometry::CellId cell, const Side
   std::map<int, std::vector<EdgeUse>> boundary;  // by side
   for (const auto& [edge, sides] : between) {
     if (sides.size() != 2)
-      throw Error(ErrorCode::unsupported, fmt::format("edge {} of a cell has {} faces", edge.value, sides.size()));
+      throw Error(ErrorCode::unsupported,
+                  fmt::format("edge {} of a cell has {} faces", edge.value, sides.size()));
     ++degree[complex.edge(edge).start];
     ++degree[complex.edge(edge).end];
     for (const Boundary& side : sides) boundary[side.face.side].push_back(side.use);

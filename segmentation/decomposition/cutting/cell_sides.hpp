@@ -10,9 +10,10 @@ namespace isopatch::segmentation {
 /// A cell as combinatorics sees it, and what its vertices, edges and faces are in the complex.
 struct CellSides {
   CellGraph graph;
-  std::vector<VertexId> vertices;                          ///< by vertex of the graph
-  std::vector<std::vector<geometry::EdgeUse>> edges;       ///< by edge of the graph: one after the other, start to end
-  std::vector<std::vector<geometry::CellFaceUse>> faces;   ///< by face of the graph: those of one side
+  std::vector<VertexId> vertices;  ///< by vertex of the graph
+  std::vector<std::vector<geometry::EdgeUse>>
+      edges;  ///< by edge of the graph: one after the other, start to end
+  std::vector<std::vector<geometry::CellFaceUse>> faces;  ///< by face of the graph: those of one side
 };
 
 struct SideOptions {
@@ -23,7 +24,8 @@ struct SideOptions {
 /// Whether all faces of a cell are plane and all edges straight.
 bool is_polyhedral(const CellShapes& shapes, geometry::CellId cell);
 
-/// The sides of a cell, with the angles between them. Vertices where two sides meet and no third do not count.
+/// The sides of a cell, with the angles between them. Vertices where two sides meet and no third do not
+/// count.
 /// @throws Error unsupported  a side that is no disc, or two sides that meet along two edges
 CellSides cell_sides(const CellShapes& shapes, geometry::CellId cell, const SideOptions& options = {});
 

@@ -19,7 +19,8 @@ using geometry::EdgeUse;
 struct Corner {
   FaceId face;
   VertexId vertex;
-  Eigen::Vector2d point, before, after;  ///< in the domain: there, and where the outline comes from and goes to
+  Eigen::Vector2d point, before,
+      after;  ///< in the domain: there, and where the outline comes from and goes to
 };
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
@@ -28,7 +29,8 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 
 class ChordMaker {
  public:
-  ChordMaker(const geometry::Brep& source, CellComplex& complex, std::vector<FaceId> side, const ChordOptions& options)
+  ChordMaker(const geometry::Brep& source, CellComplex& complex, std::vector<FaceId> side,
+             const ChordOptions& options)
       : source_(source), complex_(complex), side_(std::move(side)), options_(options) {
     plane_ = frame_of_side();
   }
@@ -149,7 +151,8 @@ class ChordMaker {
     bool has_end = false;
     for (const EdgeUse& use : complex_.face(corner.face).loop) {
       has_end = has_end || complex_.from(use) == to;
-      const bool straight = shapes().is_straight(use.edge) && shapes().is_plane(complex_.face(corner.face).surface);
+      const bool straight =
+          shapes().is_straight(use.edge) && shapes().is_plane(complex_.face(corner.face).surface);
       const int count = straight ? 1 : pieces;
       for (int i = 0; i < count; ++i) {
         if (i == 0 && complex_.from(use) == corner.vertex) continue;

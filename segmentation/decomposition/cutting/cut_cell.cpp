@@ -30,7 +30,8 @@ struct Refused {
 
 class Cutter {
  public:
-  Cutter(const Brep& source, CellComplex complex, CellId cell, const CellSides& sides, const CutOptions& options)
+  Cutter(const Brep& source, CellComplex complex, CellId cell, const CellSides& sides,
+         const CutOptions& options)
       : source_(source),
         complex_(std::move(complex)),
         cell_(cell),
@@ -42,12 +43,14 @@ class Cutter {
         chains_(sides.edges) {}
 
   CutCell cut(const PlacedLoop& loop) {
-    const std::optional<geometry::Tessellation> boundary = convex_ ? std::nullopt : std::optional(triangulated());
+    const CellComplex before = convex_ ? CellComplex() : complex_;
     const std::vector<VertexId> places = place_vertices(loop);
     const StepWalk steps = walk(loop.loop, places);
     const auto surface = cutting_surface(shapes(), steps, tolerance_);
-    if (!surface) throw Refused{fmt::format("no surface is known through {} steps that lie in no plane", steps.size())};
-    if (options_.keep_plane && polyhedral_ && !std::holds_alternative<geometry::PlaneSurface>(surface->surface))
+    if (!surface)
+      throw Refused{fmt::format("no surface is known through {} steps that lie in no plane", steps.size())};
+    if (options_.keep_plane && polyhedral_ &&
+        !std::holds_alternative<geometry::PlaneSurface>(surface->surface))
       throw Refused{"the loop lies in no plane, though all sides of the cell do"};
     const geometry::SurfaceId id(static_cast<int>(complex_.surfaces.size()));
     complex_.surfaces.push_back(surface->surface);
@@ -56,7 +59,7 @@ class Cutter {
     const DividedCell divided = divide_cell(complex_, cell_, edges, id);
     require_angles(edges, divided);
     continue_sides(edges, divided);
-    if (boundary) require_inside(*boundary, divided.face);
+    if (!convex_) require_inside(before, divided.face);
     return {std::move(complex_), cell_, divided.other, divided.face, places};
   }
 
@@ -68,10 +71,6 @@ class Cutter {
     for (const CellGraph::Edge& edge : sides_.graph.edges)
       if (edge.kind == EdgeKind::non_convex) return false;
     return polyhedral_;
-  }
-
-  geometry::Tessellation triangulated() const {
-    return tessellate(cell_solids(source_, complex_, {cell_}).front());
   }
 
   std::vector<VertexId> place_vertices(const PlacedLoop& loop) {
@@ -129,7 +128,8 @@ class Cutter {
     std::reverse(chain.begin(), chain.end());
     for (EdgeUse& use : chain) use.reversed = !use.reversed;
     part = find(from, to);
-    if (part.empty()) throw Error(ErrorCode::internal, "a loop runs along an edge that its places are not on");
+    if (part.empty())
+      throw Error(ErrorCode::internal, "a loop runs along an edge that its places are not on");
     return part;
   }
 
@@ -226,7 +226,9 @@ class Cutter {
     return false;
   }
 
-  void require_inside(const geometry::Tessellation& boundary, FaceId face) const {
+  void require_inside(const CellComplex& before, FaceId face) const {
+    const geometry::Tessellation boundary = tessellate(cell_solids(source_, before, {cell_}).front(),
+                                                       {.chord = 5e-3, .turn = Angle::degrees(20)});
     const Eigen::Matrix2Xd inside = points_inside(outline(shapes(), face));
     if (inside.cols() == 0) throw Refused{"the cut would be too thin"};
     for (const auto& uv : inside.colwise())
@@ -241,7 +243,8 @@ class Cutter {
   const CutOptions& options_;
   double tolerance_;
   bool polyhedral_, convex_;
-  std::vector<std::vector<EdgeUse>> chains_;  // of the graph's edges, with what they are divided into meanwhile
+  std::vector<std::vector<EdgeUse>>
+      chains_;  // of the graph's edges, with what they are divided into meanwhile
 };
 
 }  // namespace
@@ -249,7 +252,8 @@ class Cutter {
 void validate(const CutOptions& options) {
   const auto require = [](const char* field, double value, double high) {
     if (!(value > 0 && value < high))
-      throw Error(ErrorCode::invalid_argument, fmt::format("{} is {}; its range is (0, {})", field, value, high));
+      throw Error(ErrorCode::invalid_argument,
+                  fmt::format("{} is {}; its range is (0, {})", field, value, high));
   };
   require("tolerance", options.tolerance, 1e-3);
   require("smallest_angle", options.smallest_angle.degrees(), 45);

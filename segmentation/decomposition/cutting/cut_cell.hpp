@@ -10,16 +10,18 @@
 namespace isopatch::segmentation {
 
 struct CutOptions {
-  /// That surfaces through curved edges may deviate from them, as a share of the solid's size. Range (0, 1e-3).
+  /// That surfaces through curved edges may deviate from them, as a share of the solid's size. Range (0,
+  /// 1e-3).
   double tolerance = 1e-9;
-  /// Smallest angle between a cut and a side, and between an auxiliary edge and the outline of its side. Range (0, 45
-  /// degrees).
+  /// Smallest angle between a cut and a side, and between an auxiliary edge and the outline of its side.
+  /// Range (0, 45 degrees).
   Angle smallest_angle = Angle::degrees(5);
   /// Edges of a larger angle inside a cell are to be cut through. Range (90, 180] degrees.
   Angle largest_angle = Angle::degrees(170);
   /// Shortest edge made, as a share of the solid's size. Range (0, 0.1).
   double shortest_edge = 2e-3;
-  /// Cells with plane sides and straight edges are cut by planes only, so that planes always cut their pieces.
+  /// Cells with plane sides and straight edges are cut by planes only, so that planes always cut their
+  /// pieces.
   bool keep_plane = true;
   SideOptions sides = {};
 };
@@ -28,8 +30,8 @@ void validate(const CutOptions& options);
 /// A loop on the sides of a cell, and where its auxiliary vertices are.
 struct PlacedLoop {
   CuttingLoop loop;
-  /// By place: the vertex of the complex, if it is there already; by default, or where it is -1, the one of a divided edge that is
-  /// nearest to its middle, or a new one in the middle.
+  /// By place: the vertex of the complex, if it is there already; by default, or where it is -1, the one of a
+  /// divided edge that is nearest to its middle, or a new one in the middle.
   std::vector<VertexId> at = {};
   /// By place: where an auxiliary vertex is to be that `at` does not give, m; or empty.
   std::vector<Eigen::Vector3d> points = {};
@@ -49,10 +51,11 @@ struct CutAttempt {
   std::string refusal = {};  ///< in words
 };
 
-/// Cuts one cell along a loop on its sides: auxiliary edges are put across the sides, a surface through all of the loop.
+/// Cuts one cell along a loop on its sides: auxiliary edges are put across the sides, a surface through all
+/// of the loop.
 ///
-/// Checked: the surface stays inside the cell, meets the sides at no small angle, and makes no short edge. What lies
-/// outside of the cell is not changed, but that sides which it shares are divided.
+/// Checked: the surface stays inside the cell, meets the sides at no small angle, and makes no short edge.
+/// What lies outside of the cell is not changed, but that sides which it shares are divided.
 /// @param sides  of the cell
 /// @cost  one triangulation of the cell, if the surface could leave it
 CutAttempt cut_cell(const geometry::Brep& source, geometry::CellComplex complex, geometry::CellId cell,

@@ -38,7 +38,8 @@ std::optional<PlaneSurface> plane_through(const Eigen::Matrix3Xd& points, double
     normal += (points.col(i) - centre).cross(points.col((i + 1) % n) - centre);
   if (!(normal.norm() > 0)) return std::nullopt;
   normal.normalize();
-  if (((points.colwise() - centre).transpose() * normal).cwiseAbs().maxCoeff() > tolerance) return std::nullopt;
+  if (((points.colwise() - centre).transpose() * normal).cwiseAbs().maxCoeff() > tolerance)
+    return std::nullopt;
   PlaneSurface plane;
   plane.origin = centre;
   Eigen::Vector3d along = points.col(1) - points.col(0);
@@ -48,8 +49,8 @@ std::optional<PlaneSurface> plane_through(const Eigen::Matrix3Xd& points, double
   return plane;
 }
 
-/// A step of a walk as one curve over [0, 1]: its edges share the interval as they do their curve, if they are pieces of one,
-/// or by length.
+/// A step of a walk as one curve over [0, 1]: its edges share the interval as they do their curve, if they
+/// are pieces of one, or by length.
 class StepCurve {
  public:
   StepCurve(const CellShapes& shapes, const std::vector<EdgeUse>& step) : shapes_(&shapes), step_(step) {
@@ -59,8 +60,9 @@ class StepCurve {
     });
     ends_.push_back(0);
     for (const EdgeUse& use : step)
-      ends_.push_back(ends_.back() + (one_curve ? edge(use).high - edge(use).low
-                                                : (shapes.point(use.edge, 1) - shapes.point(use.edge, 0)).norm()));
+      ends_.push_back(ends_.back() + (one_curve
+                                          ? edge(use).high - edge(use).low
+                                          : (shapes.point(use.edge, 1) - shapes.point(use.edge, 0)).norm()));
     for (double& end : ends_) end /= ends_.back();
     ends_.back() = 1;
   }
@@ -81,7 +83,8 @@ class StepCurve {
 };
 
 /// The stretch of a side of the unit square that an edge of the walk lies on, in the parameter of its curve.
-NurbsCurve trace_of(const geometry::CellEdge& edge, bool reversed, std::size_t side, std::array<double, 2> stretch) {
+NurbsCurve trace_of(const geometry::CellEdge& edge, bool reversed, std::size_t side,
+                    std::array<double, 2> stretch) {
   const std::array<Eigen::Vector3d, 4> corners = {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 0, 0),
                                                   Eigen::Vector3d(1, 1, 0), Eigen::Vector3d(0, 1, 0)};
   const Eigen::Vector3d start = corners[side], whole = corners[(side + 1) % 4] - start;
@@ -110,21 +113,23 @@ std::optional<CuttingSurface> coons_patch(const CellShapes& shapes, const StepWa
     return std::nullopt;
   const std::vector<double> at_u = u.greville(), at_v = v.greville();
   Eigen::Matrix3Xd net(3, u.size() * v.size());
-  const auto c = [](const NurbsCurve& curve, int k) -> Eigen::Vector3d { return curve.control_points().col(k); };
+  const auto c = [](const NurbsCurve& curve, int k) -> Eigen::Vector3d {
+    return curve.control_points().col(k);
+  };
   for (int j = 0; j < v.size(); ++j)
     for (int i = 0; i < u.size(); ++i) {
       const double s = at_u[static_cast<std::size_t>(i)], t = at_v[static_cast<std::size_t>(j)];
       const Eigen::Vector3d corners = (1 - s) * (1 - t) * c(below, 0) + s * (1 - t) * c(below, u.size() - 1) +
                                       (1 - s) * t * c(above, 0) + s * t * c(above, u.size() - 1);
-      net.col(i + u.size() * j) = (1 - t) * c(below, i) + t * c(above, i) + (1 - s) * c(left, j) +
-                                  s * c(right, j) - corners;
+      net.col(i + u.size() * j) =
+          (1 - t) * c(below, i) + t * c(above, i) + (1 - s) * c(left, j) + s * c(right, j) - corners;
     }
   CuttingSurface result;
   result.surface = NurbsSurface({u, v}, net);
   for (std::size_t k = 0; k < 4; ++k)
     for (std::size_t i = 0; i < steps[k].size(); ++i)
-      result.traces.push_back(trace_of(shapes.complex().edge(steps[k][i].edge), steps[k][i].reversed, k,
-                                       curves[k].stretch(i)));
+      result.traces.push_back(
+          trace_of(shapes.complex().edge(steps[k][i].edge), steps[k][i].reversed, k, curves[k].stretch(i)));
   return result;
 }
 
@@ -136,8 +141,10 @@ std::vector<EdgeUse> joined(const StepWalk& steps) {
   return result;
 }
 
-std::optional<CuttingSurface> cutting_surface(const CellShapes& shapes, const StepWalk& steps, double tolerance) {
-  if (auto plane = plane_through(points_along(shapes, joined(steps)), tolerance)) return CuttingSurface{*plane, {}};
+std::optional<CuttingSurface> cutting_surface(const CellShapes& shapes, const StepWalk& steps,
+                                              double tolerance) {
+  if (auto plane = plane_through(points_along(shapes, joined(steps)), tolerance))
+    return CuttingSurface{*plane, {}};
   if (steps.size() != 4) return std::nullopt;
   return coons_patch(shapes, steps, tolerance);
 }

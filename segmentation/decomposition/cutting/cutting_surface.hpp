@@ -20,7 +20,9 @@ struct CuttingSurface {
 
 /// The surface through a walk: the plane that it lies in, or the Coons patch of its four steps.
 /// @param tolerance  m
-/// @return  nothing for a walk that is neither plane nor of four steps, or a step of several edges with corners between
-std::optional<CuttingSurface> cutting_surface(const CellShapes& shapes, const StepWalk& steps, double tolerance);
+/// @return  nothing for a walk that is neither plane nor of four steps, or a step of several edges with
+/// corners between
+std::optional<CuttingSurface> cutting_surface(const CellShapes& shapes, const StepWalk& steps,
+                                              double tolerance);
 
 }  // namespace isopatch::segmentation

@@ -44,11 +44,12 @@ namespace {
 
 /// Where a loop's walk starts from a vertex.
 std::size_t position(const CellComplex& complex, const std::vector<EdgeUse>& loop, VertexId vertex) {
-  const auto found = std::find_if(loop.begin(), loop.end(),
-                                  [&](const EdgeUse& use) { return complex.from(use) == vertex; });
+  const auto found =
+      std::find_if(loop.begin(), loop.end(), [&](const EdgeUse& use) { return complex.from(use) == vertex; });
   if (found == loop.end())
-    throw Error(ErrorCode::invalid_argument,
-                fmt::format("vertex {} is not on the outline of the face that is to be divided", vertex.value));
+    throw Error(
+        ErrorCode::invalid_argument,
+        fmt::format("vertex {} is not on the outline of the face that is to be divided", vertex.value));
   return static_cast<std::size_t>(found - loop.begin());
 }
 
@@ -64,7 +65,8 @@ std::vector<EdgeUse> stretch(const std::vector<EdgeUse>& loop, std::size_t from,
 EdgeId divide_face(CellComplex& complex, FaceId id, VertexId from, VertexId to, geometry::CurveId curve) {
   const CellFace whole = complex.face(id);
   const std::size_t start = position(complex, whole.loop, from), end = position(complex, whole.loop, to);
-  if (start == end) throw Error(ErrorCode::invalid_argument, "a face is divided between two different vertices");
+  if (start == end)
+    throw Error(ErrorCode::invalid_argument, "a face is divided between two different vertices");
   const EdgeId edge(static_cast<int>(complex.edges.size()));
   complex.edges.push_back({curve, 0, 1, from, to});
   // To the left of the edge lies what the outline walks from its end back to its start.
@@ -109,11 +111,11 @@ DividedCell divide_cell(CellComplex& complex, CellId id, const std::vector<EdgeU
   std::set<int> roots;
   for (int f = 0; f < static_cast<int>(whole.size()); ++f) roots.insert(parts.find(f));
   const auto all_in = [&](const std::set<int>& faces) {
-    return !faces.empty() && std::all_of(faces.begin(), faces.end(), [&](int f) {
-      return parts.find(f) == parts.find(*faces.begin());
-    });
+    return !faces.empty() && std::all_of(faces.begin(), faces.end(),
+                                         [&](int f) { return parts.find(f) == parts.find(*faces.begin()); });
   };
-  if (roots.size() != 2 || !all_in(left) || !all_in(right) || parts.find(*left.begin()) == parts.find(*right.begin()))
+  if (roots.size() != 2 || !all_in(left) || !all_in(right) ||
+      parts.find(*left.begin()) == parts.find(*right.begin()))
     throw Error(ErrorCode::invalid_argument,
                 fmt::format("a walk of {} edges takes the boundary of a cell into {} parts; it must be two",
                             walk.size(), roots.size()));
@@ -124,7 +126,8 @@ DividedCell divide_cell(CellComplex& complex, CellId id, const std::vector<EdgeU
     (parts.find(static_cast<int>(f)) == kept ? one : two).faces.push_back(whole[f]);
     side = std::max(side, whole[f].side + 1);
   }
-  // The cell that is kept walks its other faces along the walk, so the new one against it: its front looks into that cell.
+  // The cell that is kept walks its other faces along the walk, so the new one against it: its front looks
+  // into that cell.
   const FaceId face(static_cast<int>(complex.faces.size()));
   complex.faces.push_back({surface, walk});
   one.faces.push_back({face, true, side});

@@ -11,7 +11,8 @@ double winding_number(const geometry::Tessellation& boundary, const Eigen::Vecto
   double sum = 0;
   for (const geometry::FaceTriangles& face : boundary.faces)
     for (const auto& triangle : face.triangles.colwise()) {
-      const Eigen::Vector3d a = face.points.col(triangle[0]) - point, b = face.points.col(triangle[1]) - point,
+      const Eigen::Vector3d a = face.points.col(triangle[0]) - point,
+                            b = face.points.col(triangle[1]) - point,
                             c = face.points.col(triangle[2]) - point;
       const double la = a.norm(), lb = b.norm(), lc = c.norm();
       sum += std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);

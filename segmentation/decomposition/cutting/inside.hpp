@@ -6,7 +6,7 @@
 
 namespace isopatch::segmentation {
 
-/// How often a closed triangulation winds around a point: 1 inside, 0 outside, 1/2 on it.
+/// How often a closed triangulation winds around a point: 1 inside, 0 outside, anything on it.
 /// @cost  O(triangles)
 /// @source van Oosterom, Strackee, The solid angle of a plane triangle, 1983
 double winding_number(const geometry::Tessellation& boundary, const Eigen::Vector3d& point);

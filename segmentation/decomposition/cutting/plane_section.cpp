@@ -35,12 +35,14 @@ class Section {
   /// The loop around the part of the plane to the left of an edge, walked from `from`.
   std::optional<SpacedLoop> loop_at(EdgeId edge, VertexId from) const {
     const CellGraph::Edge& ends = sides_.graph.edge(edge);
-    return loop_from({place_.at(LoopPlace::at(from)), place_.at(LoopPlace::at(ends.start == from ? ends.end : ends.start)),
+    return loop_from({place_.at(LoopPlace::at(from)),
+                      place_.at(LoopPlace::at(ends.start == from ? ends.end : ends.start)),
                       LoopStep::along(edge)});
   }
 
   /// The same to the left of the stretch across a side that a point lies on, walked along a direction.
-  std::optional<SpacedLoop> loop_at(FaceId side, const Eigen::Vector3d& point, const Eigen::Vector3d& along) const {
+  std::optional<SpacedLoop> loop_at(FaceId side, const Eigen::Vector3d& point,
+                                    const Eigen::Vector3d& along) const {
     for (const auto& [place, pieces] : from_)
       for (const Piece& piece : pieces) {
         const Eigen::Vector3d &from = points_[static_cast<std::size_t>(piece.from)],
@@ -54,6 +56,7 @@ class Section {
 
  private:
   std::optional<SpacedLoop> loop_from(Piece piece) const {
+    if (several_) return std::nullopt;
     const Piece first = piece;
     SpacedLoop result;
     std::set<int> passed;
@@ -70,11 +73,15 @@ class Section {
     return result;
   }
 
-  bool is_on(VertexId vertex) const { return std::abs(height_[static_cast<std::size_t>(vertex.value)]) <= same_point_; }
+  bool is_on(VertexId vertex) const {
+    return std::abs(height_[static_cast<std::size_t>(vertex.value)]) <= same_point_;
+  }
   Eigen::Vector3d corner(VertexId vertex) const {
     return shapes_.complex().vertex(sides_.vertices[static_cast<std::size_t>(vertex.value)]);
   }
-  Eigen::Vector2d flat(int place) const { return plane_.domain_point(points_[static_cast<std::size_t>(place)]); }
+  Eigen::Vector2d flat(int place) const {
+    return plane_.domain_point(points_[static_cast<std::size_t>(place)]);
+  }
 
   void add_place(LoopPlace place, const Eigen::Vector3d& point) {
     place_[place] = static_cast<int>(places_.size());
@@ -87,6 +94,10 @@ class Section {
       if (is_on(VertexId(v))) add_place(LoopPlace::at(VertexId(v)), corner(VertexId(v)));
     for (std::size_t e = 0; e < sides_.graph.edges.size(); ++e) {
       const CellGraph::Edge& edge = sides_.graph.edges[e];
+      if (!is_straight(e)) {
+        add_places_on_curve(e);
+        continue;
+      }
       if (is_on(edge.start) || is_on(edge.end)) continue;
       const double a = height_[static_cast<std::size_t>(edge.start.value)],
                    b = height_[static_cast<std::size_t>(edge.end.value)];
@@ -94,6 +105,53 @@ class Section {
       const Eigen::Vector3d at = corner(edge.start) + a / (a - b) * (corner(edge.end) - corner(edge.start));
       add_place(LoopPlace::inside(EdgeId(static_cast<int>(e))), at);
     }
+  }
+
+  bool is_straight(std::size_t edge) const {
+    const auto& chain = sides_.edges[edge];
+    return std::all_of(chain.begin(), chain.end(),
+                       [&](const auto& use) { return shapes_.is_straight(use.edge); });
+  }
+
+  double height_of(const Eigen::Vector3d& point) const {
+    return (point - plane_.origin).dot(plane_.normal());
+  }
+
+  /// Where a curved edge passes through the plane; that it lies in the plane is remembered.
+  void add_places_on_curve(std::size_t e) {
+    const EdgeId id(static_cast<int>(e));
+    bool all_on = true;
+    int crossings = 0;
+    for (const geometry::EdgeUse& use : sides_.edges[e]) {
+      constexpr int samples = 24;
+      const auto height = [&](double t) { return height_of(shapes_.point(use.edge, t)); };
+      for (int i = 0; i < samples; ++i) {
+        double low = double(i) / samples, high = double(i + 1) / samples;
+        all_on = all_on && std::abs(height(low)) <= same_point_ && std::abs(height(high)) <= same_point_;
+        if (std::abs(height(low)) <= same_point_ || std::abs(height(high)) <= same_point_ ||
+            height(low) * height(high) > 0)
+          continue;
+        ++crossings;
+        const bool rises = height(low) < 0;
+        for (int k = 0; k < 60; ++k) {
+          const double middle = (low + high) / 2;
+          ((height(middle) < 0) == rises ? low : high) = middle;
+        }
+        if (crossings == 1) add_place(LoopPlace::inside(id), shapes_.point(use.edge, low));
+      }
+    }
+    if (all_on) in_plane_.insert(id);
+    if (crossings > 1) several_ = true;
+  }
+
+  bool lies_in_plane(EdgeId id) const {
+    const CellGraph::Edge& edge = sides_.graph.edge(id);
+    return is_on(edge.start) && is_on(edge.end) &&
+           (is_straight(static_cast<std::size_t>(id.value)) || in_plane_.contains(id));
+  }
+
+  bool is_plane(std::size_t side) const {
+    return shapes_.is_plane(shapes_.complex().face(sides_.faces[side].front().face).surface);
   }
 
   void add_piece(int a, int b, LoopStep step) {
@@ -111,11 +169,18 @@ class Section {
       all_on = all_on && is_on(from);
       const EdgeId edge = *edge_between(sides_.graph, from, to);
       if (is_on(from)) on.push_back(place_.at(LoopPlace::at(from)));
-      if (const auto inside = place_.find(LoopPlace::inside(edge)); inside != place_.end()) on.push_back(inside->second);
-      if (is_on(from) && is_on(to) && known_.insert(edge).second)
+      if (const auto inside = place_.find(LoopPlace::inside(edge)); inside != place_.end())
+        on.push_back(inside->second);
+      if (lies_in_plane(edge) && known_.insert(edge).second)
         add_piece(place_.at(LoopPlace::at(from)), place_.at(LoopPlace::at(to)), LoopStep::along(edge));
     }
-    if (all_on || on.size() < 2) return;
+    if (on.size() < 2) return;
+    if (!is_plane(f)) {
+      if (on.size() == 2 && !joined_by_edge(on[0], on[1]))
+        add_piece(on[0], on[1], LoopStep::across(FaceId(static_cast<int>(f))));
+      return;
+    }
+    if (all_on) return;
     const auto farthest = std::max_element(on.begin(), on.end(), [&](int a, int b) {
       return (flat(a) - flat(on[0])).norm() < (flat(b) - flat(on[0])).norm();
     });
@@ -129,7 +194,24 @@ class Section {
 
   bool joined_by_edge(int a, int b) const {
     const LoopPlace from = places_[static_cast<std::size_t>(a)], to = places_[static_cast<std::size_t>(b)];
-    return !from.auxiliary() && !to.auxiliary() && edge_between(sides_.graph, from.vertex, to.vertex);
+    if (from.auxiliary() || to.auxiliary()) return false;
+    const auto edge = edge_between(sides_.graph, from.vertex, to.vertex);
+    return edge && lies_in_plane(*edge);
+  }
+
+  /// From the first vertex of an edge, in the sense asked for, up to but without the last.
+  std::vector<Eigen::Vector3d> points_along(EdgeId edge, bool forwards) const {
+    std::vector<Eigen::Vector3d> result;
+    for (const geometry::EdgeUse& use : sides_.edges[static_cast<std::size_t>(edge.value)]) {
+      const int pieces = shapes_.is_straight(use.edge) ? 1 : 16;
+      for (int i = 0; i <= pieces; ++i) {
+        const double t = double(i) / pieces;
+        result.push_back(shapes_.point(use.edge, use.reversed ? 1 - t : t));
+      }
+    }
+    if (!forwards) std::reverse(result.begin(), result.end());
+    result.pop_back();
+    return result;
   }
 
   /// Whether the middle between two places lies in a side.
@@ -141,9 +223,15 @@ class Section {
     side.origin = corner(corners[0]);
     side.x = normal.unitOrthogonal();
     side.y = normal.normalized().cross(side.x);
-    Eigen::Matrix2Xd polygon(2, static_cast<Eigen::Index>(corners.size()));
-    for (std::size_t k = 0; k < corners.size(); ++k)
-      polygon.col(static_cast<Eigen::Index>(k)) = side.domain_point(corner(corners[k]));
+    std::vector<Eigen::Vector2d> around;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const EdgeId edge = *edge_between(sides_.graph, corners[k], corners[(k + 1) % corners.size()]);
+      const bool forwards = sides_.graph.edge(edge).start == corners[k];
+      const std::vector<Eigen::Vector3d> points = points_along(edge, forwards);
+      for (const Eigen::Vector3d& point : points) around.push_back(side.domain_point(point));
+    }
+    Eigen::Matrix2Xd polygon(2, static_cast<Eigen::Index>(around.size()));
+    for (std::size_t k = 0; k < around.size(); ++k) polygon.col(static_cast<Eigen::Index>(k)) = around[k];
     const Eigen::Vector3d middle =
         (points_[static_cast<std::size_t>(a)] + points_[static_cast<std::size_t>(b)]) / 2;
     return is_inside(polygon, side.domain_point(middle));
@@ -174,7 +262,8 @@ class Section {
   std::vector<Eigen::Vector3d> points_;
   std::map<LoopPlace, int> place_;
   std::map<int, std::vector<Piece>> from_;
-  std::set<EdgeId> known_;
+  std::set<EdgeId> known_, in_plane_;
+  bool several_ = false;  // crossings of one edge
 };
 
 /// The outward normal of a side, from its corners.
@@ -186,7 +275,8 @@ Eigen::Vector3d outward(const CellShapes& shapes, const CellSides& sides, FaceId
 }
 
 /// Marks the steps along which the plane continues a side that lies in it.
-void mark_extensions(const CellShapes& shapes, const CellSides& sides, const Eigen::Vector3d& normal, CuttingLoop& loop) {
+void mark_extensions(const CellShapes& shapes, const CellSides& sides, const Eigen::Vector3d& normal,
+                     CuttingLoop& loop) {
   const CellIncidence incidence(sides.graph);
   for (std::size_t k = 0; k < loop.steps.size(); ++k) {
     LoopStep& step = loop.steps[k];
@@ -195,17 +285,22 @@ void mark_extensions(const CellShapes& shapes, const CellSides& sides, const Eig
     const FaceId left = forwards ? incidence.left(step.edge) : incidence.right(step.edge);
     const FaceId right = forwards ? incidence.right(step.edge) : incidence.left(step.edge);
     const auto in_plane = [&](FaceId side) {
-      return outward(shapes, sides, side).cross(normal).norm() < 1e-6;
+      const FaceId face = sides.faces[static_cast<std::size_t>(side.value)].front().face;
+      return shapes.is_plane(shapes.complex().face(face).surface) &&
+             outward(shapes, sides, side).cross(normal).norm() < 1e-6;
     };
-    if (in_plane(left)) step.extension = Extension::left;
-    else if (in_plane(right)) step.extension = Extension::right;
+    if (in_plane(left))
+      step.extension = Extension::left;
+    else if (in_plane(right))
+      step.extension = Extension::right;
   }
 }
 
 }  // namespace
 
 std::optional<SpacedLoop> plane_section(const CellShapes& shapes, const CellSides& sides, EdgeId edge,
-                                        const Eigen::Vector3d& normal, const Eigen::Vector3d& into, double same_point) {
+                                        const Eigen::Vector3d& normal, const Eigen::Vector3d& into,
+                                        double same_point) {
   const CellGraph::Edge& ends = sides.graph.edge(edge);
   const auto corner = [&](VertexId v) {
     return shapes.complex().vertex(sides.vertices[static_cast<std::size_t>(v.value)]);
@@ -234,14 +329,18 @@ std::optional<SpacedLoop> plane_section(const CellShapes& shapes, const CellSide
   return result;
 }
 
-std::vector<SpacedLoop> plane_sections(const CellShapes& shapes, const CellSides& sides, EdgeId edge, double same_point) {
+std::vector<SpacedLoop> plane_sections(const CellShapes& shapes, const CellSides& sides, EdgeId edge,
+                                       double same_point) {
+  for (const geometry::EdgeUse& use : sides.edges[static_cast<std::size_t>(edge.value)])
+    if (!shapes.is_straight(use.edge)) return {};
   const CellIncidence incidence(sides.graph);
   const CellGraph::Edge& ends = sides.graph.edge(edge);
   const auto corner = [&](VertexId v) -> Eigen::Vector3d {
     return shapes.complex().vertex(sides.vertices[static_cast<std::size_t>(v.value)]);
   };
   const Eigen::Vector3d along = (corner(ends.end) - corner(ends.start)).normalized();
-  const Eigen::Vector3d one = outward(shapes, sides, incidence.left(edge)), two = outward(shapes, sides, incidence.right(edge));
+  const Eigen::Vector3d one = outward(shapes, sides, incidence.left(edge)),
+                        two = outward(shapes, sides, incidence.right(edge));
   // Directions away from the edge in the two sides; seen along the edge the left side is to the left.
   const Eigen::Vector3d in_left = one.cross(along), in_right = along.cross(two);
   const double inner = std::numbers::pi - std::atan2(one.cross(two).dot(along), one.dot(two));

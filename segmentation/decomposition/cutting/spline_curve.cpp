@@ -13,7 +13,8 @@ using geometry::NurbsCurve;
 NurbsCurve interpolated(const CurvePoints& curve, const KnotVector& knots) {
   const std::vector<double> at = knots.greville();
   Eigen::MatrixX3d points(static_cast<Eigen::Index>(at.size()), 3);
-  for (std::size_t i = 0; i < at.size(); ++i) points.row(static_cast<Eigen::Index>(i)) = curve(at[i]).transpose();
+  for (std::size_t i = 0; i < at.size(); ++i)
+    points.row(static_cast<Eigen::Index>(i)) = curve(at[i]).transpose();
   const Eigen::MatrixXd matrix = geometry::collocation(knots, at);
   Eigen::Matrix3Xd control = matrix.partialPivLu().solve(points).transpose();
   control.col(0) = points.row(0).transpose();

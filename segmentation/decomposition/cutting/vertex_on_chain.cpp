@@ -12,7 +12,7 @@ using geometry::CellComplex;
 using geometry::EdgeUse;
 
 VertexId vertex_on_chain(const Brep& source, CellComplex& complex, const std::vector<EdgeUse>& chain,
-                   const Eigen::Vector3d& point, double same_point) {
+                         const Eigen::Vector3d& point, double same_point) {
   for (const EdgeUse& use : chain)
     for (const VertexId end : {complex.from(use), complex.to(use)})
       if ((complex.vertex(end) - point).norm() <= same_point) return end;

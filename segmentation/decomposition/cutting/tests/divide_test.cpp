@@ -18,7 +18,7 @@ geometry::Brep l_shape() {
   geometry::Polyhedron solid;
   solid.vertices.resize(3, 12);
   solid.vertices << 0, 2, 2, 1, 1, 0, 0, 2, 2, 1, 1, 0,  //
-      0, 0, 1, 1, 2, 2, 0, 0, 1, 1, 2, 2,               //
+      0, 0, 1, 1, 2, 2, 0, 0, 1, 1, 2, 2,                //
       0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1;
   solid.faces = {{5, 4, 3, 2, 1, 0}, {6, 7, 8, 9, 10, 11}};
   for (int i = 0; i < 6; ++i) solid.faces.push_back({i, (i + 1) % 6, (i + 1) % 6 + 6, i + 6});
@@ -40,20 +40,24 @@ TEST(Divide, CutsAnLIntoTwoBlocks) {
     const auto curve = auxiliary_curve(CellShapes(source, complex), face, from, to, tolerance);
     EXPECT_TRUE(curve.has_value());
     complex.curves.push_back(curve->curve);
-    return divide_face(complex, face, from, to, geometry::CurveId(static_cast<int>(complex.curves.size()) - 1));
+    return divide_face(complex, face, from, to,
+                       geometry::CurveId(static_cast<int>(complex.curves.size()) - 1));
   };
   const EdgeId below = add(FaceId(0), VertexId(3), VertexId(0));
   const EdgeId above = add(FaceId(1), VertexId(6), VertexId(9));
   const EdgeId side = edge_between(complex, VertexId(0), VertexId(6));
   const EdgeId inner = edge_between(complex, VertexId(3), VertexId(9));
-  const auto use = [&](EdgeId edge, VertexId from) { return EdgeUse{edge, complex.edge(edge).start != from}; };
+  const auto use = [&](EdgeId edge, VertexId from) {
+    return EdgeUse{edge, complex.edge(edge).start != from};
+  };
   const std::vector<EdgeUse> walk = {use(below, VertexId(3)), use(side, VertexId(0)), use(above, VertexId(6)),
                                      use(inner, VertexId(9))};
-  const auto surface = cutting_surface(CellShapes(source, complex), {{walk[0]}, {walk[1]}, {walk[2]}, {walk[3]}}, tolerance);
+  const auto surface =
+      cutting_surface(CellShapes(source, complex), {{walk[0]}, {walk[1]}, {walk[2]}, {walk[3]}}, tolerance);
   ASSERT_TRUE(surface.has_value());
   complex.surfaces.push_back(surface->surface);
-  const DividedCell divided =
-      divide_cell(complex, CellId(0), walk, geometry::SurfaceId(static_cast<int>(complex.surfaces.size()) - 1));
+  const DividedCell divided = divide_cell(complex, CellId(0), walk,
+                                          geometry::SurfaceId(static_cast<int>(complex.surfaces.size()) - 1));
   const auto solids = cell_solids(source, complex, {CellId(0), divided.other});
   ASSERT_EQ(solids.size(), 2U);
   for (const auto& solid : solids) {

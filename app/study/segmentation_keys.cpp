@@ -1,0 +1,79 @@
+#include "app/study/segmentation_keys.hpp"
+
+#include <fmt/format.h>
+
+namespace isopatch::app {
+namespace {
+
+using S = SegmentationKeys;
+using segmentation::DecompositionOptions;
+
+template <class Member>
+Key<S> number_key(const std::string& name, const Dimension& dimension, const Range& range, Member member,
+                  std::string meaning) {
+  Key<S> key =
+      custom_key<S>(name, type_name(dimension), std::move(meaning), [=](S& target, const ConfigValue& value) {
+        member(target.options) = read_quantity(value, name, dimension, range);
+      });
+  key.text.range = range.text();
+  DecompositionOptions defaults;
+  key.text.fallback = format_default(member(defaults));
+  return key;
+}
+
+template <class Member>
+Key<S> angle_key(const std::string& name, double least, double most, Member member, std::string meaning) {
+  const Range range{.least = Angle::degrees(least).radians(), .most = Angle::degrees(most).radians()};
+  Key<S> key = custom_key<S>(
+      name, type_name(dimensions::angle), std::move(meaning), [=](S& target, const ConfigValue& value) {
+        member(target.options) = Angle::radians(read_quantity(value, name, dimensions::angle, range));
+      });
+  key.text.range = fmt::format("from {:g} to {:g} degrees", least, most);
+  DecompositionOptions defaults;
+  key.text.fallback = fmt::format("\"{:g} deg\"", member(defaults).degrees());
+  return key;
+}
+
+template <class Member>
+Key<S> count_key(const std::string& name, int most, Member member, std::string meaning) {
+  Key<S> key = custom_key<S>(name, "integer", std::move(meaning), [=](S& target, const ConfigValue& value) {
+    member(target.options) = read_integer(value, name, 1, most);
+  });
+  key.text.range = fmt::format("from 1 to {}", most);
+  DecompositionOptions defaults;
+  key.text.fallback = fmt::format("{}", member(defaults));
+  return key;
+}
+
+}  // namespace
+
+const Keys<SegmentationKeys>& segmentation_keys() {
+  static const Keys<S> keys = {
+      number_key(
+          "time_limit", dimensions::none, {0, 1e7, false, true},
+          [](DecompositionOptions& o) -> double& { return o.time_limit; },
+          "Seconds that a body may take to be cut, after which it is given up."),
+      count_key(
+          "max_cells", 1000000, [](DecompositionOptions& o) -> int& { return o.max_cells; },
+          "Most parts of a body while they are made to meet side to side."),
+      count_key(
+          "beam", 10000, [](DecompositionOptions& o) -> int& { return o.search.beam; },
+          "Ways of cutting that are followed at the same time; more find fewer blocks and take longer."),
+      count_key(
+          "branches", 1000, [](DecompositionOptions& o) -> int& { return o.search.branches; },
+          "Cuts of a part that are followed in each of them."),
+      angle_key(
+          "smallest_angle", 0.1, 44, [](DecompositionOptions& o) -> Angle& { return o.cut.smallest_angle; },
+          "Least angle between a cut and a side of a part."),
+      angle_key(
+          "largest_angle", 91, 180, [](DecompositionOptions& o) -> Angle& { return o.cut.largest_angle; },
+          "Edges with a larger angle inside a part are cut through, as concave ones are."),
+      number_key(
+          "shortest_edge", dimensions::none, {0, 0.1, false, false},
+          [](DecompositionOptions& o) -> double& { return o.cut.shortest_edge; },
+          "Least length of an edge that a cut makes, as a share of the body's size."),
+  };
+  return keys;
+}
+
+}  // namespace isopatch::app

@@ -1,0 +1,145 @@
+#include "segmentation/decomposition/decompose.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "geometry/base/tests/expect_error.hpp"
+#include "geometry/brep/cell_solids.hpp"
+#include "geometry/brep/read_brep.hpp"
+#include "segmentation/decomposition/blocks.hpp"
+#include "segmentation/decomposition/combinatorics/base_solid.hpp"
+#include "segmentation/decomposition/cutting/cell_sides.hpp"
+#include "segmentation/decomposition/cutting/tests/sample_polyhedra.hpp"
+#include "segmentation/decomposition/star_cells.hpp"
+
+namespace isopatch::segmentation {
+namespace {
+
+/// What holds for every decomposition: hexahedra that fill the solid, meet side to side, and whose outer
+/// faces are the solid's, face by face.
+void expect_sound(const geometry::BrepFile& solid, const Decomposition& result) {
+  const std::vector<geometry::BrepFile> parts = blocks(solid, result);
+  ASSERT_EQ(static_cast<int>(parts.size()), result.report.hexahedra);
+  double volume = 0;
+  for (const geometry::BrepFile& part : parts) {
+    EXPECT_GT(part.brep.volume(), 0);
+    volume += part.brep.volume();
+  }
+  EXPECT_NEAR(volume, solid.brep.volume(),
+              1e-9 * solid.brep.volume());  // planes are exact, curved edges to that
+  double area = 0;
+  std::map<FaceId, int> uses;
+  for (std::size_t c = 0; c < result.complex.cells.size(); ++c) {
+    const geometry::CellId cell(static_cast<int>(c));
+    const CellSides sides = cell_sides(CellShapes(solid.brep, result.complex), cell);
+    const auto base = base_solid(sides.graph);
+    ASSERT_TRUE(base && base->kind == BaseKind::hexahedron);
+    for (const auto& side : sides.faces) EXPECT_EQ(side.size(), 1U);
+    for (const auto& edge : sides.edges) EXPECT_EQ(edge.size(), 1U);
+    const auto& faces = result.complex.cells[c].faces;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      ++uses[faces[f].face];
+      if (result.complex.face(faces[f].face).origin) area += parts[c].brep.area(FaceId(static_cast<int>(f)));
+    }
+  }
+  for (const auto& [face, count] : uses) EXPECT_EQ(count, result.complex.face(face).origin ? 1 : 2);
+  EXPECT_NEAR(area, solid.brep.area(), 1e-9 * solid.brep.area());
+}
+
+struct Sample {
+  const char* name;
+  geometry::Polyhedron solid;
+  int hexahedra;  ///< at most; what cuts make of it by hand
+};
+
+class Decompose : public testing::TestWithParam<Sample> {};
+
+TEST_P(Decompose, MakesFewHexahedraThatFillTheSolidAndMeetSideToSide) {
+  const geometry::BrepFile solid{geometry::make_brep(GetParam().solid), GetParam().name, 0};
+  const Decomposition result = decompose(solid.brep, solid.name);
+  EXPECT_LE(result.report.hexahedra, GetParam().hexahedra);
+  EXPECT_FALSE(result.report.by_tetrahedra);
+  expect_sound(solid, result);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Solids, Decompose,
+    testing::Values(
+        Sample{"tetrahedron", samples::tetrahedron(), 4},
+        Sample{"prism", samples::prism({{0, 0}, {1, 0}, {0, 1}}, 1), 3},
+        Sample{"pyramid", samples::pyramid(4), 8}, Sample{"l_shape", samples::l_shape(), 2},
+        Sample{"house", samples::house(), 2}, Sample{"pyramid_6", samples::pyramid(6), 16},
+        Sample{"t_shape", samples::prism({{0, 0}, {3, 0}, {3, 1}, {2, 1}, {2, 3}, {1, 3}, {1, 1}, {0, 1}}, 1),
+               5}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+TEST(Decompose, MergesTheTrianglesOfAPlaneFace) {
+  geometry::Polyhedron box = samples::prism({{0, 0}, {2, 0}, {2, 1}, {0, 1}}, 1);
+  box.faces.erase(box.faces.begin() + 1);  // the top in two
+  box.faces.push_back({4, 5, 6});
+  box.faces.push_back({4, 6, 7});
+  const geometry::BrepFile solid{geometry::make_brep(box), "box", 0};
+  const Decomposition result = decompose(solid.brep, solid.name);
+  EXPECT_EQ(result.report.hexahedra, 1);
+  expect_sound(solid, result);
+}
+
+TEST(StarCells, AreTetrahedraThatFillTheCellAndMeetAtItsFaces) {
+  const geometry::Brep solid = geometry::make_brep(samples::pyramid(4));
+  const geometry::CellComplex stars = star_cells(solid, geometry::one_cell(solid));
+  ASSERT_EQ(stars.cells.size(), 8U);  // one for each edge of the base and one for each triangle
+  std::vector<geometry::CellId> all;
+  for (int c = 0; c < 8; ++c) all.emplace_back(c);
+  double volume = 0;
+  for (const geometry::Brep& cell : cell_solids(solid, stars, all)) {
+    EXPECT_EQ(cell.faces().size(), 4U);
+    volume += cell.volume();
+  }
+  EXPECT_NEAR(volume, solid.volume(), 1e-12);
+  std::map<FaceId, int> uses;
+  for (const geometry::Cell& cell : stars.cells)
+    for (const geometry::CellFaceUse& use : cell.faces) ++uses[use.face];
+  for (const auto& [face, count] : uses) EXPECT_EQ(count, stars.face(face).origin ? 1 : 2);
+}
+
+TEST(Decompose, GivesUpInTime) {
+  DecompositionOptions options;
+  options.time_limit = 1e-9;
+  const geometry::Brep solid = geometry::make_brep(samples::l_shape());
+  EXPECT_ERROR(decompose(solid, "l", options), ErrorCode::unsupported, "time_limit");
+}
+
+TEST(Decompose, RefusesOptionsOutOfRange) {
+  const geometry::Brep solid = geometry::make_brep(samples::l_shape());
+  DecompositionOptions options;
+  options.cut.smallest_angle = Angle::degrees(50);
+  EXPECT_ERROR(decompose(solid, "l", options), ErrorCode::invalid_argument, "smallest_angle");
+  options = {};
+  options.max_cells = 0;
+  EXPECT_ERROR(decompose(solid, "l", options), ErrorCode::invalid_argument, "max_cells");
+}
+
+/// Models by others.
+class DecomposeModel : public testing::TestWithParam<const char*> {};
+
+TEST_P(DecomposeModel, EndsInHexahedra) {
+  const char* folder = std::getenv("ISOPATCH_DATA");
+  const std::filesystem::path path = std::filesystem::path(folder ? folder : "") / GetParam();
+  if (!folder || !std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;
+  const geometry::BrepFile solid = geometry::read_brep(path);
+  const Decomposition result = decompose(solid.brep, solid.name);
+  expect_sound(solid, result);
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, DecomposeModel,
+                         testing::Values("solids/ffoLshapeCut.xml", "solids/ffoTriBiPyramid.xml",
+                                         "solids/house.off", "solids/E_triangulated.off",
+                                         "models/7-connected.step", "models/block_fillet1.step",
+                                         "models/three_concave_edge.step", "models/conjoined_twins.step"));
+
+}  // namespace
+}  // namespace isopatch::segmentation
