@@ -14,9 +14,10 @@ void validate(const HexModel& model) {
   const std::size_t blocks = model.topology.blocks.size();
   if (blocks == 0) throw Error(ErrorCode::invalid_argument, "a complex needs at least one hexahedron");
   if (model.solids.size() != blocks || model.faces.size() != blocks || model.bodies.size() != blocks)
-    throw Error(ErrorCode::invalid_argument,
-                fmt::format("a complex of {} blocks comes with {} solids, the faces of {} and the bodies of {}",
-                            blocks, model.solids.size(), model.faces.size(), model.bodies.size()));
+    throw Error(
+        ErrorCode::invalid_argument,
+        fmt::format("a complex of {} blocks comes with {} solids, the faces of {} and the bodies of {}",
+                    blocks, model.solids.size(), model.faces.size(), model.bodies.size()));
   geometry::validate(model.topology);
   for (std::size_t b = 0; b < blocks; ++b)
     for (const geometry::BlockFace& face : model.faces[b]) {
