@@ -116,8 +116,7 @@ class Templates {
       }
       cells_.push_back(std::move(old));
     }
-    for (std::size_t e = 0; e < complex_.edges.size(); ++e)
-      ends_.emplace_back(complex_.edges[e].start, complex_.edges[e].end);
+    for (const geometry::CellEdge& edge : complex_.edges) ends_.emplace_back(edge.start, edge.end);
   }
 
   /// Of half the length.
@@ -267,7 +266,8 @@ class Templates {
     const std::map<VertexId, VertexId> part_of = parts(cell.corners, whole_edges);
     std::map<VertexId, Cell> made;
     for (const CellFaceUse& use : cell.faces)
-      for (const auto& [corner, part] : parts_.at(use.face)) {
+      for (const auto& [corner, face] : parts_.at(use.face)) {
+        const FaceId part = face;
         std::vector<CellFaceUse>& faces = made[part_of.at(corner)].faces;
         if (std::none_of(faces.begin(), faces.end(), [&](const auto& known) { return known.face == part; }))
           faces.push_back({part, use.reversed, static_cast<int>(faces.size())});
