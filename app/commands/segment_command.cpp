@@ -30,12 +30,15 @@ ExitCode segment_command(const SegmentCommand& command, const Console& console) 
   if (!command.length_unit.empty())
     input.files.length_unit = length_unit(InputFile{{}, {}, command.length_unit});
   set_reading(command.reading, input.files);
-  std::filesystem::create_directories(command.output);
-  check_writable(command.output);
+  const OutputFolder folder(command.output);
   ProgressDisplay display(console);
   const CutSolids solids = cut_solids(input, display.progress());
+  const auto block = [&](std::size_t b) { return command.output / fmt::format("block_{}.step", b); };
   for (std::size_t b = 0; b < solids.blocks.size(); ++b)
-    geometry::write_brep(command.output / fmt::format("block_{}.step", b), solids.blocks[b].brep);
+    geometry::write_brep(block(b), solids.blocks[b].brep);
+  // Of an earlier run that made more.
+  for (std::size_t b = solids.blocks.size(); std::filesystem::remove(block(b)); ++b) {
+  }
   display.clear();
   for (const std::string& warning : solids.warnings) console.warn(warning);
   if (!console.quiet)

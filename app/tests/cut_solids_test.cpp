@@ -67,6 +67,26 @@ TEST_F(CutSolidsOfStudies, AreWrittenAsStepFilesWithTheirFacesNames) {
   EXPECT_THAT(out_, HasSubstr("face 1"));
 }
 
+TEST_F(CutSolidsOfStudies, ReplaceThoseOfAnEarlierCommand) {
+  write_file(file("l.off"), l_shape);
+  ASSERT_EQ(run({"segment", file("l.off"), "-o", file("blocks")}), 0) << err_;
+  write_file(file("box.off"),
+             "OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n4 0 3 2 1\n4 4 5 6 7\n4 0 "
+             "1 5 4\n4 1 2 6 5\n4 2 3 7 "
+             "6\n4 3 0 4 7\n");
+  ASSERT_EQ(run({"segment", file("box.off"), "-o", file("blocks")}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("as it is"));
+  EXPECT_TRUE(fs::exists(file("blocks/block_0.step")));
+  EXPECT_FALSE(fs::exists(file("blocks/block_1.step")));
+}
+
+TEST_F(CutSolidsOfStudies, NeedAFolderThatCanBeWritten) {
+  write_file(file("l.off"), l_shape);
+  EXPECT_NE(run({"segment", file("l.off"), "-o", "/proc/blocks"}), 0);
+  EXPECT_THAT(err_, HasSubstr("/proc/blocks"));
+  EXPECT_THAT(err_, testing::Not(HasSubstr("bug")));
+}
+
 TEST_F(CutSolidsOfStudies, SayWhatStandsInTheWay) {
   write_file(file("l.off"), l_shape);
   EXPECT_EQ(
@@ -74,6 +94,7 @@ TEST_F(CutSolidsOfStudies, SayWhatStandsInTheWay) {
           l_study +
           "[segmentation]\ntime_limit = 1e-9\n[[support]]\nfaces = [\"face 0\"]\ndisplacement = [0, 0, 0]\n"),
       2);
+  EXPECT_THAT(err_, HasSubstr("solid 'l': no way"));
   EXPECT_THAT(err_, HasSubstr("raise time_limit"));
   EXPECT_EQ(run_text("[model]\nblocks = [\"l.off\"]\n[segmentation]\nbeam = 3\n[[material]]\nyoung = "
                      "1\npoisson = 0\n[[support]]\nfaces "

@@ -15,8 +15,13 @@ namespace {
 void require_disc(const Brep& source, FaceId id) {
   const BrepFace& face = source.face(id);
   const auto refuse = [&](const std::string& what) {
-    throw SolidError(ErrorCode::unsupported, fmt::format("{} {}", describe(source, id), what),
-                     {.faces = {{id.value}}});
+    throw SolidError(
+        ErrorCode::unsupported,
+        fmt::format(
+            "{} {}; cut the solid through it in the CAD program, so that each face has one outline of "
+            "several edges",
+            describe(source, id), what),
+        {.faces = {{id.value}}});
   };
   if (face.loops.size() != 1) refuse(fmt::format("has {} outlines; one is needed", face.loops.size()));
   for (const EdgeUse& use : face.loops.front()) {

@@ -94,6 +94,7 @@ class Conformer {
   }
 
   CellComplex make() {
+    progress_("letting parts meet side to side", 0);
     bool first = true;
     for (bool changed = true; changed;) {
       changed = false;
@@ -115,7 +116,6 @@ class Conformer {
               ErrorCode::unsupported,
               fmt::format("more than {} cells would be needed for them to meet side to side; raise max_cells",
                           options_.max_cells));
-        progress_(fmt::format("letting {} cells meet side to side", complex_.cells.size()), 0);
       }
       first = false;
     }

@@ -7,6 +7,11 @@
 
 #include "geometry/base/error.hpp"
 #include "geometry/base/stopwatch.hpp"
+#include "geometry/brep/brep_graph.hpp"
+#include "geometry/brep/require_solid.hpp"
+#include "geometry/brep/solid_error.hpp"
+#include "geometry/topology/graph_connectivity.hpp"
+#include "segmentation/decomposition/combinatorics/cell_incidence.hpp"
 #include "segmentation/decomposition/conforming.hpp"
 #include "segmentation/decomposition/cut_tree.hpp"
 #include "segmentation/decomposition/geometric_oracle.hpp"
@@ -25,7 +30,34 @@ std::string reasons(const CellStore& store) {
   return text;
 }
 
-/// By further cuts, if there are not too many of them, else by tetrahedra.
+/// @throws SolidError not_three_connected  naming two faces that meet in more than a vertex or an edge, and
+/// where
+void require_three_connected(const geometry::Brep& solid, const CellGraph& sides) {
+  if (is_three_connected(sides)) return;
+  const geometry::EdgeGraph graph = edge_graph(solid);
+  const auto report = connectivity(graph, topology(graph, boundary(graph)));
+  std::string where;
+  geometry::SolidFault fault;
+  if (const auto& conflict = report.conflict) {
+    where = fmt::format(": {} and {} meet in {} and in {} without the edge between them",
+                        describe(solid, conflict->first), describe(solid, conflict->second),
+                        describe(solid, conflict->u), describe(solid, conflict->v));
+    fault.faces = {{conflict->first.value}, {conflict->second.value}};
+    fault.points = {{"one place", solid.vertex(conflict->u)}, {"the other", solid.vertex(conflict->v)}};
+  }
+  throw geometry::SolidError(
+      ErrorCode::not_three_connected,
+      fmt::format("its edge graph is not 3-connected{}; cut the solid there in the CAD program", where),
+      std::move(fault));
+}
+
+bool is_polyhedral(const geometry::Brep& solid, const geometry::CellComplex& complex) {
+  for (std::size_t c = 0; c < complex.cells.size(); ++c)
+    if (!is_polyhedral(CellShapes(solid, complex), geometry::CellId(static_cast<int>(c)))) return false;
+  return true;
+}
+
+/// By further cuts, if there are not too many of them, else by tetrahedra, which need plane sides.
 geometry::CellComplex side_to_side(const geometry::Brep& solid, geometry::CellComplex complex,
                                    const DecompositionOptions& options, DecompositionReport& report,
                                    const Progress& progress) {
@@ -34,33 +66,30 @@ geometry::CellComplex side_to_side(const geometry::Brep& solid, geometry::CellCo
   try {
     return conforming(solid, complex, limited, report, progress);
   } catch (const Error&) {
+    if (!is_polyhedral(solid, complex)) throw;
     report.further_cuts = 0;
     report.by_tetrahedra = true;
     return star_cells(solid, std::move(complex));
   }
 }
 
-}  // namespace
-
-Decomposition decompose(const geometry::Brep& solid, const std::string& name,
-                        const DecompositionOptions& options, const Progress& progress) {
-  validate(options);
+Decomposition cut_to_hexahedra(const geometry::Brep& solid, const DecompositionOptions& options,
+                               const Progress& progress) {
   const Stopwatch watch;
-  progress(fmt::format("cutting '{}'", name), 0);
   Decomposition result;
   result.complex = prepared(solid);
   CellStore store(solid, options.cut, options.time_limit);
   const geometry::CellId all(0);
   const SearchCell whole = store.add(result.complex, all);
+  require_three_connected(solid, whole.graph);
   const CutTree tree = search_cuts(whole, geometric_oracle(store), options.search);
   result.report.evaluations = tree.evaluations;
   if (!tree.complete())
-    throw Error(
-        ErrorCode::unsupported,
-        fmt::format(
-            "solid '{}': {} of its parts could not be cut into hexahedra, prisms and tetrahedra; {} cuts "
-            "were tried, {} of them refused{}",
-            name, tree.unfinished.size(), tree.evaluations, tree.refusals, reasons(store)));
+    throw Error(ErrorCode::unsupported,
+                fmt::format("{} of its parts could not be cut into hexahedra, prisms and tetrahedra; {} cuts "
+                            "were tried, {} of them "
+                            "refused{}. Cut the solid in the CAD program where its parts join",
+                            tree.unfinished.size(), tree.evaluations, tree.refusals, reasons(store)));
   result.report.cuts = apply_cuts(solid, result.complex, all, tree, store, options.cut);
   result.report.cells = static_cast<int>(result.complex.cells.size());
   result.complex = side_to_side(solid, std::move(result.complex), options, result.report, progress);
@@ -68,6 +97,22 @@ Decomposition decompose(const geometry::Brep& solid, const std::string& name,
   result.report.hexahedra = static_cast<int>(result.complex.cells.size());
   result.report.seconds = watch.seconds();
   return result;
+}
+
+}  // namespace
+
+Decomposition decompose(const geometry::Brep& solid, const std::string& name,
+                        const DecompositionOptions& options, const Progress& progress) {
+  validate(options);
+  progress(fmt::format("cutting '{}'", name), 0);
+  const auto named = [&](const Error& error) { return fmt::format("solid '{}': {}", name, error.what()); };
+  try {
+    return cut_to_hexahedra(solid, options, progress);
+  } catch (const geometry::SolidError& error) {
+    throw geometry::SolidError(error.code(), named(error), of_solid(error.fault(), name));
+  } catch (const Error& error) {
+    throw Error(error.code(), named(error));
+  }
 }
 
 }  // namespace isopatch::segmentation

@@ -1,11 +1,11 @@
 #include "segmentation/decomposition/search_cell.hpp"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "geometry/base/dense_matrices.hpp"
 #include "geometry/base/error.hpp"
 #include "segmentation/decomposition/combinatorics/cell_incidence.hpp"
 #include "segmentation/decomposition/cutting/vertex_on_chain.hpp"
@@ -62,8 +62,9 @@ bool has_surface(const SearchCell& cell, const CuttingLoop& loop, bool cell_is_p
     }
   }
   const Eigen::Vector3d centre = points.rowwise().mean();
-  const Eigen::JacobiSVD<Eigen::Matrix3Xd> axes(points.colwise() - centre);
-  return axes.singularValues()[2] <= tolerance;
+  const Eigen::Matrix3Xd arms = points.colwise() - centre;
+  const Eigen::Vector3d normal = symmetric_eigen(arms * arms.transpose()).vectors.col(0);
+  return (normal.transpose() * arms).cwiseAbs().maxCoeff() <= tolerance;
 }
 
 /// What the edges inside a cell's sides will cost, in hexahedra: the cell has to be cut along them, into

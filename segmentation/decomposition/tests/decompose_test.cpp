@@ -9,6 +9,7 @@
 
 #include "geometry/base/tests/expect_error.hpp"
 #include "geometry/brep/cell_solids.hpp"
+#include "geometry/brep/make_brep.hpp"
 #include "geometry/brep/read_brep.hpp"
 #include "segmentation/decomposition/blocks.hpp"
 #include "segmentation/decomposition/combinatorics/base_solid.hpp"
@@ -69,7 +70,7 @@ TEST_P(Decompose, MakesFewHexahedraThatFillTheSolidAndMeetSideToSide) {
 INSTANTIATE_TEST_SUITE_P(
     Solids, Decompose,
     testing::Values(
-        Sample{"tetrahedron", samples::tetrahedron(), 4},
+        Sample{"tetrahedron", samples::pyramid(3), 4},
         Sample{"prism", samples::prism({{0, 0}, {1, 0}, {0, 1}}, 1), 3},
         Sample{"pyramid", samples::pyramid(4), 8}, Sample{"l_shape", samples::l_shape(), 2},
         Sample{"house", samples::house(), 2}, Sample{"pyramid_6", samples::pyramid(6), 16},
@@ -111,6 +112,20 @@ TEST(Decompose, GivesUpInTime) {
   options.time_limit = 1e-9;
   const geometry::Brep solid = geometry::make_brep(samples::l_shape());
   EXPECT_ERROR(decompose(solid, "l", options), ErrorCode::unsupported, "time_limit");
+}
+
+TEST(Decompose, NamesTheFacesOfAGraphThatIsNotThreeConnected) {
+  const geometry::Brep solid = geometry::make_brep(samples::house_with_a_notch());
+  EXPECT_ERROR(decompose(solid, "notched", {}), ErrorCode::not_three_connected,
+               "solid 'notched': its edge graph is not 3-connected: face 5 and face 6 meet in vertex 3");
+}
+
+TEST(Decompose, EndsOnRandomConvexSolids) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE(seed);
+    const geometry::BrepFile solid{geometry::make_brep(samples::random_hull(6, seed)), "hull", 0};
+    expect_sound(solid, decompose(solid.brep, solid.name));
+  }
 }
 
 TEST(Decompose, RefusesOptionsOutOfRange) {

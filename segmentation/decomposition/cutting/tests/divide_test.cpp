@@ -5,6 +5,7 @@
 #include "segmentation/decomposition/cutting/auxiliary_curve.hpp"
 #include "segmentation/decomposition/cutting/cutting_surface.hpp"
 #include "segmentation/decomposition/cutting/divide.hpp"
+#include "segmentation/decomposition/cutting/tests/sample_polyhedra.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -14,15 +15,8 @@ using geometry::CellId;
 using geometry::EdgeUse;
 
 // A prism of height 1 over an L of area 3; vertices i below, i + 6 above; concave at (1, 1).
-geometry::Brep l_shape() {
-  geometry::Polyhedron solid;
-  solid.vertices.resize(3, 12);
-  solid.vertices << 0, 2, 2, 1, 1, 0, 0, 2, 2, 1, 1, 0,  //
-      0, 0, 1, 1, 2, 2, 0, 0, 1, 1, 2, 2,                //
-      0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1;
-  solid.faces = {{5, 4, 3, 2, 1, 0}, {6, 7, 8, 9, 10, 11}};
-  for (int i = 0; i < 6; ++i) solid.faces.push_back({i, (i + 1) % 6, (i + 1) % 6 + 6, i + 6});
-  return geometry::make_brep(solid);
+geometry::Brep l_prism() {
+  return geometry::make_brep(samples::prism({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, 1));
 }
 
 EdgeId edge_between(const CellComplex& complex, VertexId a, VertexId b) {
@@ -33,7 +27,7 @@ EdgeId edge_between(const CellComplex& complex, VertexId a, VertexId b) {
 }
 
 TEST(Divide, CutsAnLIntoTwoBlocks) {
-  const geometry::Brep source = l_shape();
+  const geometry::Brep source = l_prism();
   CellComplex complex = one_cell(source);
   const double tolerance = 1e-9;
   const auto add = [&](FaceId face, VertexId from, VertexId to) {

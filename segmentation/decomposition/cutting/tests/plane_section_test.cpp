@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "geometry/brep/cell_solids.hpp"
+#include "geometry/brep/make_brep.hpp"
 #include "segmentation/decomposition/cutting/cut_cell.hpp"
 #include "segmentation/decomposition/cutting/inside.hpp"
 #include "segmentation/decomposition/cutting/tests/sample_polyhedra.hpp"

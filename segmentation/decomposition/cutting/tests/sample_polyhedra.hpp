@@ -1,14 +1,18 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <vector>
 
-#include "geometry/brep/make_brep.hpp"
+#include "geometry/polyhedron.hpp"
+#include "geometry/topology/tests/sample_solids.hpp"
 
 namespace isopatch::segmentation::samples {
 
-/// A prism over a polygon, counter-clockwise, from z = 0 to `height`.
+using geometry::test::l_shape;
+using geometry::test::pyramid;
+using geometry::test::random_hull;
+
+/// A prism over a polygon, counter-clockwise, from z = 0 to `height`. Face 0 is the bottom, face 1 the top.
 inline geometry::Polyhedron prism(const std::vector<std::array<double, 2>>& polygon, double height) {
   const int n = static_cast<int>(polygon.size());
   geometry::Polyhedron solid;
@@ -26,32 +30,21 @@ inline geometry::Polyhedron prism(const std::vector<std::array<double, 2>>& poly
   return solid;
 }
 
-/// A pyramid over a regular polygon.
-inline geometry::Polyhedron pyramid(int n) {
-  geometry::Polyhedron solid;
-  solid.vertices.resize(3, n + 1);
-  std::vector<int> base;
-  for (int i = 0; i < n; ++i) {
-    const double angle = 2 * 3.14159265358979323846 * i / n;
-    solid.vertices.col(i) << std::cos(angle), std::sin(angle), 0;
-    base.insert(base.begin(), i);
-  }
-  solid.vertices.col(n) << 0, 0, 1.2;
-  solid.faces = {base};
-  for (int i = 0; i < n; ++i) solid.faces.push_back({i, (i + 1) % n, n});
-  return solid;
-}
-
-inline geometry::Polyhedron tetrahedron() {
-  return pyramid(3);
-}
-
-inline geometry::Polyhedron l_shape() {
-  return prism({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, 1);
-}
-
 inline geometry::Polyhedron house() {
   return prism({{0, 0}, {2, 0}, {2, 1}, {1, 2}, {0, 1}}, 2);
+}
+
+/// A house with a notch in its ridge, between whose ends both halves of the roof meet: they share two
+/// vertices without an edge between them.
+inline geometry::Polyhedron house_with_a_notch() {
+  geometry::Polyhedron solid;
+  solid.vertices.resize(3, 14);
+  solid.vertices << 0, 0, 0, 0, 0, 3, 3, 3, 3, 3, 1, 2, 1.5, 1.5,  //
+      0, 2, 2, 1, 0, 0, 2, 2, 1, 0, 1, 1, 0.5, 1.5,                //
+      0, 0, 1, 2, 1, 0, 0, 1, 2, 1, 2, 2, 1.5, 1.5;
+  solid.faces = {{0, 4, 3, 2, 1},          {5, 6, 7, 8, 9},          {0, 1, 6, 5}, {1, 2, 7, 6}, {0, 5, 9, 4},
+                 {2, 3, 10, 13, 11, 8, 7}, {9, 8, 11, 12, 10, 3, 4}, {10, 12, 13}, {11, 13, 12}};
+  return solid;
 }
 
 }  // namespace isopatch::segmentation::samples
