@@ -23,7 +23,7 @@ std::vector<CuttingLoop> proposals(CellStore& store, const SearchCell& cell) {
     if (!convex && cell.graph.edges[e].kind != EdgeKind::non_convex) continue;
     for (SpacedLoop& loop :
          plane_sections(shapes, entry.sides, EdgeId(static_cast<int>(e)), 1e-7 * store.source().size())) {
-      store.propose(cell.handle, loop.loop, std::move(loop.places));
+      store.propose(cell.handle, loop.loop, loop.places);
       result.push_back(std::move(loop.loop));
     }
   }

@@ -154,8 +154,8 @@ CutAnswer CellStore::cut(const SearchCell& cell, const CuttingLoop& loop) {
   return answer;
 }
 
-void CellStore::propose(int handle, const CuttingLoop& loop, std::vector<Eigen::Vector3d> places) {
-  proposed_.try_emplace({handle, loop}, std::move(places));
+void CellStore::propose(int handle, const CuttingLoop& loop, const std::vector<Eigen::Vector3d>& places) {
+  proposed_.try_emplace({handle, loop}, places);
 }
 
 std::vector<Eigen::Vector3d> CellStore::places(int handle, const CuttingLoop& loop) const {

@@ -19,14 +19,14 @@ namespace isopatch::segmentation {
 class CellStore {
  public:
   /// @param time_limit  seconds from now, after which `cut` throws Error unsupported
-  CellStore(geometry::Brep source, CutOptions options, double time_limit)
-      : source_(std::move(source)), options_(std::move(options)), time_limit_(time_limit) {}
+  CellStore(geometry::Brep source, const CutOptions& options, double time_limit)
+      : source_(std::move(source)), options_(options), time_limit_(time_limit) {}
 
   /// A cell by itself.
   SearchCell add(const geometry::CellComplex& complex, geometry::CellId cell);
 
   /// Says where the places of a loop are to be, m.
-  void propose(int handle, const CuttingLoop& loop, std::vector<Eigen::Vector3d> places);
+  void propose(int handle, const CuttingLoop& loop, const std::vector<Eigen::Vector3d>& places);
 
   /// Cuts by geometry, and remembers where places were.
   CutAnswer cut(const SearchCell& cell, const CuttingLoop& loop);
