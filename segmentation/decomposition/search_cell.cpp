@@ -8,6 +8,7 @@
 #include "geometry/base/dense_matrices.hpp"
 #include "geometry/base/error.hpp"
 #include "segmentation/decomposition/combinatorics/cell_incidence.hpp"
+#include "segmentation/decomposition/cutting/inside.hpp"
 #include "segmentation/decomposition/cutting/vertex_on_chain.hpp"
 
 namespace isopatch::segmentation {
@@ -16,7 +17,7 @@ using geometry::CellComplex;
 using geometry::CellId;
 
 SearchCell CellStore::add(const CellComplex& complex, CellId cell) {
-  Entry entry{complex, CellId(0), {}};
+  Entry entry{complex, CellId(0), {}, false, {}};
   entry.complex.cells = {complex.cell(cell)};
   entry.sides = cell_sides(CellShapes(source_, entry.complex), CellId(0), options_.sides);
   entry.polyhedral = is_polyhedral(CellShapes(source_, entry.complex), CellId(0));
@@ -118,10 +119,12 @@ CutAnswer CellStore::cut(const SearchCell& cell, const CuttingLoop& loop) {
   if (proposed == proposed_.end() &&
       !has_surface(cell, loop, entry(cell.handle).polyhedral, 1e-7 * source_.size()))
     return refused("no surface is known through its places");
-  const Entry& whole = entry(cell.handle);
+  Entry& whole = entries_[static_cast<std::size_t>(cell.handle)];
+  if (whole.boundary.cols() == 0)
+    whole.boundary = boundary_triangles(CellShapes(source_, whole.complex), whole.cell);
   CutAttempt attempt;
   if (proposed == proposed_.end()) {
-    attempt = cut_cell(source_, whole.complex, whole.cell, whole.sides, {loop}, options_);
+    attempt = cut_cell(source_, whole.complex, whole.cell, whole.sides, {loop}, options_, &whole.boundary);
   } else {
     CellComplex complex = whole.complex;
     PlacedLoop placed{loop, std::vector<VertexId>(loop.places.size())};
@@ -131,7 +134,8 @@ CutAnswer CellStore::cut(const SearchCell& cell, const CuttingLoop& loop) {
                                        whole.sides.edges[static_cast<std::size_t>(loop.places[i].edge.value)],
                                        proposed->second[i], 1e-7 * source_.size());
     const CellSides sides = cell_sides(CellShapes(source_, complex), whole.cell, options_.sides);
-    attempt = cut_cell(source_, std::move(complex), whole.cell, sides, placed, options_);
+    attempt =
+        cut_cell(source_, std::move(complex), whole.cell, sides, placed, options_, &whole.boundary);
   }
   if (!attempt.cut) return refused(attempt.refusal);
   CutAnswer answer;

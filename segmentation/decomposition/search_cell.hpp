@@ -36,6 +36,7 @@ class CellStore {
     geometry::CellId cell;
     CellSides sides;
     bool polyhedral = false;  ///< plane sides and straight edges: stays so, by plane cuts
+    Eigen::Matrix3Xd boundary;  ///< its triangles, once they were asked for
   };
   const geometry::Brep& source() const { return source_; }
   const Entry& entry(int handle) const { return entries_[static_cast<std::size_t>(handle)]; }

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "geometry/base/error.hpp"
-#include "geometry/brep/cell_solids.hpp"
 #include "segmentation/decomposition/cutting/chord.hpp"
 #include "segmentation/decomposition/cutting/cutting_surface.hpp"
 #include "segmentation/decomposition/cutting/divide.hpp"
@@ -31,12 +30,13 @@ struct Refused {
 class Cutter {
  public:
   Cutter(const Brep& source, CellComplex complex, CellId cell, const CellSides& sides,
-         const CutOptions& options)
+         const CutOptions& options, const Eigen::Matrix3Xd* boundary)
       : source_(source),
         complex_(std::move(complex)),
         cell_(cell),
         sides_(sides),
         options_(options),
+        boundary_(boundary),
         tolerance_(options.tolerance * source.size()),
         polyhedral_(is_polyhedral(shapes(), cell)),
         convex_(is_convex()),
@@ -227,8 +227,8 @@ class Cutter {
   }
 
   void require_inside(const CellComplex& before, FaceId face) const {
-    const geometry::Tessellation boundary = tessellate(cell_solids(source_, before, {cell_}).front(),
-                                                       {.chord = 5e-3, .turn = Angle::degrees(20)});
+    const Eigen::Matrix3Xd boundary =
+        boundary_ != nullptr ? *boundary_ : boundary_triangles(CellShapes(source_, before), cell_);
     const Eigen::Matrix2Xd inside = points_inside(outline(shapes(), face));
     if (inside.cols() == 0) throw Refused{"the cut would be too thin"};
     for (const auto& uv : inside.colwise())
@@ -241,6 +241,7 @@ class Cutter {
   CellId cell_;
   const CellSides& sides_;
   const CutOptions& options_;
+  const Eigen::Matrix3Xd* boundary_;
   double tolerance_;
   bool polyhedral_, convex_;
   std::vector<std::vector<EdgeUse>>
@@ -261,10 +262,10 @@ void validate(const CutOptions& options) {
 }
 
 CutAttempt cut_cell(const Brep& source, CellComplex complex, CellId cell, const CellSides& sides,
-                    const PlacedLoop& loop, const CutOptions& options) {
+                    const PlacedLoop& loop, const CutOptions& options, const Eigen::Matrix3Xd* boundary) {
   validate(options);
   try {
-    return {Cutter(source, std::move(complex), cell, sides, options).cut(loop)};
+    return {Cutter(source, std::move(complex), cell, sides, options, boundary).cut(loop)};
   } catch (const Refused& refused) {
     return {std::nullopt, refused.why};
   }

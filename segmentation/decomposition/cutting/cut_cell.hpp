@@ -57,8 +57,10 @@ struct CutAttempt {
 /// Checked: the surface stays inside the cell, meets the sides at no small angle, and makes no short edge.
 /// What lies outside of the cell is not changed, but that sides which it shares are divided.
 /// @param sides  of the cell
-/// @cost  one triangulation of the cell, if the surface could leave it
+/// @param boundary  `boundary_triangles` of the cell, where the caller keeps them
+/// @cost  one triangulation of the cell, if the surface could leave it and `boundary` is not given
 CutAttempt cut_cell(const geometry::Brep& source, geometry::CellComplex complex, geometry::CellId cell,
-                    const CellSides& sides, const PlacedLoop& loop, const CutOptions& options = {});
+                    const CellSides& sides, const PlacedLoop& loop, const CutOptions& options = {},
+                    const Eigen::Matrix3Xd* boundary = nullptr);
 
 }  // namespace isopatch::segmentation

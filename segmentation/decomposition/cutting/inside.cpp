@@ -3,20 +3,58 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
+
+#include "geometry/brep/cell_solids.hpp"
 
 namespace isopatch::segmentation {
 
-double winding_number(const geometry::Tessellation& boundary, const Eigen::Vector3d& point) {
-  double sum = 0;
-  for (const geometry::FaceTriangles& face : boundary.faces)
-    for (const auto& triangle : face.triangles.colwise()) {
-      const Eigen::Vector3d a = face.points.col(triangle[0]) - point,
-                            b = face.points.col(triangle[1]) - point,
-                            c = face.points.col(triangle[2]) - point;
-      const double la = a.norm(), lb = b.norm(), lc = c.norm();
-      sum += std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+namespace {
+
+Eigen::Matrix3Xd columns(const std::vector<Eigen::Vector3d>& points) {
+  Eigen::Matrix3Xd result(3, static_cast<Eigen::Index>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i) result.col(static_cast<Eigen::Index>(i)) = points[i];
+  return result;
+}
+
+Eigen::Matrix3Xd fans(const CellShapes& shapes, geometry::CellId cell) {
+  const geometry::CellComplex& complex = shapes.complex();
+  std::vector<Eigen::Vector3d> points;
+  for (const geometry::CellFaceUse& face : complex.cell(cell).faces) {
+    const auto& loop = complex.face(face.face).loop;
+    const Eigen::Vector3d& first = complex.vertex(complex.from(loop.front()));
+    for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+      points.push_back(first);
+      points.push_back(complex.vertex(complex.from(loop[i])));
+      points.push_back(complex.vertex(complex.to(loop[i])));
+      if (face.reversed) std::swap(points.back(), points[points.size() - 2]);
     }
+  }
+  return columns(points);
+}
+
+}  // namespace
+
+Eigen::Matrix3Xd boundary_triangles(const CellShapes& shapes, geometry::CellId cell) {
+  if (is_polyhedral(shapes, cell)) return fans(shapes, cell);
+  const geometry::Brep solid = cell_solids(shapes.source(), shapes.complex(), {cell}).front();
+  std::vector<Eigen::Vector3d> points;
+  for (const geometry::FaceTriangles& face :
+       tessellate(solid, {.chord = 5e-3, .turn = Angle::degrees(20)}).faces)
+    for (const auto& triangle : face.triangles.colwise())
+      for (const int corner : triangle) points.emplace_back(face.points.col(corner));
+  return columns(points);
+}
+
+double winding_number(const Eigen::Matrix3Xd& triangles, const Eigen::Vector3d& point) {
+  double sum = 0;
+  for (Eigen::Index i = 0; i < triangles.cols(); i += 3) {
+    const Eigen::Vector3d a = triangles.col(i) - point, b = triangles.col(i + 1) - point,
+                          c = triangles.col(i + 2) - point;
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    sum += std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  }
   return sum / (2 * std::numbers::pi);
 }
 

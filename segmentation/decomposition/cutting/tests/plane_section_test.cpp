@@ -92,8 +92,8 @@ TEST(CutCell, RefusesWhatLeavesTheCellOrIsTooThin) {
 }
 
 TEST(WindingNumber, IsOneInsideAndNoneOutside) {
-  const geometry::Brep solid = geometry::make_brep(samples::l_shape());
-  const geometry::Tessellation boundary = tessellate(solid);
+  const OneCell cell(samples::l_shape());
+  const Eigen::Matrix3Xd boundary = boundary_triangles(CellShapes(cell.source, cell.complex), CellId(0));
   EXPECT_NEAR(winding_number(boundary, {0.5, 1.5, 0.5}), 1, 1e-12);
   EXPECT_NEAR(winding_number(boundary, {1.5, 1.5, 0.5}), 0, 1e-12);
 }
