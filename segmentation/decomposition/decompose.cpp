@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "geometry/base/error.hpp"
 #include "geometry/base/stopwatch.hpp"
@@ -57,47 +59,132 @@ bool is_polyhedral(const geometry::Brep& solid, const geometry::CellComplex& com
   return true;
 }
 
-/// By further cuts, if there are not too many of them, else by tetrahedra, which need plane sides.
-geometry::CellComplex side_to_side(const geometry::Brep& solid, geometry::CellComplex complex,
-                                   const DecompositionOptions& options, DecompositionReport& report,
-                                   const Progress& progress) {
-  DecompositionOptions limited = options;
-  limited.max_cells = std::min(options.max_cells, 20 + 6 * static_cast<int>(complex.cells.size()));
-  try {
-    return conforming(solid, complex, limited, report, progress);
-  } catch (const Error&) {
-    if (!is_polyhedral(solid, complex)) throw;
-    report.further_cuts = 0;
-    report.by_tetrahedra = true;
-    return star_cells(solid, std::move(complex));
-  }
+/// Searches weigh differently what cannot be weighed before neighbours are known: T-joints, and solids that are no
+/// hexahedra. The first is the one asked for.
+std::vector<SearchOptions> searches(const SearchOptions& asked) {
+  std::vector<SearchOptions> result;
+  for (const double divided : {1.0, 2.0, 0.0})
+    for (const double t_joint : {1.0, 0.25, 4.0}) {
+      result.push_back(asked);
+      result.back().cost.divided *= divided;
+      result.back().cost.t_joint *= t_joint;
+    }
+  return result;
 }
 
-Decomposition cut_to_hexahedra(const geometry::Brep& solid, const DecompositionOptions& options,
-                               const Progress& progress) {
-  const Stopwatch watch;
-  Decomposition result;
-  result.complex = prepared(solid);
-  CellStore store(solid, options.cut, options.time_limit);
-  const geometry::CellId all(0);
-  const SearchCell whole = store.add(result.complex, all);
-  require_three_connected(solid, whole.graph);
-  const CutTree tree = search_cuts(whole, geometric_oracle(store), options.search);
-  result.report.evaluations = tree.evaluations;
-  if (!tree.complete())
+/// Takes one solid apart: finds ways to cut it into base solids, and keeps the one of which the fewest hexahedra come
+/// once its parts meet side to side.
+class Decomposer {
+ public:
+  Decomposer(const geometry::Brep& solid, const DecompositionOptions& options, const Progress& progress)
+      : solid_(solid),
+        options_(options),
+        progress_(progress),
+        store_(solid, options.cut, options.time_limit),
+        prepared_(prepared(solid)),
+        whole_(store_.add(prepared_, geometry::CellId(0))) {
+    require_three_connected(solid, whole_.graph);
+  }
+
+  Decomposition make() {
+    for (const SearchOptions& search : searches(options_.search)) {
+      best_ && watch_.seconds() > options_.time_limit / 6) break;
+      look(search);
+    }
+    if (!best_ && complete_.empty()) give_up();
+    if (!best_) by_tetrahedra();
+    best_->report.evaluations = evaluations_;
+    best_->report.seconds = watch_.seconds();
+    return std::move(*best_);
+  }
+
+ private:
+  [[noreturn]] void give_up() const {
     throw Error(ErrorCode::unsupported,
                 fmt::format("{} of its parts could not be cut into hexahedra, prisms and tetrahedra; {} cuts "
                             "were tried, {} of them "
                             "refused{}. Cut the solid in the CAD program where its parts join",
-                            tree.unfinished.size(), tree.evaluations, tree.refusals, reasons(store)));
-  result.report.cuts = apply_cuts(solid, result.complex, all, tree, store, options.cut);
-  result.report.cells = static_cast<int>(result.complex.cells.size());
-  result.complex = side_to_side(solid, std::move(result.complex), options, result.report, progress);
-  result.complex = hexahedral(solid, std::move(result.complex), options.cut.tolerance * solid.size());
-  result.report.hexahedra = static_cast<int>(result.complex.cells.size());
-  result.report.seconds = watch.seconds();
-  return result;
-}
+                            unfinished_->unfinished.size(), unfinished_->evaluations, unfinished_->refusals,
+                            reasons(store_)));
+  }
+
+  Decomposition cut(const CutTree& tree) const {
+    Decomposition result;
+    result.complex = prepared_;
+    result.report.cuts = apply_cuts(solid_, result.complex, geometry::CellId(0), tree, store_, options_.cut);
+    result.report.cells = static_cast<int>(result.complex.cells.size());
+    return result;
+  }
+
+  /// One search; of its ways the one that takes the fewest hexahedra.
+  void look(const SearchOptions& search) {
+    std::vector<Decomposition> ways;
+    std::vector<geometry::CellComplex> starts;
+    for (const CutTree& tree : search_several(whole_, geometric_oracle(store_), search)) {
+      evaluations_ += tree.evaluations;
+      if (!tree.complete()) {
+        if (!unfinished_) unfinished_ = tree;
+        continue;
+      }
+      try {
+        ways.push_back(cut(tree));
+        starts.push_back(ways.back().complex);
+      } catch (const Error& error) {
+        failure_ = error.what();
+      }
+    }
+    if (ways.empty()) return;
+    ConformingOptions conform;
+    conform.cut = options_.cut;
+    conform.cut.smallest_angle = Angle::degrees(1);
+    conform.cut.shortest_edge /= 10;
+    conform.max_hexahedra = std::min(options_.max_cells, best_ ? best_->report.hexahedra - 1 : options_.max_cells);
+    ConformingAttempt attempt = conforming(solid_, starts, conform, progress_);
+    if (attempt.best.empty())
+      failure_ = attempt.refusal;
+    else
+      finish(std::move(attempt.best.front()), ways);
+    if (complete_.empty()) complete_.push_back(std::move(ways.front()));
+  }
+
+  void finish(ConformingCells cells, const std::vector<Decomposition>& ways) {
+    Decomposition way = ways[cells.start];
+    way.report.t_joints = t_joint_count(solid_, way.complex, options_.cut.sides);
+    way.report.further_cuts = cells.further_cuts;
+    way.complex = std::move(cells.complex);
+    finish(std::move(way));
+  }
+
+  void finish(Decomposition way) {
+    way.complex = hexahedral(solid_, std::move(way.complex), options_.cut.tolerance * solid_.size());
+    way.report.hexahedra = static_cast<int>(way.complex.cells.size());
+    best_ = std::move(way);
+  }
+
+  /// Around a point in every cell, which needs plane sides.
+  void by_tetrahedra() {
+    Decomposition& way = complete_.front();
+    if (!is_polyhedral(solid_, way.complex)) throw Error(ErrorCode::unsupported, failure_);
+    way.report.further_cuts = 0;
+    way.report.t_joints = t_joint_count(solid_, way.complex, options_.cut.sides);
+    way.report.by_tetrahedra = true;
+    way.complex = star_cells(solid_, std::move(way.complex));
+    finish(std::move(way));
+  }
+
+  const geometry::Brep& solid_;
+  const DecompositionOptions& options_;
+  const Progress& progress_;
+  Stopwatch watch_;
+  CellStore store_;
+  geometry::CellComplex prepared_;
+  SearchCell whole_;
+  int evaluations_ = 0;
+  std::optional<CutTree> unfinished_;
+  std::vector<Decomposition> complete_;  // the first way that was cut, but is not yet side to side
+  std::optional<Decomposition> best_;
+  std::string failure_;  // why the last way did not end
+};
 
 }  // namespace
 
@@ -107,7 +194,7 @@ Decomposition decompose(const geometry::Brep& solid, const std::string& name,
   progress(fmt::format("cutting '{}'", name), 0);
   const auto named = [&](const Error& error) { return fmt::format("solid '{}': {}", name, error.what()); };
   try {
-    return cut_to_hexahedra(solid, options, progress);
+    return Decomposer(solid, options, progress).make();
   } catch (const geometry::SolidError& error) {
     throw geometry::SolidError(error.code(), named(error), of_solid(error.fault(), name));
   } catch (const Error& error) {

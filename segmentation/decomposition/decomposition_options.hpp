@@ -6,12 +6,13 @@
 namespace isopatch::segmentation {
 
 struct DecompositionOptions {
-  SearchOptions search = {.beam = 12,
+  SearchOptions search = {.beam = 6,
                           .branches = 16,
                           .evaluations = 20000,
                           .refusals = 5000,
+                          .alternatives = 4,
                           .extensions = false,
-                          .cost = {.t_joint = 2}};
+                          .cost = {.t_joint = 2, .divided = 4}};
   CutOptions cut = {};
   double time_limit = 60;  ///< seconds, after which it is given up; above 0
   int max_cells = 2000;    ///< at most so many cells while sides are made to meet; range 1 ..

@@ -8,7 +8,7 @@ namespace isopatch::segmentation {
 
 bool is_finished(const BaseSolid& base) {
   return base.kind == BaseKind::hexahedron || base.kind == BaseKind::tetrahedron ||
-         (base.kind == BaseKind::prism && base.sides == 3);
+         base.kind == BaseKind::simple || (base.kind == BaseKind::prism && base.sides == 3);
 }
 
 namespace {

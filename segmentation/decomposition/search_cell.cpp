@@ -109,12 +109,17 @@ double penalty(const SearchCell& piece) {
 }  // namespace
 
 CutAnswer CellStore::cut(const SearchCell& cell, const CuttingLoop& loop) {
+  if (const auto known = answers_.find({cell.handle, loop}); known != answers_.end()) return known->second;
   if (watch_.seconds() > time_limit_)
     throw Error(
         ErrorCode::unsupported,
         fmt::format("no way of cutting it into hexahedra was found in {:.3g} s; raise time_limit, or cut the "
                     "solid in the CAD program where its parts join",
                     time_limit_));
+  return answers_[{cell.handle, loop}] = make_cut(cell, loop);
+}
+
+CutAnswer CellStore::make_cut(const SearchCell& cell, const CuttingLoop& loop) {
   const auto proposed = proposed_.find({cell.handle, loop});
   if (proposed == proposed_.end() &&
       !has_surface(cell, loop, entry(cell.handle).polyhedral, 1e-7 * source_.size()))

@@ -28,7 +28,7 @@ class CellStore {
   /// Says where the places of a loop are to be, m.
   void propose(int handle, const CuttingLoop& loop, const std::vector<Eigen::Vector3d>& places);
 
-  /// Cuts by geometry, and remembers where places were.
+  /// Cuts by geometry, and remembers what came of it and where places were.
   CutAnswer cut(const SearchCell& cell, const CuttingLoop& loop);
 
   struct Entry {
@@ -53,10 +53,12 @@ class CellStore {
   double time_limit_;
   Stopwatch watch_;
   CutAnswer refused(const std::string& why);
+  CutAnswer make_cut(const SearchCell& cell, const CuttingLoop& loop);
 
   std::deque<Entry> entries_;
   std::map<std::string, int> refusals_;
   std::map<std::pair<int, CuttingLoop>, std::vector<Eigen::Vector3d>> proposed_, places_;
+  std::map<std::pair<int, CuttingLoop>, CutAnswer> answers_;
 };
 
 }  // namespace isopatch::segmentation

@@ -63,6 +63,8 @@ const char* name(BaseKind kind) {
       return "tetrahedron";
     case BaseKind::pyramid:
       return "pyramid";
+    case BaseKind::simple:
+      return "simple solid";
   }
   return "unknown";
 }
@@ -78,6 +80,14 @@ std::optional<BaseSolid> base_solid(const CellGraph& graph) {
   return std::nullopt;
 }
 
+std::optional<BaseSolid> simple_solid(const CellGraph& graph) {
+  std::vector<int> degree(static_cast<std::size_t>(graph.vertex_count), 0);
+  for (const CellGraph::Edge& edge : graph.edges)
+    for (const VertexId end : {edge.start, edge.end}) ++degree[static_cast<std::size_t>(end.value)];
+  if (std::any_of(degree.begin(), degree.end(), [](int d) { return d != 3; })) return std::nullopt;
+  return BaseSolid{BaseKind::simple, graph.vertex_count, {}, {}};
+}
+
 int template_hexahedra(BaseKind kind, int sides) {
   switch (kind) {
     case BaseKind::hexahedron:
@@ -88,6 +98,8 @@ int template_hexahedra(BaseKind kind, int sides) {
       return 4;
     case BaseKind::pyramid:
       return 4 * (sides - 2);
+    case BaseKind::simple:
+      return sides;
   }
   return 0;
 }

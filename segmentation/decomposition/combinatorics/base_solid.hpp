@@ -7,14 +7,15 @@
 
 namespace isopatch::segmentation {
 
-/// Solids that templates turn into hexahedra. A tetrahedron is no pyramid here, a hexahedron no prism.
-enum class BaseKind { hexahedron, prism, tetrahedron, pyramid };
+/// Solids that templates turn into hexahedra. A tetrahedron is no pyramid here, a hexahedron no prism; simple is any
+/// other of which three edges meet at every vertex.
+enum class BaseKind { hexahedron, prism, tetrahedron, pyramid, simple };
 const char* name(BaseKind kind);
 
 /// A cell whose graph is that of a base solid, and which vertex is which.
 struct BaseSolid {
   BaseKind kind = BaseKind::hexahedron;
-  int sides = 4;  ///< corners of the base
+  int sides = 4;  ///< corners of the base; of a simple solid its vertices
   /// The base, counter-clockwise seen from inside the solid, starting at its lowest vertex; then the apex, or
   /// the top vertex over each corner of the base. The base is the first face that can be one.
   std::vector<VertexId> corners;
@@ -22,11 +23,14 @@ struct BaseSolid {
   bool operator==(const BaseSolid&) const = default;
 };
 
-/// By the graph alone, whatever the kinds of edges. For a graph that bounds a ball.
+/// By the graph alone, whatever the kinds of edges; never a simple one. For a graph that bounds a ball.
 std::optional<BaseSolid> base_solid(const CellGraph& graph);
 
+/// A graph with three edges at every vertex as a simple solid; its corners are not listed.
+std::optional<BaseSolid> simple_solid(const CellGraph& graph);
+
 /// How many hexahedra the templates make of a base solid: hexahedron 1, tetrahedron 4, pyramid over n corners
-/// 4 (n - 2), prism over n corners (n - 2) / 2 if n is even, else (n - 3) / 2 and three more.
+/// 4 (n - 2), prism over n corners (n - 2) / 2 if n is even, else (n - 3) / 2 and three more; a simple solid one a vertex.
 int template_hexahedra(BaseKind kind, int sides);
 
 }  // namespace isopatch::segmentation

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double unfinished_cost = 1000;
 
-// How a state came about, last cut first; shared by all that come of it.
+// How a state came about, last cut first; shared by all that come of it. Without an option a cell stays as a simple solid.
 struct CutDecision {
   int cell = -1, option = -1;
   std::shared_ptr<const CutDecision> before;
@@ -41,13 +41,15 @@ class BeamSearch {
                   "flat edges");
   }
 
-  CutTree run() {
+  std::vector<CutTree> run() {
     SearchState start;
     put(start, root_);
     rate(start);
     beam_.push_back(std::move(start));
     while (!beam_.empty()) advance();
-    return tree();
+    std::vector<CutTree> result;
+    for (const SearchState& state : best_) result.push_back(tree(state));
+    return result;
   }
 
  private:
@@ -83,7 +85,7 @@ class BeamSearch {
       else
         expand(state, greedy ? 1 : options_.branches, next);
     }
-    std::erase_if(next, [&](const SearchState& state) { return best_ && state.score >= best_->score; });
+    std::erase_if(next, [&](const SearchState& state) { return !is_wanted(state); });
     std::stable_sort(next.begin(), next.end(),
                      [](const SearchState& a, const SearchState& b) { return a.score < b.score; });
     next.erase(std::unique(next.begin(), next.end(), are_alike), next.end());
@@ -96,16 +98,28 @@ class BeamSearch {
     return a.fingerprint == b.fingerprint && std::abs(a.score - b.score) < 1e-9 * (1 + std::abs(a.score));
   }
 
+  bool is_wanted(const SearchState& state) const {
+    if (best_.empty()) return true;
+    const double most = 1.5 * best_.front().score + 3;
+    return state.score < (static_cast<int>(best_.size()) < options_.alternatives ? most : best_.back().score);
+  }
+
   void finish(const SearchState& state) {
-    if (!best_ || state.score < best_->score) best_ = state;
+    if (!is_wanted(state)) return;
+    const auto place = std::upper_bound(
+        best_.begin(), best_.end(), state,
+        [](const SearchState& a, const SearchState& b) { return a.score < b.score; });
+    best_.insert(place, state);
+    if (static_cast<int>(best_.size()) > options_.alternatives) best_.pop_back();
   }
 
   void expand(const SearchState& state, int branches, std::vector<SearchState>& next) {
     const int cell = state.open.front();
+    if (cells_.entry(cell).simple) next.push_back(as_simple_solid(state, cell));
     const std::size_t count = state.cuts < options_.cuts ? cells_.options(cell, branches).size() : 0;
     const std::size_t followed = std::min(count, static_cast<std::size_t>(branches));
     for (std::size_t k = 0; k < followed; ++k) next.push_back(after_cut(state, cell, static_cast<int>(k)));
-    if (followed == 0) next.push_back(without_cut(state, cell));
+    if (followed == 0 && !cells_.entry(cell).simple) next.push_back(without_cut(state, cell));
   }
 
   SearchState after_cut(const SearchState& state, int cell, int option) const {
@@ -120,6 +134,15 @@ class BeamSearch {
     return result;
   }
 
+  SearchState as_simple_solid(const SearchState& state, int cell) const {
+    SearchState result = state;
+    result.open.erase(result.open.begin());
+    result.done += cells_.entry(cell).simple_cost;
+    result.decisions = std::make_shared<const CutDecision>(CutDecision{cell, -1, state.decisions});
+    rate(result);
+    return result;
+  }
+
   SearchState without_cut(const SearchState& state, int cell) const {
     SearchState result = state;
     result.open.erase(result.open.begin());
@@ -128,25 +151,28 @@ class BeamSearch {
     return result;
   }
 
-  CutTree tree() const {
+  CutTree tree(const SearchState& state) const {
     std::map<int, int> option_of;
-    for (const CutDecision* d = best_->decisions.get(); d; d = d->before.get())
+    for (const CutDecision* d = state.decisions.get(); d; d = d->before.get())
       option_of[d->cell] = d->option;
     CutTree result;
     add_node(result, root_, option_of);
     result.evaluations = cells_.evaluations();
     result.refusals = cells_.refusals();
-    result.cost = best_->score;
+    result.cost = state.score;
     return result;
   }
 
   int add_node(CutTree& tree, int cell, const std::map<int, int>& option_of) const {
     const int number = static_cast<int>(tree.nodes.size());
     const SearchCells::Entry& entry = cells_.entry(cell);
-    tree.nodes.push_back({entry.cell, std::nullopt, {}, entry.base});
-    if (entry.base) {
-      tree.hexahedra += template_hexahedra(entry.base->kind, entry.base->sides);
-    } else if (const auto found = option_of.find(cell); found != option_of.end()) {
+    const auto found = option_of.find(cell);
+    const bool stays = found != option_of.end() && found->second < 0;
+    const std::optional<BaseSolid>& base = stays ? entry.simple : entry.base;
+    tree.nodes.push_back({entry.cell, std::nullopt, {}, base});
+    if (base) {
+      tree.hexahedra += template_hexahedra(base->kind, base->sides);
+    } else if (found != option_of.end()) {
       const CutOption& cut = entry.options[static_cast<std::size_t>(found->second)];
       tree.nodes[static_cast<std::size_t>(number)].loop = cut.loop;
       for (const int piece : cut.pieces) {
@@ -163,17 +189,24 @@ class BeamSearch {
   SearchCells cells_;
   int root_;
   std::vector<SearchState> beam_;
-  std::optional<SearchState> best_;
+  std::vector<SearchState> best_;  // finished, cheapest first
 };
 
 }  // namespace
 
-CutTree search_cuts(const SearchCell& cell, const SearchOracle& oracle, const SearchOptions& options) {
+std::vector<CutTree> search_several(const SearchCell& cell, const SearchOracle& oracle,
+                                    const SearchOptions& options) {
   validate(options);
   if (!oracle.cut)
     throw Error(ErrorCode::invalid_argument,
                 "a search needs SearchOracle::cut; take combinatorial_oracle() where there is no geometry");
   return BeamSearch(cell, oracle, options).run();
+}
+
+CutTree search_cuts(const SearchCell& cell, const SearchOracle& oracle, const SearchOptions& options) {
+  SearchOptions one = options;
+  one.alternatives = 1;
+  return search_several(cell, oracle, one).front();
 }
 
 }  // namespace isopatch::segmentation

@@ -109,6 +109,7 @@ void validate(const CostOptions& options) {
                                                     {"dihedral", options.dihedral},
                                                     {"t_joint", options.t_joint},
                                                     {"flat", options.flat},
+                                                    {"divided", options.divided},
                                                     {"hexahedra", options.hexahedra},
                                                     {"non_convex", options.non_convex}};
   for (const auto& [field, value] : weights) check_weight(field, value);

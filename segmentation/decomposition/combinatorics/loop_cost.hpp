@@ -37,6 +37,8 @@ struct CostOptions {
   double flat = 0.2;
   /// Each edge of a piece that is not convex.
   double non_convex = 4.0;
+  /// Each base solid that is no hexahedron: its template divides edges, and so its neighbours.
+  double divided = 0;
   /// Times the hexahedra estimated for both pieces.
   double hexahedra = 1.0;
   /// Vertices of a piece whose least number of hexahedra is found exactly; range 4 .. 16.

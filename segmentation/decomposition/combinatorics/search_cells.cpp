@@ -11,6 +11,7 @@ CandidateStage after(CandidateStage stage) {
 }
 
 bool is_accepted(const SearchOracle& oracle, const SearchCell& cell, const BaseSolid& solid) {
+  if (solid.kind == BaseKind::simple && !oracle.accepts) return false;
   return oracle.accepts ? oracle.accepts(cell, solid) : non_convex_count(cell.graph) == 0;
 }
 
@@ -22,6 +23,12 @@ int SearchCells::add(SearchCell cell) {
   entry.base = base_solid(cell.graph);
   if (entry.base && !is_accepted(oracle_, cell, *entry.base)) entry.base.reset();
   entry.cost = cell_cost(cell.graph, count_, options_.cost);
+  if (entry.base && entry.base->kind != BaseKind::hexahedron) entry.cost += options_.cost.divided;
+  if (!entry.base) entry.simple = simple_solid(cell.graph);
+  if (entry.simple && !is_accepted(oracle_, cell, *entry.simple)) entry.simple.reset();
+  if (entry.simple)
+    entry.simple_cost =
+        options_.cost.hexahedra * cell.graph.vertex_count + 2 * options_.cost.divided;
   CodeOptions with_kinds;
   with_kinds.edge_kinds = true;
   entry.fingerprint = std::hash<CanonicalCode>()(canonical_code(cell.graph, with_kinds));

@@ -23,6 +23,7 @@ void validate(const SearchOptions& options) {
   check_search("refusals", options.refusals, 1, many);
   check_search("cuts", options.cuts, 0, many);
   check_search("max_length", options.max_length, 3, 500);
+  check_search("alternatives", options.alternatives, 1, 1000);
   check_search("considered", options.considered, 1, many);
   validate(options.cost);
 }

@@ -31,7 +31,7 @@ struct SearchOracle {
   /// planes of symmetry. May be empty.
   std::function<std::vector<CuttingLoop>(const SearchCell&)> propose;
   /// Whether a cell with the graph of a base solid may stay as it is; by default one without non-convex
-  /// edges.
+  /// edges. Of simple solids, which may be cut further as well, by default none.
   std::function<bool(const SearchCell&, const BaseSolid&)> accepts;
 };
 
