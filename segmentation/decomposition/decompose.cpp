@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "geometry/base/error.hpp"
@@ -18,6 +19,7 @@
 #include "segmentation/decomposition/prepare.hpp"
 #include "segmentation/decomposition/star_cells.hpp"
 #include "segmentation/decomposition/templates.hpp"
+#include "segmentation/decomposition/unfinished_parts.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -73,8 +75,36 @@ geometry::CellComplex side_to_side(const geometry::Brep& solid, geometry::CellCo
   }
 }
 
-Decomposition cut_to_hexahedra(const geometry::Brep& solid, const DecompositionOptions& options,
-                               const Progress& progress) {
+/// @throws CuttingError unsupported  of what the search left, or ran out of time for
+void require_complete(const CutTree& tree, const CellStore& store, double time_limit) {
+  if (tree.complete()) return;
+  if (store.time_is_up())
+    throw unfinished_search(
+        fmt::format("no way of cutting it into hexahedra was found in {:.3g} s; raise time_limit, or cut the "
+                    "solid in the CAD program where its parts join",
+                    time_limit),
+        tree, store);
+  throw unfinished_search(
+      fmt::format("{} of its parts could not be cut into hexahedra, prisms and tetrahedra; {} cuts "
+                  "were tried, {} of them refused{}. Cut the solid in the CAD program where its parts join",
+                  tree.unfinished.size(), tree.evaluations, tree.refusals, reasons(store)),
+      tree, store);
+}
+
+/// Tells how far a search is, the details behind a tab, and ends it when the time is up.
+std::function<bool(const SearchRound&)> watched(const CellStore& store, const std::string& name,
+                                                double time_limit, const Progress& progress) {
+  return [&store, name, time_limit, &progress](const SearchRound& round) {
+    progress(fmt::format("cutting '{}'\t{} cut{}, {} part{} unfinished, {:.0f} of {:g} s", name, round.cuts,
+                         round.cuts == 1 ? "" : "s", round.open, round.open == 1 ? "" : "s", store.seconds(),
+                         time_limit),
+             store.seconds() / time_limit);
+    return !store.time_is_up();
+  };
+}
+
+Decomposition cut_to_hexahedra(const geometry::Brep& solid, const std::string& name,
+                               const DecompositionOptions& options, const Progress& progress) {
   const Stopwatch watch;
   Decomposition result;
   result.complex = prepared(solid);
@@ -82,18 +112,22 @@ Decomposition cut_to_hexahedra(const geometry::Brep& solid, const DecompositionO
   const geometry::CellId all(0);
   const SearchCell whole = store.add(result.complex, all);
   require_three_connected(solid, whole.graph);
-  const CutTree tree = search_cuts(whole, geometric_oracle(store), options.search);
+  SearchOracle oracle = geometric_oracle(store);
+  oracle.goes_on = watched(store, name, options.time_limit, progress);
+  const CutTree tree = search_cuts(whole, oracle, options.search);
   result.report.evaluations = tree.evaluations;
-  if (!tree.complete())
-    throw Error(ErrorCode::unsupported,
-                fmt::format("{} of its parts could not be cut into hexahedra, prisms and tetrahedra; {} cuts "
-                            "were tried, {} of them "
-                            "refused{}. Cut the solid in the CAD program where its parts join",
-                            tree.unfinished.size(), tree.evaluations, tree.refusals, reasons(store)));
+  require_complete(tree, store, options.time_limit);
   result.report.cuts = apply_cuts(solid, result.complex, all, tree, store, options.cut);
   result.report.cells = static_cast<int>(result.complex.cells.size());
-  result.complex = side_to_side(solid, std::move(result.complex), options, result.report, progress);
-  result.complex = hexahedral(solid, std::move(result.complex), options.cut.tolerance * solid.size());
+  result.parts = result.complex;
+  result.t_joints = parted_sides(CellShapes(solid, result.parts), options.cut.sides);
+  try {
+    result.complex = side_to_side(solid, std::move(result.complex), options, result.report, progress);
+    result.complex = hexahedral(solid, std::move(result.complex), options.cut.tolerance * solid.size());
+  } catch (const Error& error) {
+    throw unfinished_meeting(error, solid, result.parts, result.t_joints);
+  }
+  result.report.t_joints = static_cast<int>(result.t_joints.size());
   result.report.hexahedra = static_cast<int>(result.complex.cells.size());
   result.report.seconds = watch.seconds();
   return result;
@@ -107,7 +141,9 @@ Decomposition decompose(const geometry::Brep& solid, const std::string& name,
   progress(fmt::format("cutting '{}'", name), 0);
   const auto named = [&](const Error& error) { return fmt::format("solid '{}': {}", name, error.what()); };
   try {
-    return cut_to_hexahedra(solid, options, progress);
+    return cut_to_hexahedra(solid, name, options, progress);
+  } catch (const CuttingError& error) {
+    throw CuttingError(error.code(), named(error), of_solid(error.fault(), name), error.parts());
   } catch (const geometry::SolidError& error) {
     throw geometry::SolidError(error.code(), named(error), of_solid(error.fault(), name));
   } catch (const Error& error) {

@@ -33,7 +33,7 @@ struct SearchState {
 class BeamSearch {
  public:
   BeamSearch(const SearchCell& cell, const SearchOracle& oracle, const SearchOptions& options)
-      : options_(options), cells_(oracle, options), root_(cells_.add(cell)) {
+      : oracle_(oracle), options_(options), cells_(oracle, options), root_(cells_.add(cell)) {
     if (root_ < 0)
       throw Error(ErrorCode::not_three_connected,
                   "the cell to be cut must have a 3-connected graph; put auxiliary edges in its faces "
@@ -46,11 +46,17 @@ class BeamSearch {
     put(start, root_);
     rate(start);
     beam_.push_back(std::move(start));
-    while (!beam_.empty()) advance();
+    while (!beam_.empty() && goes_on()) advance();
+    if (!best_) best_ = beam_.front();
     return tree();
   }
 
  private:
+  bool goes_on() const {
+    const SearchState& best = beam_.front();
+    return !oracle_.goes_on || oracle_.goes_on({best.cuts, static_cast<int>(best.open.size())});
+  }
+
   void put(SearchState& state, int cell) const {
     if (cells_.entry(cell).base)
       state.done += cells_.entry(cell).cost;
@@ -159,6 +165,7 @@ class BeamSearch {
     return number;
   }
 
+  const SearchOracle& oracle_;
   const SearchOptions& options_;
   SearchCells cells_;
   int root_;
