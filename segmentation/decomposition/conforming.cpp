@@ -159,13 +159,4 @@ ConformingAttempt conforming(const Brep& source, const std::vector<CellComplex>&
   return ConformingSearch(source, options, progress).from(starts);
 }
 
-int t_joint_count(const Brep& source, const CellComplex& complex, const SideOptions& options) {
-  const CellShapes shapes(source, complex);
-  int count = 0;
-  for (std::size_t c = 0; c < complex.cells.size(); ++c)
-    count += static_cast<int>(
-        chords_of(shapes, cell_sides(shapes, CellId(static_cast<int>(c)), options)).size());
-  return count;
-}
-
 }  // namespace isopatch::segmentation

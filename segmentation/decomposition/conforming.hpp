@@ -41,8 +41,4 @@ struct ConformingAttempt {
 ConformingAttempt conforming(const geometry::Brep& source, const std::vector<geometry::CellComplex>& starts,
                              const ConformingOptions& options = {}, const Progress& progress = {});
 
-/// Sides of cells that meet others in parts: chords.
-/// @cost  the sides of all cells
-int t_joint_count(const geometry::Brep& source, const geometry::CellComplex& complex, const SideOptions& options);
-
 }  // namespace isopatch::segmentation

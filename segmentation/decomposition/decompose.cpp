@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "geometry/base/error.hpp"
-#include "geometry/base/stopwatch.hpp"
 #include "geometry/brep/brep_graph.hpp"
 #include "geometry/brep/require_solid.hpp"
 #include "geometry/brep/solid_error.hpp"
@@ -20,9 +19,14 @@
 #include "segmentation/decomposition/prepare.hpp"
 #include "segmentation/decomposition/star_cells.hpp"
 #include "segmentation/decomposition/templates.hpp"
+#include "segmentation/decomposition/unfinished_parts.hpp"
 
 namespace isopatch::segmentation {
 namespace {
+
+using geometry::Brep;
+using geometry::CellComplex;
+using geometry::CellId;
 
 /// ": 12 would leave the cell, ..."; "" if there are none.
 std::string reasons(const CellStore& store) {
@@ -53,16 +57,18 @@ void require_three_connected(const geometry::Brep& solid, const CellGraph& sides
       std::move(fault));
 }
 
-bool is_polyhedral(const geometry::Brep& solid, const geometry::CellComplex& complex) {
+bool is_polyhedral(const Brep& solid, const CellComplex& complex) {
   for (std::size_t c = 0; c < complex.cells.size(); ++c)
-    if (!is_polyhedral(CellShapes(solid, complex), geometry::CellId(static_cast<int>(c)))) return false;
+    if (!is_polyhedral(CellShapes(solid, complex), CellId(static_cast<int>(c)))) return false;
   return true;
 }
 
-/// Searches weigh differently what cannot be weighed before neighbours are known: T-joints, and solids that are no
-/// hexahedra. The first is the one asked for.
+/// Searches one after the other. The first are quick. The others differ in what no search can weigh that looks at one
+/// cell at a time: T-joints, and solids that are no hexahedra, which divide their neighbours.
 std::vector<SearchOptions> searches(const SearchOptions& asked) {
-  std::vector<SearchOptions> result;
+  std::vector<SearchOptions> result = {asked, asked};
+  result[0].finish = Finish::convex_solids;
+  result[1].finish = Finish::simple_solids;
   for (const double divided : {1.0, 2.0, 0.0})
     for (const double t_joint : {1.0, 0.25, 4.0}) {
       result.push_back(asked);
@@ -76,114 +82,145 @@ std::vector<SearchOptions> searches(const SearchOptions& asked) {
 /// once its parts meet side to side.
 class Decomposer {
  public:
-  Decomposer(const geometry::Brep& solid, const DecompositionOptions& options, const Progress& progress)
+  Decomposer(const Brep& solid, const std::string& name, const DecompositionOptions& options,
+             const Progress& progress)
       : solid_(solid),
+        name_(name),
         options_(options),
         progress_(progress),
         store_(solid, options.cut, options.time_limit),
         prepared_(prepared(solid)),
-        whole_(store_.add(prepared_, geometry::CellId(0))) {
+        whole_(store_.add(prepared_, CellId(0))),
+        oracle_(geometric_oracle(store_)) {
     require_three_connected(solid, whole_.graph);
+    oracle_.goes_on = [this](const SearchRound& round) { return tell(round); };
   }
 
   Decomposition make() {
     for (const SearchOptions& search : searches(options_.search)) {
-      best_ && watch_.seconds() > options_.time_limit / 6) break;
       look(search);
+      if (store_.time_is_up()) break;
     }
-    if (!best_ && complete_.empty()) give_up();
-    if (!best_) by_tetrahedra();
+    if (!best_) give_up();
     best_->report.evaluations = evaluations_;
-    best_->report.seconds = watch_.seconds();
+    best_->report.seconds = store_.seconds();
     return std::move(*best_);
   }
 
  private:
-  [[noreturn]] void give_up() const {
-    throw Error(ErrorCode::unsupported,
-                fmt::format("{} of its parts could not be cut into hexahedra, prisms and tetrahedra; {} cuts "
-                            "were tried, {} of them "
-                            "refused{}. Cut the solid in the CAD program where its parts join",
-                            unfinished_->unfinished.size(), unfinished_->evaluations, unfinished_->refusals,
-                            reasons(store_)));
+  /// How far a search is, the details behind a tab.
+  /// @return  whether there is time to go on
+  bool tell(const SearchRound& round) const {
+    progress_(fmt::format("cutting '{}'\t{} cut{}, {} part{} unfinished, {:.0f} of {:g} s", name_, round.cuts,
+                          round.cuts == 1 ? "" : "s", round.open, round.open == 1 ? "" : "s", store_.seconds(),
+                          options_.time_limit),
+              store_.seconds() / options_.time_limit);
+    return !store_.time_is_up();
   }
 
-  Decomposition cut(const CutTree& tree) const {
-    Decomposition result;
-    result.complex = prepared_;
-    result.report.cuts = apply_cuts(solid_, result.complex, geometry::CellId(0), tree, store_, options_.cut);
-    result.report.cells = static_cast<int>(result.complex.cells.size());
-    return result;
-  }
-
-  /// One search; of its ways the one that takes the fewest hexahedra.
+  /// One search; of its ways the one that takes the fewest hexahedra, if it takes fewer than those known.
   void look(const SearchOptions& search) {
     std::vector<Decomposition> ways;
-    std::vector<geometry::CellComplex> starts;
-    for (const CutTree& tree : search_several(whole_, geometric_oracle(store_), search)) {
-      evaluations_ += tree.evaluations;
+    std::vector<CellComplex> starts;
+    for (const CutTree& tree : search_several(whole_, oracle_, search)) {
+      evaluations_ = std::max(evaluations_, tree.evaluations);
       if (!tree.complete()) {
         if (!unfinished_) unfinished_ = tree;
         continue;
       }
       try {
         ways.push_back(cut(tree));
-        starts.push_back(ways.back().complex);
+        starts.push_back(ways.back().parts);
       } catch (const Error& error) {
-        failure_ = error.what();
+        why_not_ = error.what();
       }
     }
     if (ways.empty()) return;
-    ConformingOptions conform;
-    conform.cut = options_.cut;
-    conform.cut.smallest_angle = Angle::degrees(1);
-    conform.cut.shortest_edge /= 10;
-    conform.max_hexahedra = std::min(options_.max_cells, best_ ? best_->report.hexahedra - 1 : options_.max_cells);
-    ConformingAttempt attempt = conforming(solid_, starts, conform, progress_);
-    if (attempt.best.empty())
-      failure_ = attempt.refusal;
+    if (search.finish == Finish::convex_solids)
+      divide_around_points(std::move(ways.front()));
     else
-      finish(std::move(attempt.best.front()), ways);
-    if (complete_.empty()) complete_.push_back(std::move(ways.front()));
+      let_meet(std::move(ways), starts);
   }
 
-  void finish(ConformingCells cells, const std::vector<Decomposition>& ways) {
-    Decomposition way = ways[cells.start];
-    way.report.t_joints = t_joint_count(solid_, way.complex, options_.cut.sides);
+  /// Tetrahedra around a point in every part, whatever meets.
+  void divide_around_points(Decomposition way) {
+    if (!is_polyhedral(solid_, way.parts)) return;
+    way.report.by_tetrahedra = true;
+    finish(way, star_cells(solid_, way.parts));
+    store_.set_time_limit(std::min(store_.time_limit(), store_.seconds() + options_.time_limit / 2));
+  }
+
+  void let_meet(std::vector<Decomposition> ways, const std::vector<CellComplex>& starts) {
+    ConformingAttempt attempt = conforming(solid_, starts, conforming_options(), progress_);
+    if (attempt.best.empty()) {
+      why_not_ = attempt.refusal;
+      if (!cut_) cut_ = std::move(ways.front());
+      return;
+    }
+    ConformingCells& cells = attempt.best.front();
+    Decomposition way = std::move(ways[cells.start]);
     way.report.further_cuts = cells.further_cuts;
-    way.complex = std::move(cells.complex);
-    finish(std::move(way));
+    finish(std::move(way), std::move(cells.complex));
+    store_.set_time_limit(std::min(store_.time_limit(), store_.seconds() + options_.time_limit / 12));
   }
 
-  void finish(Decomposition way) {
-    way.complex = hexahedral(solid_, std::move(way.complex), options_.cut.tolerance * solid_.size());
+  Decomposition cut(const CutTree& tree) const {
+    Decomposition result;
+    result.parts = prepared_;
+    result.report.cuts = apply_cuts(solid_, result.parts, CellId(0), tree, store_, options_.cut);
+    result.report.cells = static_cast<int>(result.parts.cells.size());
+    result.t_joints = parted_sides(CellShapes(solid_, result.parts), options_.cut.sides);
+    result.report.t_joints = static_cast<int>(result.t_joints.size());
+    return result;
+  }
+
+  ConformingOptions conforming_options() const {
+    ConformingOptions result;
+    result.cut = options_.cut;
+    result.cut.smallest_angle = Angle::degrees(1);
+    result.cut.shortest_edge /= 10;
+    result.max_hexahedra = std::min(options_.max_cells, best_ ? best_->report.hexahedra - 1 : options_.max_cells);
+    result.time_limit = std::max(0.1, store_.time_limit() - store_.seconds());
+    return result;
+  }
+
+  void finish(Decomposition way, CellComplex side_to_side) {
+    way.complex = hexahedral(solid_, std::move(side_to_side), options_.cut.tolerance * solid_.size());
     way.report.hexahedra = static_cast<int>(way.complex.cells.size());
     best_ = std::move(way);
   }
 
-  /// Around a point in every cell, which needs plane sides.
-  void by_tetrahedra() {
-    Decomposition& way = complete_.front();
-    if (!is_polyhedral(solid_, way.complex)) throw Error(ErrorCode::unsupported, failure_);
-    way.report.further_cuts = 0;
-    way.report.t_joints = t_joint_count(solid_, way.complex, options_.cut.sides);
-    way.report.by_tetrahedra = true;
-    way.complex = star_cells(solid_, std::move(way.complex));
-    finish(std::move(way));
+  [[noreturn]] void give_up() const {
+    if (cut_)
+      throw unfinished_meeting(Error(ErrorCode::unsupported, why_not_), solid_, cut_->parts, cut_->t_joints);
+    if (!unfinished_) throw Error(ErrorCode::unsupported, why_not_);
+    if (store_.time_is_up())
+      throw unfinished_search(
+          fmt::format("no way of cutting it into hexahedra was found in {:.3g} s; raise time_limit, or cut the "
+                      "solid in the CAD program where its parts join",
+                      options_.time_limit),
+          *unfinished_, store_);
+    throw unfinished_search(
+        fmt::format("{} of its parts could not be cut into hexahedra, prisms and tetrahedra; {} cuts "
+                    "were tried, {} of them refused{}. Cut the solid in the CAD program where its parts join",
+                    unfinished_->unfinished.size(), unfinished_->evaluations, unfinished_->refusals,
+                    reasons(store_)),
+        *unfinished_, store_);
   }
 
-  const geometry::Brep& solid_;
+  const Brep& solid_;
+  const std::string& name_;
   const DecompositionOptions& options_;
   const Progress& progress_;
-  Stopwatch watch_;
   CellStore store_;
-  geometry::CellComplex prepared_;
+  CellComplex prepared_;
   SearchCell whole_;
+  SearchOracle oracle_;
   int evaluations_ = 0;
-  std::optional<CutTree> unfinished_;
-  std::vector<Decomposition> complete_;  // the first way that was cut, but is not yet side to side
+  std::optional<CutTree> unfinished_;  // the first search that ended so
+  std::optional<Decomposition> cut_;   // a way into base solids that could not be made to meet side to side
   std::optional<Decomposition> best_;
-  std::string failure_;  // why the last way did not end
+  std::string why_not_;  // the last way did not end
 };
 
 }  // namespace
@@ -194,7 +231,9 @@ Decomposition decompose(const geometry::Brep& solid, const std::string& name,
   progress(fmt::format("cutting '{}'", name), 0);
   const auto named = [&](const Error& error) { return fmt::format("solid '{}': {}", name, error.what()); };
   try {
-    return Decomposer(solid, options, progress).make();
+    return Decomposer(solid, name, options, progress).make();
+  } catch (const CuttingError& error) {
+    throw CuttingError(error.code(), named(error), of_solid(error.fault(), name), error.parts());
   } catch (const geometry::SolidError& error) {
     throw geometry::SolidError(error.code(), named(error), of_solid(error.fault(), name));
   } catch (const Error& error) {

@@ -1,17 +1,21 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "geometry/base/progress.hpp"
 #include "geometry/brep/brep.hpp"
 #include "geometry/brep/cell_complex.hpp"
 #include "segmentation/decomposition/decomposition_options.hpp"
 #include "segmentation/decomposition/decomposition_report.hpp"
+#include "segmentation/decomposition/parted_sides.hpp"
 
 namespace isopatch::segmentation {
 
 struct Decomposition {
-  geometry::CellComplex complex;  ///< of hexahedra that meet side to side
+  geometry::CellComplex complex;     ///< of hexahedra that meet side to side
+  geometry::CellComplex parts;       ///< what the search cut the solid into, before sides were made to meet
+  std::vector<PartedSide> t_joints;  ///< of `parts`
   DecompositionReport report;
 };
 
@@ -21,7 +25,9 @@ struct Decomposition {
 /// divide a side are carried on through its neighbours, then templates make hexahedra of all.
 /// @param name  of the solid, for messages
 /// @throws Error not_three_connected  the graph of its sides is not 3-connected: names the pair
-/// @throws Error unsupported  no way was found: says what stopped it
+/// @throws CuttingError unsupported  no way was found: says what stopped it, with what was cut by then
+/// @param progress  told after every round of the search, phase and details with a tab between them:
+///                  "cutting 'part'\t3 cuts, 2 parts unfinished, 4 of 60 s"
 Decomposition decompose(const geometry::Brep& solid, const std::string& name,
                         const DecompositionOptions& options = {}, const Progress& progress = {});
 

@@ -18,6 +18,7 @@ std::vector<CuttingLoop> proposals(CellStore& store, const SearchCell& cell) {
   const CellStore::Entry& entry = store.entry(cell.handle);
   const CellShapes shapes(store.source(), entry.complex);
   std::vector<CuttingLoop> result;
+  if (store.time_is_up()) return result;
   const bool convex = non_convex_count(cell.graph) == 0;
   for (std::size_t e = 0; e < cell.graph.edges.size(); ++e) {
     if (!convex && cell.graph.edges[e].kind != EdgeKind::non_convex) continue;
@@ -36,7 +37,8 @@ SearchOracle geometric_oracle(CellStore& store) {
   SearchOracle oracle;
   oracle.cut = [&store](const SearchCell& cell, const CuttingLoop& loop) { return store.cut(cell, loop); };
   oracle.propose = [&store](const SearchCell& cell) { return proposals(store, cell); };
-  oracle.accepts = [](const SearchCell& cell, const BaseSolid& base) {
+  oracle.accepts = [&store](const SearchCell& cell, const BaseSolid& base) {
+    if (base.kind == BaseKind::convex) return store.entry(cell.handle).polyhedral;
     return is_finished(base) && non_convex_count(cell.graph) == 0;
   };
   return oracle;

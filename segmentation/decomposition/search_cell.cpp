@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "geometry/base/dense_matrices.hpp"
 #include "geometry/base/error.hpp"
 #include "segmentation/decomposition/combinatorics/cell_incidence.hpp"
@@ -109,13 +107,8 @@ double penalty(const SearchCell& piece) {
 }  // namespace
 
 CutAnswer CellStore::cut(const SearchCell& cell, const CuttingLoop& loop) {
+  if (time_is_up()) return {{}, "the time is up"};
   if (const auto known = answers_.find({cell.handle, loop}); known != answers_.end()) return known->second;
-  if (watch_.seconds() > time_limit_)
-    throw Error(
-        ErrorCode::unsupported,
-        fmt::format("no way of cutting it into hexahedra was found in {:.3g} s; raise time_limit, or cut the "
-                    "solid in the CAD program where its parts join",
-                    time_limit_));
   return answers_[{cell.handle, loop}] = make_cut(cell, loop);
 }
 

@@ -18,7 +18,7 @@ namespace isopatch::segmentation {
 /// Cells of a search, each cut for itself: what the handles of `SearchCell` stand for.
 class CellStore {
  public:
-  /// @param time_limit  seconds from now, after which `cut` throws Error unsupported
+  /// @param time_limit  seconds from now, after which `cut` refuses everything
   CellStore(geometry::Brep source, const CutOptions& options, double time_limit)
       : source_(std::move(source)), options_(options), time_limit_(time_limit) {}
 
@@ -40,6 +40,11 @@ class CellStore {
   };
   const geometry::Brep& source() const { return source_; }
   const Entry& entry(int handle) const { return entries_[static_cast<std::size_t>(handle)]; }
+
+  double seconds() const { return watch_.seconds(); }
+  double time_limit() const { return time_limit_; }
+  void set_time_limit(double seconds) { time_limit_ = seconds; }
+  bool time_is_up() const { return seconds() > time_limit_; }
 
   /// Why cuts were refused, each reason with how often, without its figures.
   const std::map<std::string, int>& refusals() const { return refusals_; }

@@ -65,6 +65,8 @@ const char* name(BaseKind kind) {
       return "pyramid";
     case BaseKind::simple:
       return "simple solid";
+    case BaseKind::convex:
+      return "convex solid";
   }
   return "unknown";
 }
@@ -88,6 +90,14 @@ std::optional<BaseSolid> simple_solid(const CellGraph& graph) {
   return BaseSolid{BaseKind::simple, graph.vertex_count, {}, {}};
 }
 
+std::optional<BaseSolid> convex_solid(const CellGraph& graph) {
+  if (non_convex_count(graph) > 0) return std::nullopt;
+  int tetrahedra = 0;
+  for (const CellGraph::Corners& face : graph.faces)
+    tetrahedra += face.size() == 3 ? 1 : static_cast<int>(face.size());
+  return BaseSolid{BaseKind::convex, tetrahedra, {}, {}};
+}
+
 int template_hexahedra(BaseKind kind, int sides) {
   switch (kind) {
     case BaseKind::hexahedron:
@@ -100,6 +110,8 @@ int template_hexahedra(BaseKind kind, int sides) {
       return 4 * (sides - 2);
     case BaseKind::simple:
       return sides;
+    case BaseKind::convex:
+      return 4 * sides;
   }
   return 0;
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double unfinished_cost = 1000;
 
-// How a state came about, last cut first; shared by all that come of it. Without an option a cell stays as a simple solid.
+// How a state came about, last cut first; shared by all that come of it. Without an option a cell stays as it is.
 struct CutDecision {
   int cell = -1, option = -1;
   std::shared_ptr<const CutDecision> before;
@@ -33,7 +33,7 @@ struct SearchState {
 class BeamSearch {
  public:
   BeamSearch(const SearchCell& cell, const SearchOracle& oracle, const SearchOptions& options)
-      : options_(options), cells_(oracle, options), root_(cells_.add(cell)) {
+      : oracle_(oracle), options_(options), cells_(oracle, options), root_(cells_.add(cell)) {
     if (root_ < 0)
       throw Error(ErrorCode::not_three_connected,
                   "the cell to be cut must have a 3-connected graph; put auxiliary edges in its faces "
@@ -46,13 +46,19 @@ class BeamSearch {
     put(start, root_);
     rate(start);
     beam_.push_back(std::move(start));
-    while (!beam_.empty()) advance();
+    while (!beam_.empty() && goes_on()) advance();
+    if (best_.empty()) best_.push_back(beam_.front());
     std::vector<CutTree> result;
     for (const SearchState& state : best_) result.push_back(tree(state));
     return result;
   }
 
  private:
+  bool goes_on() const {
+    const SearchState& best = beam_.front();
+    return !oracle_.goes_on || oracle_.goes_on({best.cuts, static_cast<int>(best.open.size())});
+  }
+
   void put(SearchState& state, int cell) const {
     if (cells_.entry(cell).base)
       state.done += cells_.entry(cell).cost;
@@ -115,11 +121,14 @@ class BeamSearch {
 
   void expand(const SearchState& state, int branches, std::vector<SearchState>& next) {
     const int cell = state.open.front();
-    if (cells_.entry(cell).simple) next.push_back(as_simple_solid(state, cell));
+    if (cells_.entry(cell).other) {
+      next.push_back(as_it_is(state, cell));
+      if (options_.finish != Finish::base_solids) return;
+    }
     const std::size_t count = state.cuts < options_.cuts ? cells_.options(cell, branches).size() : 0;
     const std::size_t followed = std::min(count, static_cast<std::size_t>(branches));
     for (std::size_t k = 0; k < followed; ++k) next.push_back(after_cut(state, cell, static_cast<int>(k)));
-    if (followed == 0 && !cells_.entry(cell).simple) next.push_back(without_cut(state, cell));
+    if (followed == 0 && !cells_.entry(cell).other) next.push_back(without_cut(state, cell));
   }
 
   SearchState after_cut(const SearchState& state, int cell, int option) const {
@@ -134,10 +143,10 @@ class BeamSearch {
     return result;
   }
 
-  SearchState as_simple_solid(const SearchState& state, int cell) const {
+  SearchState as_it_is(const SearchState& state, int cell) const {
     SearchState result = state;
     result.open.erase(result.open.begin());
-    result.done += cells_.entry(cell).simple_cost;
+    result.done += cells_.entry(cell).other_cost;
     result.decisions = std::make_shared<const CutDecision>(CutDecision{cell, -1, state.decisions});
     rate(result);
     return result;
@@ -168,7 +177,7 @@ class BeamSearch {
     const SearchCells::Entry& entry = cells_.entry(cell);
     const auto found = option_of.find(cell);
     const bool stays = found != option_of.end() && found->second < 0;
-    const std::optional<BaseSolid>& base = stays ? entry.simple : entry.base;
+    const std::optional<BaseSolid>& base = stays ? entry.other : entry.base;
     tree.nodes.push_back({entry.cell, std::nullopt, {}, base});
     if (base) {
       tree.hexahedra += template_hexahedra(base->kind, base->sides);
@@ -185,6 +194,7 @@ class BeamSearch {
     return number;
   }
 
+  const SearchOracle& oracle_;
   const SearchOptions& options_;
   SearchCells cells_;
   int root_;

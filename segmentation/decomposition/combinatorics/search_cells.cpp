@@ -11,7 +11,7 @@ CandidateStage after(CandidateStage stage) {
 }
 
 bool is_accepted(const SearchOracle& oracle, const SearchCell& cell, const BaseSolid& solid) {
-  if (solid.kind == BaseKind::simple && !oracle.accepts) return false;
+  if (!oracle.accepts && (solid.kind == BaseKind::simple || solid.kind == BaseKind::convex)) return false;
   return oracle.accepts ? oracle.accepts(cell, solid) : non_convex_count(cell.graph) == 0;
 }
 
@@ -24,17 +24,23 @@ int SearchCells::add(SearchCell cell) {
   if (entry.base && !is_accepted(oracle_, cell, *entry.base)) entry.base.reset();
   entry.cost = cell_cost(cell.graph, count_, options_.cost);
   if (entry.base && entry.base->kind != BaseKind::hexahedron) entry.cost += options_.cost.divided;
-  if (!entry.base) entry.simple = simple_solid(cell.graph);
-  if (entry.simple && !is_accepted(oracle_, cell, *entry.simple)) entry.simple.reset();
-  if (entry.simple)
-    entry.simple_cost =
-        options_.cost.hexahedra * cell.graph.vertex_count + 2 * options_.cost.divided;
+  if (!entry.base) entry.other = other_solid(cell);
+  if (entry.other)
+    entry.other_cost = options_.cost.hexahedra * template_hexahedra(entry.other->kind, entry.other->sides) +
+                       2 * options_.cost.divided;
   CodeOptions with_kinds;
   with_kinds.edge_kinds = true;
   entry.fingerprint = std::hash<CanonicalCode>()(canonical_code(cell.graph, with_kinds));
   entry.cell = std::move(cell);
   entries_.push_back(std::move(entry));
   return static_cast<int>(entries_.size()) - 1;
+}
+
+std::optional<BaseSolid> SearchCells::other_solid(const SearchCell& cell) const {
+  if (const auto simple = simple_solid(cell.graph); simple && is_accepted(oracle_, cell, *simple)) return simple;
+  if (options_.finish != Finish::convex_solids) return std::nullopt;
+  const auto convex = convex_solid(cell.graph);
+  return convex && is_accepted(oracle_, cell, *convex) ? convex : std::nullopt;
 }
 
 const std::vector<CutOption>& SearchCells::options(int number, int wanted) {

@@ -4,6 +4,13 @@
 
 namespace isopatch::segmentation {
 
+/// What a search need not cut further, where the oracle accepts it.
+enum class Finish {
+  base_solids,    ///< hexahedra, prisms, tetrahedra, pyramids; simple solids may stay or be cut
+  simple_solids,  ///< simple solids are never cut: quick, and more hexahedra
+  convex_solids,  ///< nor is any convex one: quicker, and more still
+};
+
 /// How far a search looks.
 struct SearchOptions {
   int beam = 8;            ///< states kept after each round; range 1 .. 10000
@@ -14,6 +21,7 @@ struct SearchOptions {
   int max_length = 6;      ///< of a loop; extending ones may be twice as long; range 3 .. 500
   int considered = 50;     ///< loops of a cell that are cut and costed before the oracle is asked; range 1 ..
   int alternatives = 1;    ///< ways to the end that are handed back, where so many were found; range 1 .. 1000
+  Finish finish = Finish::base_solids;
   bool extensions =
       true;  ///< whether loops that extend faces are looked for; those proposed are taken anyway
   CostOptions cost;

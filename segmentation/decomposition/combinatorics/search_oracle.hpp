@@ -23,6 +23,12 @@ struct CutAnswer {
   double penalty = 0;   ///< in hexahedra: what is bad about the pieces
 };
 
+/// How far a search is.
+struct SearchRound {
+  int cuts = 0;  ///< made on the way to the best state
+  int open = 0;  ///< cells of it that have to be cut
+};
+
 /// What geometry is asked.
 struct SearchOracle {
   /// Tries one cut. The answer must depend on its arguments alone: it is remembered.
@@ -33,6 +39,8 @@ struct SearchOracle {
   /// Whether a cell with the graph of a base solid may stay as it is; by default one without non-convex
   /// edges. Of simple solids, which may be cut further as well, by default none.
   std::function<bool(const SearchCell&, const BaseSolid&)> accepts;
+  /// Asked before every round: without a yes the search ends with the best state so far. May be empty.
+  std::function<bool(const SearchRound&)> goes_on;
 };
 
 /// An oracle that never says no to a valid loop: the pieces of `cut_along`, their flat edges contracted.

@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "geometry/base/tests/expect_error.hpp"
 #include "geometry/brep/cell_solids.hpp"
@@ -15,6 +18,7 @@
 #include "segmentation/decomposition/combinatorics/base_solid.hpp"
 #include "segmentation/decomposition/cutting/cell_sides.hpp"
 #include "segmentation/decomposition/cutting/tests/sample_polyhedra.hpp"
+#include "segmentation/decomposition/cutting_error.hpp"
 #include "segmentation/decomposition/star_cells.hpp"
 
 namespace isopatch::segmentation {
@@ -112,6 +116,51 @@ TEST(Decompose, GivesUpInTime) {
   options.time_limit = 1e-9;
   const geometry::Brep solid = geometry::make_brep(samples::l_shape());
   EXPECT_ERROR(decompose(solid, "l", options), ErrorCode::unsupported, "time_limit");
+}
+
+TEST(Decompose, KeepsThePartsAsTheyWereCutAndWhereSidesMetInParts) {
+  // Three arms: the cuts through both concave edges of the trunk end in the same side.
+  const geometry::Brep solid = geometry::make_brep(samples::prism(
+      {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {2, 2}, {2, 3}, {1, 3}, {1, 4}, {3, 4}, {3, 5}, {0, 5}}, 1));
+  const Decomposition result = decompose(solid, "e");
+  EXPECT_EQ(static_cast<int>(result.parts.cells.size()), result.report.cells);
+  EXPECT_GT(result.report.hexahedra, result.report.cells);
+  ASSERT_GT(result.t_joints.size(), 0U);
+  EXPECT_EQ(static_cast<int>(result.t_joints.size()), result.report.t_joints);
+  for (const PartedSide& side : result.t_joints) {
+    EXPECT_FALSE(side.inside.empty());
+    // A T-joint of arms over a plane polygon is an upright edge.
+    for (const EdgeId id : side.inside) {
+      const geometry::CellEdge& edge = result.parts.edge(id);
+      const Eigen::Vector3d along = result.parts.vertex(edge.end) - result.parts.vertex(edge.start);
+      EXPECT_NEAR(std::abs(along[2]), 1, 1e-12);
+    }
+  }
+}
+
+TEST(Decompose, ShowsWhatItHadCutWhenItGivesUp) {
+  const geometry::Brep solid = geometry::make_brep(samples::l_shape());
+  DecompositionOptions options;
+  options.time_limit = 1e-9;
+  try {
+    decompose(solid, "l", options);
+    FAIL();
+  } catch (const CuttingError& error) {
+    ASSERT_EQ(error.parts().size(), 1U);
+    EXPECT_FALSE(error.parts()[0].finished);
+    EXPECT_NEAR(error.parts()[0].solid.volume(), solid.volume(), 1e-12);
+    ASSERT_EQ(error.parts()[0].lines.size(), 1U);  // the concave edge
+    EXPECT_EQ(error.fault().edges.size(), 1U);
+  }
+}
+
+TEST(Decompose, TellsHowFarItIs) {
+  const geometry::Brep solid = geometry::make_brep(samples::l_shape());
+  std::vector<std::string> told;
+  decompose(solid, "l", {}, {[&](std::string_view phase, double) { told.emplace_back(phase); }});
+  ASSERT_GT(told.size(), 2U);
+  EXPECT_EQ(told[0], "cutting 'l'");
+  EXPECT_EQ(told[1].rfind("cutting 'l'\t0 cuts, 1 part unfinished, 0 of 60 s", 0), 0U) << told[1];
 }
 
 TEST(Decompose, NamesTheFacesOfAGraphThatIsNotThreeConnected) {

@@ -24,8 +24,8 @@ class SearchCells {
     SearchCell cell;
     std::optional<BaseSolid> base;  ///< if it is accepted as one
     double cost = 0;                ///< `cell_cost`, or the templates' hexahedra
-    std::optional<BaseSolid> simple;  ///< if it may stay as one, or be cut
-    double simple_cost = 0;
+    std::optional<BaseSolid> other;  ///< a simple or convex solid, if it may stay as one
+    double other_cost = 0;
     std::size_t fingerprint = 0;    ///< of its code with kinds of edges
     std::vector<CutOption> options;
     CandidateStage stage = CandidateStage::none;
@@ -51,6 +51,7 @@ class SearchCells {
   int refusals() const { return refusals_; }
 
  private:
+  std::optional<BaseSolid> other_solid(const SearchCell& cell) const;
   bool prepare_next_batch(Entry& entry);
   void try_next(int number);
 

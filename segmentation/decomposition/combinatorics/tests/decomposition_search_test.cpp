@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "geometry/base/tests/expect_error.hpp"
 #include "segmentation/decomposition/combinatorics/loop_enumeration.hpp"
@@ -139,6 +140,21 @@ TEST(DecompositionSearch, FinishesAfterItsBudget) {
   const CutTree tree = search(graph, options);
   check_tree(tree);
   EXPECT_LT(tree.evaluations, search(graph).evaluations);
+}
+
+TEST(DecompositionSearch, EndsWithWhatItHasWhenItIsToldTo) {
+  SearchOracle oracle = combinatorial_oracle();
+  std::vector<int> cuts;
+  oracle.goes_on = [&](const SearchRound& round) {
+    EXPECT_GT(round.open, 0);
+    cuts.push_back(round.cuts);
+    return cuts.size() < 3;
+  };
+  const CutTree tree = search_cuts(cell_of(test::random_map(2, 18, test::RandomKind::simple)), oracle);
+  EXPECT_EQ(cuts, (std::vector<int>{0, 1, 2}));
+  EXPECT_FALSE(tree.complete());
+  EXPECT_EQ(std::count_if(tree.nodes.begin(), tree.nodes.end(), [](const auto& node) { return node.loop; }),
+            2);
 }
 
 TEST(DecompositionSearch, TakesNoForAnAnswer) {

@@ -1,0 +1,65 @@
+#include "segmentation/decomposition/unfinished_parts.hpp"
+
+#include <utility>
+
+#include "geometry/brep/cell_solids.hpp"
+
+namespace isopatch::segmentation {
+namespace {
+
+/// Edges of a cell that cuts have to go through.
+std::vector<Eigen::Matrix3Xd> concave_edges(const CellStore::Entry& entry, const geometry::Brep& solid,
+                                            const CellGraph& graph) {
+  const CellShapes shapes(solid, entry.complex);
+  std::vector<Eigen::Matrix3Xd> lines;
+  for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+    if (graph.edges[e].kind != EdgeKind::non_convex) continue;
+    for (const geometry::EdgeUse& use : entry.sides.edges[e]) lines.push_back(polyline(shapes, use.edge));
+  }
+  return lines;
+}
+
+CuttingError error_about(ErrorCode code, const std::string& message, const std::string& called,
+                         std::vector<UnfinishedPart> parts) {
+  geometry::SolidFault fault;
+  for (const UnfinishedPart& part : parts)
+    for (const Eigen::Matrix3Xd& line : part.lines) fault.edges.push_back({called, line});
+  return {code, message, std::move(fault), std::move(parts)};
+}
+
+}  // namespace
+
+Eigen::Matrix3Xd polyline(const CellShapes& shapes, EdgeId edge) {
+  constexpr int pieces = 16;
+  Eigen::Matrix3Xd points(3, pieces + 1);
+  for (int i = 0; i <= pieces; ++i) points.col(i) = shapes.point(edge, double(i) / pieces);
+  return points;
+}
+
+CuttingError unfinished_search(const std::string& message, const CutTree& tree, const CellStore& store) {
+  std::vector<UnfinishedPart> parts;
+  for (const CutTree::Node& node : tree.nodes) {
+    if (node.loop) continue;
+    const CellStore::Entry& entry = store.entry(node.cell.handle);
+    UnfinishedPart part{cell_solids(store.source(), entry.complex, {entry.cell}).front(),
+                        node.base.has_value()};
+    if (!part.finished) part.lines = concave_edges(entry, store.source(), node.cell.graph);
+    parts.push_back(std::move(part));
+  }
+  return error_about(ErrorCode::unsupported, message, "an edge to be cut through", std::move(parts));
+}
+
+CuttingError unfinished_meeting(const Error& error, const geometry::Brep& solid,
+                                const geometry::CellComplex& cells, const std::vector<PartedSide>& t_joints) {
+  std::vector<geometry::CellId> all;
+  for (std::size_t c = 0; c < cells.cells.size(); ++c) all.emplace_back(static_cast<int>(c));
+  std::vector<UnfinishedPart> parts;
+  for (geometry::Brep& cell : cell_solids(solid, cells, all)) parts.push_back({std::move(cell), true});
+  const CellShapes shapes(solid, cells);
+  for (const PartedSide& side : t_joints)
+    for (const EdgeId edge : side.inside)
+      parts[static_cast<std::size_t>(side.cell.value)].lines.push_back(polyline(shapes, edge));
+  return error_about(error.code(), error.what(), "parts of a side meet", std::move(parts));
+}
+
+}  // namespace isopatch::segmentation
