@@ -52,10 +52,11 @@ const Keys<SegmentationKeys>& segmentation_keys() {
       number_key(
           "time_limit", dimensions::none, {0, 1e7, false, true},
           [](DecompositionOptions& o) -> double& { return o.time_limit; },
-          "Seconds that a body may take to be cut, after which it is given up."),
+          "Seconds that a body may take to be cut, after which the best way found is taken, or the body given up; once "
+          "a way is known, a twelfth of it is left for better ones."),
       count_key(
           "max_cells", 1000000, [](DecompositionOptions& o) -> int& { return o.max_cells; },
-          "Most parts of a body while they are made to meet side to side."),
+          "Most hexahedra that a body may become while its parts are made to meet side to side."),
       count_key(
           "beam", 10000, [](DecompositionOptions& o) -> int& { return o.search.beam; },
           "Ways of cutting that are followed at the same time; more find fewer blocks and take longer."),

@@ -29,11 +29,12 @@ class ClosingCell {
   ClosingCuts through(const std::vector<Chord>& chords, int most) {
     result_.refusal = "no loop runs along them";
     const bool plane = is_polyhedral(shapes_, cell_);
-    for (const Chord& chord : chords)
-      if (chord.across && add_sheet(chord)) {
-        if (!plane) return std::move(result_);
-        break;
-      }
+    if (!plane || !options_.keep_plane)
+      for (const Chord& chord : chords)
+        if (chord.across && add_sheet(chord)) {
+          if (!plane) return std::move(result_);
+          break;
+        }
     for (const Chord& chord : chords) {
       std::vector<PlacedLoop> loops;
       if (chord.across) loops = loops_through(chord, most);
@@ -124,13 +125,15 @@ class ClosingCell {
     return result;
   }
 
-  /// Points away from a chord that a plane through it may be led through: vertices, and middles of undivided edges.
+  /// Points away from a chord that a plane through it may be led through: vertices, and middles of undivided
+  /// edges.
   std::vector<Eigen::Vector3d> aims() const {
     std::vector<Eigen::Vector3d> result;
     for (const VertexId vertex : sides_.vertices) result.push_back(complex_.vertex(vertex));
     for (const auto& chain : sides_.edges) {
       if (chain.size() == 1) result.push_back(shapes_.point(chain.front().edge, 0.5));
-      for (std::size_t i = 0; i + 1 < chain.size(); ++i) result.push_back(complex_.vertex(complex_.to(chain[i])));
+      for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+        result.push_back(complex_.vertex(complex_.to(chain[i])));
     }
     return result;
   }
@@ -178,8 +181,7 @@ class ClosingCell {
   }
 
   /// By the plane of two edges at a vertex.
-  std::optional<SpacedLoop> section_through(VertexId vertex, EdgeId first,
-                                            EdgeId second) const {
+  std::optional<SpacedLoop> section_through(VertexId vertex, EdgeId first, EdgeId second) const {
     const auto other_end = [&](EdgeId id) {
       const CellGraph::Edge& edge = sides_.graph.edge(id);
       const VertexId end = edge.start == vertex ? edge.end : edge.start;

@@ -14,9 +14,9 @@ struct ClosingCuts {
   std::string refusal = {};  ///< of the last cut tried, in words
 };
 
-/// Ways to carry chords on through the cell on whose sides they lie. A hexahedron that a chord divides from one edge to
-/// the opposite one is cut as a sheet through four opposite edges; else by loops of up to five places through the
-/// chord, by the planes of the cuts that made it, and by the one across its side.
+/// Ways to carry chords on through the cell on whose sides they lie. A hexahedron that a chord divides from
+/// one edge to the opposite one is cut as a sheet through four opposite edges; else by loops of up to five
+/// places through the chord, by the planes of the cuts that made it, and by the one across its side.
 /// @param chords  of the cell; the ways through the first that has any are given
 /// @param most  cuts tried along loops
 /// @cost  cuts, each with a copy of the complex

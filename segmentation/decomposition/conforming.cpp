@@ -89,14 +89,17 @@ class ConformingSearch {
   static bool is_better(const ConformingState& a, const ConformingState& b) { return a.score < b.score; }
 
   void keep_best(std::vector<ConformingState>& states) const {
-    std::erase_if(states, [&](const ConformingState& state) { return state.cells.hexahedra >= slack * limit(); });
+    std::erase_if(states,
+                  [&](const ConformingState& state) { return state.cells.hexahedra >= slack * limit(); });
     std::stable_sort(states.begin(), states.end(), is_better);
     const auto alike = [](const ConformingState& a, const ConformingState& b) {
-      return std::abs(a.score - b.score) < 1e-9 && a.cells.complex.cells.size() == b.cells.complex.cells.size() &&
+      return std::abs(a.score - b.score) < 1e-9 &&
+             a.cells.complex.cells.size() == b.cells.complex.cells.size() &&
              a.cells.complex.edges.size() == b.cells.complex.edges.size() && a.open == b.open;
     };
     states.erase(std::unique(states.begin(), states.end(), alike), states.end());
-    if (static_cast<int>(states.size()) > options_.beam) states.resize(static_cast<std::size_t>(options_.beam));
+    if (static_cast<int>(states.size()) > options_.beam)
+      states.resize(static_cast<std::size_t>(options_.beam));
   }
 
   double limit() const { return best_ ? best_->hexahedra : options_.max_hexahedra + 1; }

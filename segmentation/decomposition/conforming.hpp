@@ -22,9 +22,9 @@ struct ConformingOptions {
 /// Cells that meet side to side, each with three edges at every vertex.
 struct ConformingCells {
   geometry::CellComplex complex;
-  std::size_t start = 0;   ///< which complex it came of
-  int further_cuts = 0;    ///< made in it
-  double hexahedra = 0;    ///< that templates will make of it
+  std::size_t start = 0;  ///< which complex it came of
+  int further_cuts = 0;   ///< made in it
+  double hexahedra = 0;   ///< that templates will make of it
 };
 
 /// What came of it: the best, or why there is none.
@@ -33,11 +33,11 @@ struct ConformingAttempt {
   std::string refusal = {};           ///< in words
 };
 
-/// Makes all cells meet side to side: a chord on a side is carried on by a cut through the cell, and so on through
-/// its neighbours; vertices with more than three edges are cut through.
+/// Makes all cells meet side to side: a chord on a side is carried on by a cut through the cell, and so on
+/// through its neighbours; vertices with more than three edges are cut through.
 ///
-/// A beam search from all complexes at once: a round closes one cell of each in its best few ways and keeps those
-/// of which the fewest hexahedra are to be expected.
+/// A beam search from all complexes at once: a round closes one cell of each in its best few ways and keeps
+/// those of which the fewest hexahedra are to be expected.
 ConformingAttempt conforming(const geometry::Brep& source, const std::vector<geometry::CellComplex>& starts,
                              const ConformingOptions& options = {}, const Progress& progress = {});
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -63,8 +64,8 @@ bool is_polyhedral(const Brep& solid, const CellComplex& complex) {
   return true;
 }
 
-/// Searches one after the other. The first are quick. The others differ in what no search can weigh that looks at one
-/// cell at a time: T-joints, and solids that are no hexahedra, which divide their neighbours.
+/// Searches one after the other. The first are quick. The others differ in what no search can weigh that
+/// looks at one cell at a time: T-joints, and solids that are no hexahedra, which divide their neighbours.
 std::vector<SearchOptions> searches(const SearchOptions& asked) {
   std::vector<SearchOptions> result = {asked, asked};
   result[0].finish = Finish::convex_solids;
@@ -78,8 +79,16 @@ std::vector<SearchOptions> searches(const SearchOptions& asked) {
   return result;
 }
 
-/// Takes one solid apart: finds ways to cut it into base solids, and keeps the one of which the fewest hexahedra come
-/// once its parts meet side to side.
+/// How parts are made to meet: few complexes are followed at first, and more in the end, when smaller angles,
+/// shorter edges and curved sheets are allowed too.
+struct Width {
+  int beam, branches;
+  bool last;
+};
+constexpr Width narrow = {3, 3, false}, wide = {12, 6, true};
+
+/// Takes one solid apart: finds ways to cut it into base solids, and keeps the one of which the fewest
+/// hexahedra come once its parts meet side to side.
 class Decomposer {
  public:
   Decomposer(const Brep& solid, const std::string& name, const DecompositionOptions& options,
@@ -101,6 +110,7 @@ class Decomposer {
       look(search);
       if (store_.time_is_up()) break;
     }
+    let_meet(cut_, wide);
     if (!best_) give_up();
     best_->report.evaluations = evaluations_;
     best_->report.seconds = store_.seconds();
@@ -112,8 +122,8 @@ class Decomposer {
   /// @return  whether there is time to go on
   bool tell(const SearchRound& round) const {
     progress_(fmt::format("cutting '{}'\t{} cut{}, {} part{} unfinished, {:.0f} of {:g} s", name_, round.cuts,
-                          round.cuts == 1 ? "" : "s", round.open, round.open == 1 ? "" : "s", store_.seconds(),
-                          options_.time_limit),
+                          round.cuts == 1 ? "" : "s", round.open, round.open == 1 ? "" : "s",
+                          store_.seconds(), options_.time_limit),
               store_.seconds() / options_.time_limit);
     return !store_.time_is_up();
   }
@@ -121,7 +131,6 @@ class Decomposer {
   /// One search; of its ways the one that takes the fewest hexahedra, if it takes fewer than those known.
   void look(const SearchOptions& search) {
     std::vector<Decomposition> ways;
-    std::vector<CellComplex> starts;
     for (const CutTree& tree : search_several(whole_, oracle_, search)) {
       evaluations_ = std::max(evaluations_, tree.evaluations);
       if (!tree.complete()) {
@@ -130,35 +139,36 @@ class Decomposer {
       }
       try {
         ways.push_back(cut(tree));
-        starts.push_back(ways.back().parts);
       } catch (const Error& error) {
         why_not_ = error.what();
       }
     }
     if (ways.empty()) return;
-    if (search.finish == Finish::convex_solids)
-      divide_around_points(std::move(ways.front()));
-    else
-      let_meet(std::move(ways), starts);
+    if (search.finish == Finish::convex_solids) return divide_around_points(std::move(ways.front()));
+    let_meet(ways, narrow);
+    std::move(ways.begin(), ways.end(), std::back_inserter(cut_));
   }
 
   /// Tetrahedra around a point in every part, whatever meets.
   void divide_around_points(Decomposition way) {
     if (!is_polyhedral(solid_, way.parts)) return;
-    way.report.by_tetrahedra = true;
-    finish(way, star_cells(solid_, way.parts));
+    CellComplex stars = star_cells(solid_, way.parts);
+    way.report.by_tetrahedra = stars.cells.size() > way.parts.cells.size();
+    finish(std::move(way), std::move(stars));
     store_.set_time_limit(std::min(store_.time_limit(), store_.seconds() + options_.time_limit / 2));
   }
 
-  void let_meet(std::vector<Decomposition> ways, const std::vector<CellComplex>& starts) {
-    ConformingAttempt attempt = conforming(solid_, starts, conforming_options(), progress_);
+  void let_meet(const std::vector<Decomposition>& ways, const Width& width) {
+    if (ways.empty() || store_.time_is_up()) return;
+    std::vector<CellComplex> starts;
+    for (const Decomposition& way : ways) starts.push_back(way.parts);
+    ConformingAttempt attempt = conforming(solid_, starts, conforming_options(width), progress_);
     if (attempt.best.empty()) {
       why_not_ = attempt.refusal;
-      if (!cut_) cut_ = std::move(ways.front());
       return;
     }
     ConformingCells& cells = attempt.best.front();
-    Decomposition way = std::move(ways[cells.start]);
+    Decomposition way = ways[cells.start];
     way.report.further_cuts = cells.further_cuts;
     finish(std::move(way), std::move(cells.complex));
     store_.set_time_limit(std::min(store_.time_limit(), store_.seconds() + options_.time_limit / 12));
@@ -174,12 +184,18 @@ class Decomposer {
     return result;
   }
 
-  ConformingOptions conforming_options() const {
+  ConformingOptions conforming_options(const Width& width) const {
     ConformingOptions result;
+    result.beam = width.beam;
+    result.branches = width.branches;
     result.cut = options_.cut;
-    result.cut.smallest_angle = Angle::degrees(1);
-    result.cut.shortest_edge /= 10;
-    result.max_hexahedra = std::min(options_.max_cells, best_ ? best_->report.hexahedra - 1 : options_.max_cells);
+    if (width.last) {
+      result.cut.smallest_angle = Angle::degrees(1);
+      result.cut.shortest_edge /= 10;
+      result.cut.keep_plane = false;
+    }
+    result.max_hexahedra =
+        std::min(options_.max_cells, best_ ? best_->report.hexahedra - 1 : options_.max_cells);
     result.time_limit = std::max(0.1, store_.time_limit() - store_.seconds());
     return result;
   }
@@ -191,14 +207,16 @@ class Decomposer {
   }
 
   [[noreturn]] void give_up() const {
-    if (cut_)
-      throw unfinished_meeting(Error(ErrorCode::unsupported, why_not_), solid_, cut_->parts, cut_->t_joints);
+    if (!cut_.empty())
+      throw unfinished_meeting(Error(ErrorCode::unsupported, why_not_), solid_, cut_.front().parts,
+                               cut_.front().t_joints);
     if (!unfinished_) throw Error(ErrorCode::unsupported, why_not_);
     if (store_.time_is_up())
       throw unfinished_search(
-          fmt::format("no way of cutting it into hexahedra was found in {:.3g} s; raise time_limit, or cut the "
-                      "solid in the CAD program where its parts join",
-                      options_.time_limit),
+          fmt::format(
+              "no way of cutting it into hexahedra was found in {:.3g} s; raise time_limit, or cut the "
+              "solid in the CAD program where its parts join",
+              options_.time_limit),
           *unfinished_, store_);
     throw unfinished_search(
         fmt::format("{} of its parts could not be cut into hexahedra, prisms and tetrahedra; {} cuts "
@@ -218,7 +236,7 @@ class Decomposer {
   SearchOracle oracle_;
   int evaluations_ = 0;
   std::optional<CutTree> unfinished_;  // the first search that ended so
-  std::optional<Decomposition> cut_;   // a way into base solids that could not be made to meet side to side
+  std::vector<Decomposition> cut_;     // ways into base solids that need not meet side to side
   std::optional<Decomposition> best_;
   std::string why_not_;  // the last way did not end
 };

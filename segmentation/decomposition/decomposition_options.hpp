@@ -14,8 +14,8 @@ struct DecompositionOptions {
                           .extensions = false,
                           .cost = {.t_joint = 2, .divided = 4}};
   CutOptions cut = {};
-  double time_limit = 60;  ///< seconds, after which it is given up; above 0
-  int max_cells = 2000;    ///< at most so many cells while sides are made to meet; range 1 ..
+  double time_limit = 60;  ///< seconds, after which the best way known is taken, or none; above 0
+  int max_cells = 2000;    ///< at most so many hexahedra when sides are made to meet; range 1 ..
 };
 void validate(const DecompositionOptions& options);
 

@@ -1,6 +1,9 @@
 #include "segmentation/decomposition/geometric_oracle.hpp"
 
+#include <map>
+#include <memory>
 #include <utility>
+#include <vector>
 
 #include "segmentation/decomposition/cutting/plane_section.hpp"
 
@@ -36,7 +39,14 @@ std::vector<CuttingLoop> proposals(CellStore& store, const SearchCell& cell) {
 SearchOracle geometric_oracle(CellStore& store) {
   SearchOracle oracle;
   oracle.cut = [&store](const SearchCell& cell, const CuttingLoop& loop) { return store.cut(cell, loop); };
-  oracle.propose = [&store](const SearchCell& cell) { return proposals(store, cell); };
+  oracle.propose =
+      [&store, known = std::make_shared<std::map<int, std::vector<CuttingLoop>>>()](const SearchCell& cell) {
+        const auto found = known->find(cell.handle);
+        if (found != known->end()) return found->second;
+        std::vector<CuttingLoop> loops = proposals(store, cell);
+        if (!store.time_is_up()) known->emplace(cell.handle, loops);
+        return loops;
+      };
   oracle.accepts = [&store](const SearchCell& cell, const BaseSolid& base) {
     if (base.kind == BaseKind::convex) return store.entry(cell.handle).polyhedral;
     return is_finished(base) && non_convex_count(cell.graph) == 0;

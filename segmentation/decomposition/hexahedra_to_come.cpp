@@ -31,8 +31,7 @@ class DividedEdges {
       for (const CellGraph::Corners& corners : cell.graph.faces)
         if (corners.size() != 4)
           for (std::size_t k = 0; k < corners.size(); ++k)
-            divided_.insert(
-                together_.find(edge(cell, corners[k], corners[(k + 1) % corners.size()])));
+            divided_.insert(together_.find(edge(cell, corners[k], corners[(k + 1) % corners.size()])));
   }
 
   bool contains(const CellSides& cell, VertexId a, VertexId b) {
@@ -56,7 +55,8 @@ double of_one(const CellSides& cell, DividedEdges& divided) {
   const auto sides = static_cast<std::size_t>(base->sides);
   const double levels = divided.contains(cell, at[0], at[sides]) ? 2 : 1;
   if (base->kind == BaseKind::prism) return levels * base->sides;
-  return levels * (divided.contains(cell, at[0], at[1]) ? 2 : 1) * (divided.contains(cell, at[1], at[2]) ? 2 : 1);
+  return levels * (divided.contains(cell, at[0], at[1]) ? 2 : 1) *
+         (divided.contains(cell, at[1], at[2]) ? 2 : 1);
 }
 
 }  // namespace

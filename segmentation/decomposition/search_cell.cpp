@@ -132,8 +132,7 @@ CutAnswer CellStore::make_cut(const SearchCell& cell, const CuttingLoop& loop) {
                                        whole.sides.edges[static_cast<std::size_t>(loop.places[i].edge.value)],
                                        proposed->second[i], 1e-7 * source_.size());
     const CellSides sides = cell_sides(CellShapes(source_, complex), whole.cell, options_.sides);
-    attempt =
-        cut_cell(source_, std::move(complex), whole.cell, sides, placed, options_, &whole.boundary);
+    attempt = cut_cell(source_, std::move(complex), whole.cell, sides, placed, options_, &whole.boundary);
   }
   if (!attempt.cut) return refused(attempt.refusal);
   CutAnswer answer;

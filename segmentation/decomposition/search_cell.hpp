@@ -35,7 +35,7 @@ class CellStore {
     geometry::CellComplex complex;
     geometry::CellId cell;
     CellSides sides;
-    bool polyhedral = false;  ///< plane sides and straight edges: stays so, by plane cuts
+    bool polyhedral = false;    ///< plane sides and straight edges: stays so, by plane cuts
     Eigen::Matrix3Xd boundary;  ///< its triangles, once they were asked for
   };
   const geometry::Brep& source() const { return source_; }

@@ -14,7 +14,8 @@ namespace {
 
 constexpr double unfinished_cost = 1000;
 
-// How a state came about, last cut first; shared by all that come of it. Without an option a cell stays as it is.
+// How a state came about, last cut first; shared by all that come of it. Without an option a cell stays as it
+// is.
 struct CutDecision {
   int cell = -1, option = -1;
   std::shared_ptr<const CutDecision> before;
@@ -112,9 +113,9 @@ class BeamSearch {
 
   void finish(const SearchState& state) {
     if (!is_wanted(state)) return;
-    const auto place = std::upper_bound(
-        best_.begin(), best_.end(), state,
-        [](const SearchState& a, const SearchState& b) { return a.score < b.score; });
+    const auto place =
+        std::upper_bound(best_.begin(), best_.end(), state,
+                         [](const SearchState& a, const SearchState& b) { return a.score < b.score; });
     best_.insert(place, state);
     if (static_cast<int>(best_.size()) > options_.alternatives) best_.pop_back();
   }
@@ -162,8 +163,7 @@ class BeamSearch {
 
   CutTree tree(const SearchState& state) const {
     std::map<int, int> option_of;
-    for (const CutDecision* d = state.decisions.get(); d; d = d->before.get())
-      option_of[d->cell] = d->option;
+    for (const CutDecision* d = state.decisions.get(); d; d = d->before.get()) option_of[d->cell] = d->option;
     CutTree result;
     add_node(result, root_, option_of);
     result.evaluations = cells_.evaluations();

@@ -36,7 +36,8 @@ struct CutTree {
 ///               throws
 CutTree search_cuts(const SearchCell& cell, const SearchOracle& oracle, const SearchOptions& options = {});
 
-/// The same, and the next best ways to the end that the search comes upon, `alternatives` of them at most, cheapest first.
+/// The same, and the next best ways to the end that the search comes upon, `alternatives` of them at most,
+/// cheapest first.
 std::vector<CutTree> search_several(const SearchCell& cell, const SearchOracle& oracle,
                                     const SearchOptions& options = {});
 

@@ -37,7 +37,8 @@ int SearchCells::add(SearchCell cell) {
 }
 
 std::optional<BaseSolid> SearchCells::other_solid(const SearchCell& cell) const {
-  if (const auto simple = simple_solid(cell.graph); simple && is_accepted(oracle_, cell, *simple)) return simple;
+  if (const auto simple = simple_solid(cell.graph); simple && is_accepted(oracle_, cell, *simple))
+    return simple;
   if (options_.finish != Finish::convex_solids) return std::nullopt;
   const auto convex = convex_solid(cell.graph);
   return convex && is_accepted(oracle_, cell, *convex) ? convex : std::nullopt;

@@ -20,7 +20,7 @@ struct SearchOptions {
   int cuts = 1000;         ///< on the way to one state; range 0 ..
   int max_length = 6;      ///< of a loop; extending ones may be twice as long; range 3 .. 500
   int considered = 50;     ///< loops of a cell that are cut and costed before the oracle is asked; range 1 ..
-  int alternatives = 1;    ///< ways to the end that are handed back, where so many were found; range 1 .. 1000
+  int alternatives = 1;  ///< ways to the end that are handed back, where so many were found; range 1 .. 1000
   Finish finish = Finish::base_solids;
   bool extensions =
       true;  ///< whether loops that extend faces are looked for; those proposed are taken anyway

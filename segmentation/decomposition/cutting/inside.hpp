@@ -6,8 +6,9 @@
 
 namespace isopatch::segmentation {
 
-/// Triangles around a cell, outwards, (3, 3 n), m: fans of its plane sides with straight edges, whose triangles may
-/// overlap and face inwards where a side is not convex; what overlaps cancels. Else the triangulation of the CAD library.
+/// Triangles around a cell, outwards, (3, 3 n), m: fans of its plane sides with straight edges, whose
+/// triangles may overlap and face inwards where a side is not convex; what overlaps cancels. Else the
+/// triangulation of the CAD library.
 /// @cost  O(edges); with curved sides 10 ms and more
 Eigen::Matrix3Xd boundary_triangles(const CellShapes& shapes, geometry::CellId cell);
 

@@ -277,13 +277,14 @@ Eigen::Vector3d outward(const CellShapes& shapes, const CellSides& sides, FaceId
 /// Marks the steps along which the plane continues a side that lies in it.
 void mark_extensions(const CellShapes& shapes, const CellSides& sides, const Eigen::Vector3d& normal,
                      CuttingLoop& loop) {
-  const CellIncidence incidence(sides.graph);
+  std::optional<CellIncidence> incidence;  // dear, and seldom needed
   for (std::size_t k = 0; k < loop.steps.size(); ++k) {
     LoopStep& step = loop.steps[k];
     if (step.auxiliary() || sides.graph.edge(step.edge).kind == EdgeKind::convex) continue;
+    if (!incidence) incidence.emplace(sides.graph);
     const bool forwards = loop.places[k].vertex == sides.graph.edge(step.edge).start;
-    const FaceId left = forwards ? incidence.left(step.edge) : incidence.right(step.edge);
-    const FaceId right = forwards ? incidence.right(step.edge) : incidence.left(step.edge);
+    const FaceId left = forwards ? incidence->left(step.edge) : incidence->right(step.edge);
+    const FaceId right = forwards ? incidence->right(step.edge) : incidence->left(step.edge);
     const auto in_plane = [&](FaceId side) {
       const FaceId face = sides.faces[static_cast<std::size_t>(side.value)].front().face;
       return shapes.is_plane(shapes.complex().face(face).surface) &&

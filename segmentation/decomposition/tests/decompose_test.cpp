@@ -170,11 +170,29 @@ TEST(Decompose, NamesTheFacesOfAGraphThatIsNotThreeConnected) {
 }
 
 TEST(Decompose, EndsOnRandomConvexSolids) {
+  DecompositionOptions options;
+  options.time_limit = 2;  // what is found after that would be better, and no sounder
   for (unsigned seed = 1; seed <= 5; ++seed) {
     SCOPED_TRACE(seed);
     const geometry::BrepFile solid{geometry::make_brep(samples::random_hull(6, seed)), "hull", 0};
-    expect_sound(solid, decompose(solid.brep, solid.name));
+    expect_sound(solid, decompose(solid.brep, solid.name, options));
   }
+}
+
+TEST(Decompose, LeavesSimpleSolidsToTheirTemplateIfNothingIsBetter) {
+  // A cube with a corner cut off, obliquely: 10 vertices with three edges each.
+  geometry::Polyhedron solid;
+  solid.vertices.resize(3, 10);
+  solid.vertices << 0, 2, 2, 0, 0, 2, 0, 2, 1.2, 2,  //
+      0, 0, 2, 2, 0, 0, 2, 0.9, 2, 2,                //
+      0, 0, 0, 0, 2, 2, 2, 2, 2, 1.1;
+  solid.faces = {{0, 3, 2, 1},    {0, 1, 5, 4},    {0, 4, 6, 3}, {4, 5, 7, 8, 6},
+                 {1, 2, 9, 7, 5}, {2, 3, 6, 8, 9}, {7, 9, 8}};
+  const geometry::BrepFile file{geometry::make_brep(solid), "corner", 0};
+  const Decomposition result = decompose(file.brep, file.name);
+  EXPECT_LE(result.report.hexahedra, 10);
+  EXPECT_FALSE(result.report.by_tetrahedra);
+  expect_sound(file, result);
 }
 
 TEST(Decompose, RefusesOptionsOutOfRange) {

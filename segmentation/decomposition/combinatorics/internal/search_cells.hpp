@@ -22,11 +22,11 @@ class SearchCells {
  public:
   struct Entry {
     SearchCell cell;
-    std::optional<BaseSolid> base;  ///< if it is accepted as one
-    double cost = 0;                ///< `cell_cost`, or the templates' hexahedra
+    std::optional<BaseSolid> base;   ///< if it is accepted as one
+    double cost = 0;                 ///< `cell_cost`, or the templates' hexahedra
     std::optional<BaseSolid> other;  ///< a simple or convex solid, if it may stay as one
     double other_cost = 0;
-    std::size_t fingerprint = 0;    ///< of its code with kinds of edges
+    std::size_t fingerprint = 0;  ///< of its code with kinds of edges
     std::vector<CutOption> options;
     CandidateStage stage = CandidateStage::none;
     int batch = -1;  ///< of the stage; -1 before the first

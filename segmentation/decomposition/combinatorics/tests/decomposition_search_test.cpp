@@ -157,6 +157,52 @@ TEST(DecompositionSearch, EndsWithWhatItHasWhenItIsToldTo) {
             2);
 }
 
+TEST(DecompositionSearch, SimpleAndConvexSolidsMayStay) {
+  SearchOracle oracle = combinatorial_oracle();
+  SearchOptions options;
+  const SearchCell prism = cell_of(test::prism(6)), pyramid = cell_of(test::pyramid(5));
+  options.finish = Finish::simple_solids;
+  // Nobody has accepted them.
+  EXPECT_EQ(search_cuts(prism, oracle, options).nodes.size(), 1U);  // a prism is a base solid
+  oracle.accepts = [](const SearchCell& cell, const BaseSolid& base) {
+    return non_convex_count(cell.graph) == 0 && base.kind != BaseKind::prism &&
+           base.kind != BaseKind::pyramid;
+  };
+  const CutTree stays = search_cuts(prism, oracle, options);
+  ASSERT_EQ(stays.nodes.size(), 1U);
+  EXPECT_EQ(stays.nodes[0].base->kind, BaseKind::simple);
+  EXPECT_EQ(stays.hexahedra, 12);
+  options.finish = Finish::base_solids;
+  EXPECT_EQ(search_cuts(prism, oracle, options).hexahedra, 2);
+  EXPECT_GT(search_cuts(pyramid, oracle, options).nodes.size(), 1U);
+  options.finish = Finish::convex_solids;
+  const CutTree convex = search_cuts(pyramid, oracle, options);
+  ASSERT_EQ(convex.nodes.size(), 1U);
+  EXPECT_EQ(convex.nodes[0].base->kind, BaseKind::convex);
+  EXPECT_EQ(convex.nodes[0].base->sides, 5 + 5);  // five triangles, and as many around the middle of the base
+  // Concave edges are cut through all the same.
+  EXPECT_EQ(search_cuts(cell_of(test::l_shape()), oracle, options).nodes.size(), 3U);
+}
+
+TEST(DecompositionSearch, HandsBackSeveralWaysCheapestFirst) {
+  SearchOptions options;
+  options.alternatives = 5;
+  const std::vector<CutTree> ways = search_several(cell_of(test::l_shape()), combinatorial_oracle(), options);
+  ASSERT_GT(ways.size(), 1U);
+  EXPECT_LE(ways.size(), 5U);
+  for (const CutTree& way : ways) check_tree(way);
+  for (std::size_t k = 1; k < ways.size(); ++k) EXPECT_LE(ways[k - 1].cost, ways[k].cost);
+  EXPECT_EQ(ways[0].hexahedra, search(test::l_shape()).hexahedra);
+}
+
+TEST(DecompositionSearch, ChargesSolidsThatAreNoHexahedra) {
+  SearchOptions options;
+  const double plain = search(test::pyramid(3), options).cost;
+  options.cost.divided = 3;
+  EXPECT_DOUBLE_EQ(search(test::pyramid(3), options).cost, plain + 3);
+  EXPECT_DOUBLE_EQ(search(test::cube(), options).cost, 1);
+}
+
 TEST(DecompositionSearch, TakesNoForAnAnswer) {
   SearchOracle oracle = combinatorial_oracle();
   const auto cut = oracle.cut;
