@@ -8,16 +8,13 @@
 
 #include "geometry/base/error.hpp"
 #include "geometry/base/stopwatch.hpp"
-#include "geometry/brep/brep_graph.hpp"
-#include "geometry/brep/require_solid.hpp"
 #include "geometry/brep/solid_error.hpp"
-#include "geometry/topology/graph_connectivity.hpp"
-#include "segmentation/decomposition/combinatorics/cell_incidence.hpp"
 #include "segmentation/decomposition/conforming.hpp"
 #include "segmentation/decomposition/cut_tree.hpp"
 #include "segmentation/decomposition/geometric_oracle.hpp"
-#include "segmentation/decomposition/prepare.hpp"
+#include "segmentation/decomposition/keep_t_joints.hpp"
 #include "segmentation/decomposition/star_cells.hpp"
+#include "segmentation/decomposition/starting_cell.hpp"
 #include "segmentation/decomposition/templates.hpp"
 #include "segmentation/decomposition/unfinished_parts.hpp"
 
@@ -30,27 +27,6 @@ std::string reasons(const CellStore& store) {
   for (const auto& [reason, count] : store.refusals())
     text += fmt::format("{} {} times: {}", text.empty() ? ":" : ",", count, reason);
   return text;
-}
-
-/// @throws SolidError not_three_connected  naming two faces that meet in more than a vertex or an edge, and
-/// where
-void require_three_connected(const geometry::Brep& solid, const CellGraph& sides) {
-  if (is_three_connected(sides)) return;
-  const geometry::EdgeGraph graph = edge_graph(solid);
-  const auto report = connectivity(graph, topology(graph, boundary(graph)));
-  std::string where;
-  geometry::SolidFault fault;
-  if (const auto& conflict = report.conflict) {
-    where = fmt::format(": {} and {} meet in {} and in {} without the edge between them",
-                        describe(solid, conflict->first), describe(solid, conflict->second),
-                        describe(solid, conflict->u), describe(solid, conflict->v));
-    fault.faces = {{conflict->first.value}, {conflict->second.value}};
-    fault.points = {{"one place", solid.vertex(conflict->u)}, {"the other", solid.vertex(conflict->v)}};
-  }
-  throw geometry::SolidError(
-      ErrorCode::not_three_connected,
-      fmt::format("its edge graph is not 3-connected{}; cut the solid there in the CAD program", where),
-      std::move(fault));
 }
 
 bool is_polyhedral(const geometry::Brep& solid, const geometry::CellComplex& complex) {
@@ -85,9 +61,11 @@ void require_complete(const CutTree& tree, const CellStore& store, double time_l
                     time_limit),
         tree, store);
   throw unfinished_search(
-      fmt::format("{} of its parts could not be cut into hexahedra, prisms and tetrahedra; {} cuts "
-                  "were tried, {} of them refused{}. Cut the solid in the CAD program where its parts join",
-                  tree.unfinished.size(), tree.evaluations, tree.refusals, reasons(store)),
+      fmt::format("{} of its parts could not be cut into hexahedra, prisms and tetrahedra, the first at {} "
+                  "of the solid; {} cuts were tried, {} of them refused{}. Cut the solid in the CAD program "
+                  "where its parts join",
+                  tree.unfinished.size(), faces_of_unfinished(tree, store), tree.evaluations, tree.refusals,
+                  reasons(store)),
       tree, store);
 }
 
@@ -106,24 +84,28 @@ std::function<bool(const SearchRound&)> watched(const CellStore& store, const st
 Decomposition cut_to_hexahedra(const geometry::Brep& solid, const std::string& name,
                                const DecompositionOptions& options, const Progress& progress) {
   const Stopwatch watch;
-  Decomposition result;
-  result.complex = prepared(solid);
   CellStore store(solid, options.cut, options.time_limit);
-  const geometry::CellId all(0);
-  const SearchCell whole = store.add(result.complex, all);
-  require_three_connected(solid, whole.graph);
+  StartingCell start = starting_cell(store);
+  Decomposition result;
+  result.complex = std::move(start.complex);
   SearchOracle oracle = geometric_oracle(store);
   oracle.goes_on = watched(store, name, options.time_limit, progress);
-  const CutTree tree = search_cuts(whole, oracle, options.search);
+  const CutTree tree = search_cuts(start.cell, oracle, options.search);
   result.report.evaluations = tree.evaluations;
   require_complete(tree, store, options.time_limit);
-  result.report.cuts = apply_cuts(solid, result.complex, all, tree, store, options.cut);
+  result.report.cuts = apply_cuts(solid, result.complex, geometry::CellId(0), tree, store, options.cut);
   result.report.cells = static_cast<int>(result.complex.cells.size());
   result.parts = result.complex;
   result.t_joints = parted_sides(CellShapes(solid, result.parts), options.cut.sides);
+  const double tolerance = options.cut.tolerance * solid.size();
   try {
-    result.complex = side_to_side(solid, std::move(result.complex), options, result.report, progress);
-    result.complex = hexahedral(solid, std::move(result.complex), options.cut.tolerance * solid.size());
+    if (options.t_joints == TJoints::keep) {
+      result.report.t_joints_kept = true;
+      result.complex = keep_t_joints(solid, std::move(result.complex), tolerance, options.cut.sides);
+    } else {
+      result.complex = side_to_side(solid, std::move(result.complex), options, result.report, progress);
+      result.complex = hexahedral(solid, std::move(result.complex), tolerance);
+    }
   } catch (const Error& error) {
     throw unfinished_meeting(error, solid, result.parts, result.t_joints);
   }

@@ -5,6 +5,12 @@
 
 namespace isopatch::segmentation {
 
+/// What becomes of sides that meet others in parts.
+enum class TJoints {
+  remove,  ///< further cuts and templates, until all meet side to side
+  keep,    ///< left as they are
+};
+
 struct DecompositionOptions {
   SearchOptions search = {.beam = 12,
                           .branches = 16,
@@ -14,7 +20,8 @@ struct DecompositionOptions {
                           .cost = {.t_joint = 2}};
   CutOptions cut = {};
   double time_limit = 60;  ///< seconds, after which it is given up; above 0
-  int max_cells = 2000;    ///< at most so many cells while sides are made to meet; range 1 ..
+  TJoints t_joints = TJoints::remove;
+  int max_cells = 2000;  ///< at most so many cells while sides are made to meet; range 1 ..
 };
 void validate(const DecompositionOptions& options);
 
