@@ -33,14 +33,19 @@ void ProgressDisplay::clear() {
   line_open_ = false;
 }
 
-void ProgressDisplay::show(std::string_view phase, double share) {
+void ProgressDisplay::show(std::string_view told, double share) {
   const int percent = static_cast<int>(100 * std::clamp(share, 0.0, 1.0));
+  const std::string_view phase = told.substr(0, told.find('\t'));
+  const std::string_view details = phase == told ? "" : told.substr(phase.size() + 1);
   const bool same_phase = phase == phase_;
-  if (same_phase && (percent == percent_ || !console_.err_is_terminal)) return;
+  if (same_phase && ((percent == percent_ && details == details_) || !console_.err_is_terminal)) return;
   phase_ = phase;
+  details_ = details;
   percent_ = percent;
   if (console_.err_is_terminal) {
-    console_.err << fmt::format("\r\033[K{} {:3d} %", phase, percent) << std::flush;
+    const std::string how_far =
+        details.empty() ? fmt::format(" {:3d} %", percent) : fmt::format(": {}", details);
+    console_.err << fmt::format("\r\033[K{}{}", phase, how_far) << std::flush;
     line_open_ = true;
   } else {
     console_.err << fmt::format("isopatch: {}\n", phase) << std::flush;

@@ -20,8 +20,9 @@ struct Console {
   void fail(const std::string& message) const;
 };
 
-/// Shows phases: rewritten in place with a percentage on a terminal, one plain line each otherwise.
-/// The destructor clears the line.
+/// Shows phases: rewritten in place with a percentage on a terminal, one plain line each otherwise. What a
+/// phase has behind a tab says how far it is: shown in place of the percentage, on terminals only. The
+/// destructor clears the line.
 class ProgressDisplay {
  public:
   explicit ProgressDisplay(const Console& console) : console_(console) {}
@@ -35,9 +36,9 @@ class ProgressDisplay {
   void clear();
 
  private:
-  void show(std::string_view phase, double share);
+  void show(std::string_view told, double share);
   const Console& console_;
-  std::string phase_;
+  std::string phase_, details_;
   int percent_ = -1;
   bool line_open_ = false;
 };

@@ -4,19 +4,26 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <optional>
+#include <variant>
 
 #include "app/base/engineering_units.hpp"
 #include "app/commands/input_options.hpp"
+#include "app/problem/block_file.hpp"
 #include "app/problem/build_problem.hpp"
 #include "app/problem/loose_bodies.hpp"
 #include "app/reports/describe_model.hpp"
 #include "app/reports/describe_problem.hpp"
+#include "app/solids/describe_solid.hpp"
 #include "app/solids/solid_input.hpp"
 #include "app/study/file_kind.hpp"
 #include "app/study/parse_study.hpp"
+#include "geometry/base/error.hpp"
 #include "iga/coupling/well_posed.hpp"
+#include "segmentation/decomposition/prospect.hpp"
+#include "segmentation/parameterization/read_blocks.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -81,6 +88,22 @@ ExitCode solid_info(const InfoCommand& command, const Console& console) {
   return code;
 }
 
+/// Prints what a file of blocks holds.
+ExitCode block_info(const InfoCommand& command, const Console& console) {
+  const segmentation::HexModel model = read_block_file(command.input.path).model;
+  if (command.json)
+    throw Error(ErrorCode::unsupported, "--json describes patches, solids and studies, not files of blocks");
+  std::map<std::string, int> bodies;
+  for (const std::string& body : model.bodies) ++bodies[body];
+  console.out << fmt::format("{}: {} blocks\n", command.input.path.string(), model.solids.size());
+  for (const auto& [body, blocks] : bodies) console.out << fmt::format("  {}: {}\n", body, blocks);
+  const std::size_t joints = model.topology.t_joints.size();
+  console.out << (joints == 0 ? "all meet side to side\n"
+                              : fmt::format("{} sides meet others in parts (T-joints): not for studies yet\n",
+                                            joints));
+  return ExitCode::ok;
+}
+
 std::string whole_text(const geometry::MultiPatch& model, const ModelReport& seen, bool all) {
   std::string text = model_text(model, seen, all);
   for (const auto& face : model.degenerate_faces())
@@ -106,11 +129,27 @@ TriedStudy tried(const Study& study, const LoadedModel& loaded, const ModelRepor
   return result;
 }
 
+/// What will be done with each solid, before it is.
+std::string outlooks_text(const BlocksInput& input, const Progress& progress) {
+  std::string text;
+  for (const geometry::BrepFile& body : segmentation::read_solids(input.files, progress).solids) {
+    std::optional<segmentation::Prospect> prospect;
+    if (!segmentation::is_hexahedron(body.brep))
+      prospect = segmentation::prospect(body.brep, *input.decomposition);
+    text += fmt::format("solid '{}': {}\n", body.name, outlook_text(prospect));
+  }
+  return text;
+}
+
 /// Prints the model, and where supports, loads and probes are; fails after that as a run would before it
 /// solves: the model's faces are what a wrong selection is mended with.
 ExitCode study_info(const InfoCommand& command, const Console& console) {
   ProgressDisplay display(console);
   const Study study = read_study(command.input.path, command.input.overrides);
+  const std::string path = command.input.path.string() + "\n";
+  const auto* solids = std::get_if<BlocksInput>(&study.model.source);
+  const bool cuts = !command.json && solids && solids->decomposition;
+  if (cuts) console.out << path << outlooks_text(*solids, display.progress());
   const LoadedModel loaded = load_model(study.model, display.progress());
   const geometry::MultiPatch& model = loaded.model;
   const ModelReport seen = report(model, display.progress());
@@ -120,8 +159,7 @@ ExitCode study_info(const InfoCommand& command, const Console& console) {
   if (command.json)
     console.out << model_json_text(model, seen, problem ? &*problem : nullptr);
   else
-    console.out << command.input.path.string() << "\n"
-                << whole_text(model, seen, command.all)
+    console.out << (cuts ? "" : path) << whole_text(model, seen, command.all)
                 << (problem ? problem_text(*problem, command.all) : "");
   for (const Warning& warning : problem ? problem->warnings : certificate_warnings(model, seen))
     console.warn(warning.text);
@@ -134,6 +172,7 @@ ExitCode study_info(const InfoCommand& command, const Console& console) {
 ExitCode info_command(const InfoCommand& command, const Console& console) {
   const FileKind kind = kind_of(command.input.path);
   if (holds_solids(kind)) return solid_info(command, console);
+  if (kind == FileKind::blocks) return block_info(command, console);
   if (kind == FileKind::study) return study_info(command, console);
   ProgressDisplay display(console);
   const LoadedInput input = load_input(command.input);

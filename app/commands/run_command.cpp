@@ -8,10 +8,12 @@
 #include <variant>
 
 #include "app/commands/write_results.hpp"
+#include "app/reports/cutting_page.hpp"
 #include "app/results/summary.hpp"
 #include "app/run/run_study.hpp"
 #include "app/solids/fault_page.hpp"
 #include "geometry/brep/solid_error.hpp"
+#include "segmentation/decomposition/cutting_error.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -36,7 +38,10 @@ StudyRun solved(const Study& study, const Progress& progress) {
     const auto* solids = std::get_if<BlocksInput>(&study.model.source);
     if (!study.options.processes.is_first() || !study.output.report || !solids) throw;
     const std::filesystem::path& directory = study.output.directory;
-    write_in(directory, "report.html", fault_html(*solids, error, study.title, study.text));
+    const auto* cutting = dynamic_cast<const segmentation::CuttingError*>(&error);
+    write_in(directory, "report.html",
+             cutting && !cutting->parts().empty() ? cutting_fault_html(*cutting, study.title, study.text)
+                                                  : fault_html(*solids, error, study.title, study.text));
     throw Error(error.code(), shown_in(error, directory / "report.html"));
   }
 }

@@ -3,11 +3,20 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
+#include <vector>
 
 #include "app/commands/input_options.hpp"
+#include "app/problem/block_file.hpp"
 #include "app/problem/cut_solids.hpp"
+#include "app/reports/cutting_page.hpp"
 #include "app/results/output_directory.hpp"
+#include "app/solids/fault_page.hpp"
+#include "app/study/segmentation_keys.hpp"
+#include "geometry/base/atomic_file.hpp"
+#include "geometry/base/error.hpp"
+#include "geometry/brep/solid_error.hpp"
 #include "geometry/brep/write_brep.hpp"
 
 namespace isopatch::app {
@@ -16,39 +25,116 @@ namespace {
 constexpr const char* segment_examples = R"(Examples:
   isopatch segment part.step -o blocks
   isopatch segment part.off --length-unit mm -o blocks --time-limit 300
+  isopatch segment left.step right.step -o blocks    several solids, one model
 Cuts along loops on the boundary, through concave edges first, until all parts are topological hexahedra that meet side to
-side. Faces keep their names ("face 3" where they have none) and colours. The blocks can be given to a study:
-blocks = ["blocks/block_0.step", ...]; a study with file = "part.step" does all of it by itself.)";
+side. Faces keep their names ("face 3" where they have none) and colours. A study takes them with
+file = "blocks/blocks.h5", without cutting again; with file = "part.step" it does all of it by itself.
+report.html shows the blocks, drawn apart, and what was done. Where a body is given up, failure.html shows what had been
+cut by then, the other bodies are written, and the exit code is 2.)";
+
+constexpr const char* blocks_name = "blocks.h5";
+constexpr const char* report_page_name = "report.html";
+constexpr const char* failure_page = "failure.html";
+
+BlocksInput input_of(const SegmentCommand& command) {
+  BlocksInput input;
+  input.files.files = command.solids;
+  input.decomposition = segmentation::DecompositionOptions{};
+  input.decomposition->time_limit = command.time_limit;
+  input.decomposition->t_joints = *find_choice(t_joint_choices(), command.t_joints);
+  if (!command.length_unit.empty())
+    input.files.length_unit = length_unit(InputFile{{}, {}, command.length_unit});
+  set_reading(command.reading, input.files);
+  return input;
+}
+
+/// "part.step", "part.step and 2 others".
+std::string title_of(const SegmentCommand& command) {
+  const std::string first = command.solids.front().filename().string();
+  const std::size_t others = command.solids.size() - 1;
+  return others == 0 ? first : fmt::format("{} and {} other{}", first, others, others == 1 ? "" : "s");
+}
+
+/// The bodies cut as far as they can be; a file without sound bodies is shown in failure.html.
+CutSolids cut(const BlocksInput& input, const SegmentCommand& command, const Progress& progress) {
+  try {
+    return try_to_cut_solids(input, progress);
+  } catch (const geometry::SolidError& error) {
+    const std::filesystem::path page = command.output / failure_page;
+    write_file(page, fault_html(input, error, title_of(command), ""));
+    throw Error(error.code(), shown_in(error, page));
+  }
+}
+
+/// Writes the blocks and removes those of an earlier run that made more.
+void write_blocks(const std::vector<geometry::BrepFile>& blocks, const std::filesystem::path& folder) {
+  std::size_t next = 0;
+  for (const geometry::BrepFile& block : blocks)
+    geometry::write_brep(folder / block_file_name(next++), block.brep);
+  while (std::filesystem::remove(folder / block_file_name(next))) ++next;
+}
+
+/// Writes the file that studies read.
+/// @return  why not, or ""
+std::string write_block_file(const CutSolids& solids, const std::filesystem::path& file) {
+  std::filesystem::remove(file);
+  try {
+    write_file(file, block_file_bytes(put_together(solids)));
+    return "";
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::io || error.code() == ErrorCode::internal) throw;
+    return fmt::format("{} is not written, since a study would refuse the blocks: {}",
+                       file.filename().string(), error.what());
+  }
+}
+
+std::string files_text(std::size_t blocks, const std::filesystem::path& folder) {
+  if (blocks == 0) return "";
+  const std::string last = block_file_name(blocks - 1);
+  return fmt::format("  {} written to {}\n", blocks == 1 ? last : block_file_name(0) + " to " + last,
+                     folder.string());
+}
+
+/// Says of each body that was given up why.
+ExitCode told_failures(const CutSolids& solids, const std::filesystem::path& page, const Console& console) {
+  ExitCode code = ExitCode::ok;
+  for (const CutBody& body : solids.bodies) {
+    if (!body.failure) continue;
+    console.fail(shown_in(*body.failure, page));
+    code = ExitCode::wrong_input;
+  }
+  return code;
+}
 
 }  // namespace
 
 ExitCode segment_command(const SegmentCommand& command, const Console& console) {
-  BlocksInput input;
-  input.files.files = {command.solid};
-  input.decomposition = segmentation::DecompositionOptions{};
-  input.decomposition->time_limit = command.time_limit;
-  if (!command.length_unit.empty())
-    input.files.length_unit = length_unit(InputFile{{}, {}, command.length_unit});
-  set_reading(command.reading, input.files);
+  const BlocksInput input = input_of(command);
   const OutputFolder folder(command.output);
   ProgressDisplay display(console);
-  const CutSolids solids = cut_solids(input, display.progress());
-  const auto block = [&](std::size_t b) { return command.output / fmt::format("block_{}.step", b); };
-  for (std::size_t b = 0; b < solids.blocks.size(); ++b)
-    geometry::write_brep(block(b), solids.blocks[b].brep);
-  // Of an earlier run that made more.
-  for (std::size_t b = solids.blocks.size(); std::filesystem::remove(block(b)); ++b) {
-  }
+  const CutSolids solids = cut(input, command, display.progress());
+  const bool failed = std::any_of(solids.bodies.begin(), solids.bodies.end(),
+                                  [](const CutBody& body) { return body.failure.has_value(); });
+  const std::vector<geometry::BrepFile> blocks = solids.blocks();
+  display.progress()("writing blocks and page", 0);
+  write_blocks(blocks, command.output);
+  std::string no_file;
+  if (failed)
+    std::filesystem::remove(command.output / blocks_name);
+  else
+    no_file = write_block_file(solids, command.output / blocks_name);
+  const std::filesystem::path page = command.output / (failed ? failure_page : report_page_name);
+  write_file(page, cutting_html(solids, title_of(command)));
+  std::filesystem::remove(command.output / (failed ? report_page_name : failure_page));
   display.clear();
   for (const std::string& warning : solids.warnings) console.warn(warning);
+  if (!no_file.empty()) console.warn(no_file);
   if (!console.quiet)
-    console.out << cutting_text(solids)
-                << fmt::format("  {} written to {}\n",
-                               solids.blocks.size() == 1
-                                   ? "block_0.step"
-                                   : fmt::format("block_0.step to block_{}.step", solids.blocks.size() - 1),
-                               command.output.string());
-  return ExitCode::ok;
+    console.out << cutting_text(solids) << files_text(blocks.size(), command.output)
+                << (failed ? ""
+                           : fmt::format("  {}{} shows the blocks\n",
+                                         no_file.empty() ? "blocks.h5 for studies, " : "", page.string()));
+  return told_failures(solids, page, console);
 }
 
 void add_segment_command(CLI::App& app, CommandLine& line) {
@@ -57,10 +143,10 @@ void add_segment_command(CLI::App& app, CommandLine& line) {
       add_command(app, line, "segment", "Cuts solids into topological hexahedra", segment_examples,
                   [command](const Console& console) { return segment_command(*command, console); });
   segment
-      .add_option("solid", command->solid,
+      .add_option("solids", command->solids,
                   "Solids: .step, .stp, .p21, .iges, .igs, .brep, .brp, .xml (G+Smo), .off")
       ->required();
-  segment.add_option("-o,--output", command->output, "Folder of the blocks (.step)")
+  segment.add_option("-o,--output", command->output, "Folder of the blocks (.step) and the page")
       ->required()
       ->type_name("FOLDER");
   segment.add_option("--length-unit", command->length_unit,
@@ -68,6 +154,11 @@ void add_segment_command(CLI::App& app, CommandLine& line) {
   add_reading(segment, command->reading);
   segment.add_option("--time-limit", command->time_limit, "Seconds that a body may take to be cut")
       ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  segment
+      .add_option("--t-joints", command->t_joints,
+                  "Sides that meet others in parts: remove them by further cuts, or keep them")
+      ->check(CLI::IsMember(names(t_joint_choices())))
       ->capture_default_str();
 }
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "app/base/exit_code.hpp"
 #include "app/commands/command_line.hpp"
@@ -12,10 +13,11 @@
 namespace isopatch::app {
 
 struct SegmentCommand {
-  std::filesystem::path solid;
+  std::vector<std::filesystem::path> solids;
   std::filesystem::path output;  ///< a folder
   std::string length_unit;       ///< as of InputFile
   CadReading reading;
+  std::string t_joints = "remove";                                      ///< or "keep"
   double time_limit = segmentation::DecompositionOptions{}.time_limit;  ///< s
 };
 /// Cuts solids into topological hexahedra and writes them as STEP files, one a block.

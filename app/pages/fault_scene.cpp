@@ -3,26 +3,9 @@
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
-#include "app/pages/internal/base64.hpp"
-#include "app/pages/internal/point_json.hpp"
+#include "app/pages/internal/matrix_json.hpp"
 
 namespace isopatch::app {
-namespace {
-
-std::string block(const Eigen::Matrix3Xd& points) {
-  std::vector<float> numbers;
-  for (Eigen::Index i = 0; i < points.size(); ++i) numbers.push_back(static_cast<float>(points.data()[i]));
-  return to_base64(numbers);
-}
-
-Json indices(const Eigen::Matrix3Xi& triangles) {
-  Json result = Json::array();
-  for (Eigen::Index i = 0; i < triangles.size(); ++i) result.push_back(triangles.data()[i]);
-  return result;
-}
-
-}  // namespace
-
 std::string fault_scene_json(const FaultScene& scene) {
   Eigen::AlignedBox3d box;
   const auto widen = [&](const Eigen::Matrix3Xd& points) {
@@ -34,12 +17,13 @@ std::string fault_scene_json(const FaultScene& scene) {
     faces.push_back({{"name", face.name},
                      {"remark", face.remark},
                      {"is_faulty", face.is_faulty},
-                     {"points", block(face.points)},
-                     {"triangles", indices(face.triangles)}});
+                     {"points", points_text(face.points)},
+                     {"triangles", triangles_json(face.triangles)}});
   }
   for (const FaultLine& line : scene.lines) {
     widen(line.points);
-    lines.push_back({{"name", line.name}, {"is_faulty", line.is_faulty}, {"points", block(line.points)}});
+    lines.push_back(
+        {{"name", line.name}, {"is_faulty", line.is_faulty}, {"points", points_text(line.points)}});
   }
   for (const FaultPlace& place : scene.places) {
     widen(place.point);

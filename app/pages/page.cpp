@@ -47,7 +47,8 @@ std::string data_json(const Page& page) {
          ",\"title\":" + quoted(page.title) + ",\"study\":" + quoted(page.study) +
          ",\"summary\":" + page.summary_json + ",\"plots\":[" + plots +
          "],\"scene\":" + (page.scene ? scene_json(*page.scene) : "null") +
-         ",\"faults\":" + (page.faults ? fault_scene_json(*page.faults) : "null") + "}";
+         ",\"faults\":" + (page.faults ? fault_scene_json(*page.faults) : "null") +
+         ",\"blocks\":" + (page.blocks ? block_scene_json(*page.blocks) : "null") + "}";
 }
 
 void replace_marker(std::string& text, std::string_view marker, std::string_view by) {

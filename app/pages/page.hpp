@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/pages/block_scene.hpp"
 #include "app/pages/fault_scene.hpp"
 #include "app/pages/scene.hpp"
 
@@ -18,7 +19,7 @@ struct PagePlot {
 
 /// What a page says. Texts in JSON are SI values as the files of that name have them.
 struct Page {
-  std::string kind;     ///< "report", "compare", "model", "verification" or "faults"
+  std::string kind;     ///< "report", "compare", "model", "verification", "faults" or "blocks"
   std::string program;  ///< "isopatch 0.1.0"
   std::string title;
   std::string study;                  ///< text of the study file
@@ -26,6 +27,7 @@ struct Page {
   std::vector<PagePlot> plots;
   std::optional<Scene> scene = {};
   std::optional<FaultScene> faults = {};  ///< of a page of that kind
+  std::optional<BlockScene> blocks = {};  ///< likewise
 };
 
 /// A page as one HTML file that needs nothing else, neither network nor server.

@@ -9,52 +9,109 @@
 namespace isopatch::app {
 namespace {
 
+using segmentation::CuttingError;
+
 std::string number_of(int number, const std::string& one, const std::string& several) {
   return fmt::format("{} {}", number, number == 1 ? one : several);
 }
 
-}  // namespace
+CutBody cut_body(geometry::BrepFile solid, const segmentation::DecompositionOptions& options,
+                 const Progress& progress) {
+  CutBody body{std::move(solid), {}};
+  if (segmentation::is_hexahedron(body.solid.brep)) {
+    body.blocks = {body.solid};
+    return body;
+  }
+  body.cutting = segmentation::decompose(body.solid.brep, body.solid.name, options, progress);
+  body.blocks = segmentation::blocks(body.solid, *body.cutting);
+  return body;
+}
 
-CutSolids cut_solids(const BlocksInput& input, const Progress& progress) {
+/// With the reason where it cannot be cut.
+CutBody try_to_cut_body(const geometry::BrepFile& solid, const segmentation::DecompositionOptions& options,
+                        const Progress& progress) {
+  CutBody failed{solid, {}};
+  try {
+    return cut_body(solid, options, progress);
+  } catch (const CuttingError& error) {
+    failed.failure = error;
+  } catch (const geometry::SolidError& error) {
+    failed.failure = CuttingError(error.code(), error.what(), error.fault(), {});
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::internal) throw;
+    failed.failure = CuttingError(error.code(), error.what(), {}, {});
+  }
+  return failed;
+}
+
+/// Says which body it is where there are several.
+Progress of_body(const Progress& progress, std::size_t index, std::size_t count) {
+  if (count < 2) return progress;
+  return {[&progress, index, count](std::string_view phase, double share) {
+    progress(fmt::format("body {} of {}: {}", index + 1, count, phase), share);
+  }};
+}
+
+template <class Cut>
+CutSolids each_cut(const BlocksInput& input, const Progress& progress, Cut cut) {
   segmentation::ReadSolids read = segmentation::read_solids(input.files, progress);
   CutSolids result;
   result.warnings = std::move(read.warnings);
-  for (geometry::BrepFile& body : read.solids) {
-    CutBody cut{body.name, 1, {}};
-    if (segmentation::is_hexahedron(body.brep)) {
-      result.blocks.push_back(body);
-    } else {
-      const segmentation::Decomposition decomposition =
-          segmentation::decompose(body.brep, body.name, *input.decomposition, progress);
-      cut.report = decomposition.report;
-      std::vector<geometry::BrepFile> parts = segmentation::blocks(body, decomposition);
-      cut.blocks = static_cast<int>(parts.size());
-      for (geometry::BrepFile& part : parts) result.blocks.push_back(std::move(part));
-    }
-    result.bodies.insert(result.bodies.end(), static_cast<std::size_t>(cut.blocks), body.name);
-    result.cuts.push_back(std::move(cut));
-  }
+  for (std::size_t i = 0; i < read.solids.size(); ++i)
+    result.bodies.push_back(
+        cut(read.solids[i], *input.decomposition, of_body(progress, i, read.solids.size())));
+  return result;
+}
+
+std::string report_text(const segmentation::DecompositionReport& report) {
+  std::string text =
+      fmt::format("{} into {}, {} where sides meet in parts", number_of(report.cuts, "cut", "cuts"),
+                  number_of(report.cells, "part", "parts"), number_of(report.t_joints, "place", "places"));
+  if (report.t_joints_kept && report.t_joints > 0)
+    text += " (kept)";
+  else if (report.by_tetrahedra)
+    text += "; all parts divided into tetrahedra, since cuts did not end in sides that meet";
+  else if (report.further_cuts > 0)
+    text += fmt::format(", closed by {}", number_of(report.further_cuts, "further cut", "further cuts"));
+  return text + fmt::format("; {} ({:.1f} s)", number_of(report.hexahedra, "hexahedron", "hexahedra"),
+                            report.seconds);
+}
+
+}  // namespace
+
+std::vector<geometry::BrepFile> CutSolids::blocks() const {
+  std::vector<geometry::BrepFile> result;
+  for (const CutBody& body : bodies) result.insert(result.end(), body.blocks.begin(), body.blocks.end());
+  return result;
+}
+
+std::vector<std::string> CutSolids::body_names() const {
+  std::vector<std::string> result;
+  for (const CutBody& body : bodies) result.insert(result.end(), body.blocks.size(), body.solid.name);
+  return result;
+}
+
+CutSolids cut_solids(const BlocksInput& input, const Progress& progress) {
+  return each_cut(input, progress, cut_body);
+}
+
+CutSolids try_to_cut_solids(const BlocksInput& input, const Progress& progress) {
+  return each_cut(input, progress, try_to_cut_body);
+}
+
+segmentation::ReadBlocks put_together(const CutSolids& solids, const segmentation::AssemblyOptions& options) {
+  segmentation::ReadBlocks result{segmentation::hex_model(solids.blocks(), options), solids.warnings};
+  result.model.bodies = solids.body_names();
   return result;
 }
 
 std::string cutting_text(const CutSolids& solids) {
   std::string text;
-  for (const CutBody& body : solids.cuts) {
-    const segmentation::DecompositionReport& report = body.report;
-    if (report.cells == 0) {
-      text += fmt::format("  {}: a topological hexahedron as it is\n", body.name);
-      continue;
-    }
-    text += fmt::format("  {}: {} into {}, {} where sides meet in parts", body.name,
-                        number_of(report.cuts, "cut", "cuts"), number_of(report.cells, "part", "parts"),
-                        number_of(report.t_joints, "place", "places"));
-    if (report.by_tetrahedra)
-      text += "; all parts divided into tetrahedra, since cuts did not end in sides that meet";
-    else if (report.further_cuts > 0)
-      text += fmt::format(", closed by {}", number_of(report.further_cuts, "further cut", "further cuts"));
-    text += fmt::format("; {} ({:.1f} s)\n", number_of(report.hexahedra, "hexahedron", "hexahedra"),
-                        report.seconds);
-  }
+  for (const CutBody& body : solids.bodies)
+    text += fmt::format("  {}: {}\n", body.solid.name,
+                        body.cutting   ? report_text(body.cutting->report)
+                        : body.failure ? "given up"
+                                       : "a topological hexahedron as it is");
   return text;
 }
 

@@ -1,32 +1,48 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/study/blocks_input.hpp"
 #include "geometry/base/progress.hpp"
+#include "segmentation/decomposition/cutting_error.hpp"
+#include "segmentation/decomposition/decompose.hpp"
 
 namespace isopatch::app {
 
-/// How one body became blocks.
+/// How one body became blocks, or why it did not.
 struct CutBody {
-  std::string name;
-  int blocks = 1;
-  segmentation::DecompositionReport report;  ///< of a body that was a hexahedron all zero but for that
+  geometry::BrepFile solid;
+  std::vector<geometry::BrepFile> blocks;
+  /// Of a body that was cut; nothing for one that was a hexahedron.
+  std::optional<segmentation::Decomposition> cutting = {};
+  std::optional<segmentation::CuttingError> failure = {};
 };
 
 /// Solids as topological hexahedra.
 struct CutSolids {
-  std::vector<geometry::BrepFile> blocks;
-  std::vector<std::string> bodies;  ///< by block: the body that it is a part of
-  std::vector<CutBody> cuts;        ///< by body
+  std::vector<CutBody> bodies;
   std::vector<std::string> warnings;
+
+  std::vector<geometry::BrepFile> blocks() const;  ///< of all bodies
+  std::vector<std::string> body_names() const;     ///< by block: the body that it is a part of
 };
 
 /// Reads solids and takes those apart that are no topological hexahedra; lengths are metres.
-/// @param input  with a decomposition
+/// @param input     with a decomposition
+/// @param progress  phases say which body it is, "body 2 of 5: cutting 'arm'", with details behind a tab
 /// @throws Error as `read_solids` and `decompose` do
 CutSolids cut_solids(const BlocksInput& input, const Progress& progress = {});
+
+/// The same, but bodies that cannot be cut keep the reason, and the others go on.
+/// @throws Error as `read_solids` does
+CutSolids try_to_cut_solids(const BlocksInput& input, const Progress& progress = {});
+
+/// The blocks of all bodies, and how they meet.
+/// @throws Error as `segmentation::hex_model` does
+segmentation::ReadBlocks put_together(const CutSolids& solids,
+                                      const segmentation::AssemblyOptions& options = {});
 
 /// A line for each body, for people.
 std::string cutting_text(const CutSolids& solids);

@@ -5,7 +5,10 @@
 #include <algorithm>
 
 #include "app/base/engineering_units.hpp"
+#include "app/problem/block_file.hpp"
 #include "app/problem/cut_solids.hpp"
+#include "app/study/file_kind.hpp"
+#include "geometry/base/error.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -36,14 +39,35 @@ std::string histogram_text(const ParameterizationReport& report) {
   return text + "\n";
 }
 
+/// "one of block 'part#2' meets part#3, part#4": the side of a T-joint and those in it.
+std::string whole_side(const segmentation::HexModel& model, const geometry::TJoint& joint) {
+  std::string parts;
+  for (const geometry::SidePart& part : joint.parts)
+    parts += (parts.empty() ? "" : ", ") + model.name(part.side.block);
+  return fmt::format("one of block '{}' meets {}", model.name(joint.whole.block), parts);
+}
+
+/// Patches that meet in parts of sides need a coupling that there is not.
+void require_side_to_side(const segmentation::HexModel& model) {
+  const auto& joints = model.topology.t_joints;
+  if (joints.empty()) return;
+  throw Error(ErrorCode::not_conforming,
+              fmt::format("{} side{} of blocks meet{} others in parts (T-joints), {}{}; patches that do not "
+                          "meet side to side cannot be coupled yet: cut the solid with "
+                          "t_joints = \"remove\", the default",
+                          joints.size(), joints.size() == 1 ? "" : "s", joints.size() == 1 ? "s" : "",
+                          joints.size() == 1 ? "" : "the first, ", whole_side(model, joints.front())));
+}
+
+bool is_block_file(const BlocksInput& input) {
+  return input.files.files.size() == 1 && kind_of(input.files.files.front()) == FileKind::blocks;
+}
+
 /// The solids, those that are no hexahedra taken apart, and put together.
 segmentation::ReadBlocks blocks_of(const BlocksInput& input, const Progress& progress) {
+  if (is_block_file(input)) return read_block_file(input.files.files.front());
   if (!input.decomposition || input.files.pairs) return segmentation::read_blocks(input.files, progress);
-  CutSolids cut = cut_solids(input, progress);
-  segmentation::ReadBlocks result{segmentation::hex_model(std::move(cut.blocks), input.files.assembly),
-                                  std::move(cut.warnings)};
-  result.model.bodies = std::move(cut.bodies);
-  return result;
+  return put_together(cut_solids(input, progress), input.files.assembly);
 }
 
 }  // namespace
@@ -51,6 +75,7 @@ segmentation::ReadBlocks blocks_of(const BlocksInput& input, const Progress& pro
 segmentation::Parameterization parameterized(const BlocksInput& input, const Progress& progress) {
   progress("reading blocks", 0);
   segmentation::ReadBlocks blocks = blocks_of(input, progress);
+  if (input.decomposition || is_block_file(input)) require_side_to_side(blocks.model);
   segmentation::Parameterization result = segmentation::parameterize(blocks.model, input.options, progress);
   result.report.warnings = std::move(blocks.warnings);
   return result;

@@ -57,6 +57,11 @@ LoadedInput load_input(const InputFile& input) {
   const FileKind kind = kind_of(input.path);
   if (kind == FileKind::results) return load_result(input.path);
   if (kind == FileKind::study) return load_study(input);
+  if (kind == FileKind::blocks)
+    throw Error(ErrorCode::unsupported,
+                fmt::format("{} holds blocks, which are no patches yet; give it to a study: [model] file, or "
+                            "make patches of it with `isopatch parameterize`",
+                            input.path.string()));
   const ModelInput model{PatchFile{input.path, length_unit(input)}};
   return {load_model(model).model, std::nullopt, input.path.filename().string()};
 }

@@ -211,6 +211,21 @@ Json gap_json(const geometry::EdgeGap& gap) {
   return {{"face", gap.face.value}, {"edge", gap.edge.value}, {"point", to_json(gap.place)}};
 }
 
+/// Null for what is no solid.
+Json outlook_json(const SolidReport& solid) {
+  if (solid.report.stage == geometry::BrepStage::repair) return {};
+  const auto& prospect = solid.prospect;
+  const bool refused = prospect && prospect->refusal;
+  Json json = {{"state", !prospect ? "hexahedron" : refused ? "refused" : "to be cut"}};
+  if (refused) json["reason"] = prospect->refusal->what();
+  if (prospect && !refused) {
+    json["faces"] = prospect->sides;
+    json["concave_edges"] = ids_json(prospect->concave);
+    json["nearly_flat_edges"] = ids_json(prospect->blunt);
+  }
+  return json;
+}
+
 Json solid_json(const SolidReport& solid) {
   const Brep& brep = solid.file.brep;
   const BrepReport& report = solid.report;
@@ -224,6 +239,7 @@ Json solid_json(const SolidReport& solid) {
   return {{"name", solid.file.name},
           {"stage", name(report.stage)},
           {"findings", report.findings},
+          {"segmentation", outlook_json(solid)},
           {"volume", report.volume},
           {"volume_error", report.volume_error},
           {"area", report.area},
@@ -255,6 +271,24 @@ std::string gap_place(const geometry::EdgeGap& gap, double size) {
 
 }  // namespace
 
+std::string outlook_text(const std::optional<segmentation::Prospect>& prospect) {
+  if (!prospect) return "a topological hexahedron, a block as it is";
+  if (prospect->refusal) return fmt::format("refused: {}", prospect->refusal->what());
+  const auto listed = [](const std::vector<EdgeId>& edges, const char* one, const char* several) {
+    constexpr std::size_t most = 8;
+    const std::size_t shown = std::min(most, edges.size());
+    std::vector<int> numbers;
+    for (std::size_t i = 0; i < shown; ++i) numbers.push_back(edges[i].value);
+    return fmt::format("{} {} ({}{})", edges.size(), edges.size() == 1 ? one : several,
+                       fmt::join(numbers, ", "), shown < edges.size() ? ", ..." : "");
+  };
+  std::string text = fmt::format("will be cut: {} faces, ", prospect->sides);
+  text += prospect->concave.empty() ? "all edges convex"
+                                    : listed(prospect->concave, "concave edge", "concave edges");
+  if (!prospect->blunt.empty()) text += ", " + listed(prospect->blunt, "nearly flat one", "nearly flat ones");
+  return text;
+}
+
 std::string solid_text(const SolidReport& solid, bool all) {
   const Brep& brep = solid.file.brep;
   const BrepReport& report = solid.report;
@@ -271,6 +305,8 @@ std::string solid_text(const SolidReport& solid, bool all) {
                       report.shortest_edge.value, with_unit(brep.edge(report.shortest_edge).length, "m"));
   if (solid.file.largest_correction > 0)
     text += fmt::format("sewn: points moved by up to {}\n", with_unit(solid.file.largest_correction, "m"));
+  if (report.stage != geometry::BrepStage::repair)
+    text += fmt::format("segmentation: {}\n", outlook_text(solid.prospect));
   return text + findings_text(report) + faces_text(brep, all) + edges_text(brep, report, all);
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "geometry/brep/check_brep.hpp"
 #include "geometry/brep/read_brep.hpp"
+#include "segmentation/decomposition/prospect.hpp"
 
 namespace isopatch::app {
 
@@ -12,7 +14,13 @@ namespace isopatch::app {
 struct SolidReport {
   geometry::BrepFile file;
   geometry::BrepReport report;
+  /// What cutting it would mean; nothing for what is no solid or a topological hexahedron.
+  std::optional<segmentation::Prospect> prospect = {};
 };
+
+/// What will be done with a solid in a study: "a topological hexahedron", "will be cut: 14 faces, 3 concave
+/// edges (4, 7, 9)", "refused: its edge graph is not 3-connected ...".
+std::string outlook_text(const std::optional<segmentation::Prospect>& prospect);
 
 /// What `isopatch info` prints of a solid, in engineering units.
 /// @param all  every face and edge; otherwise long lists are cut after 24 lines

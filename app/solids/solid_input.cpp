@@ -1,7 +1,11 @@
 #include "app/solids/solid_input.hpp"
 
+#include <optional>
+#include <utility>
+
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/io/read_gismo_solid.hpp"
+#include "segmentation/decomposition/prospect.hpp"
 
 namespace isopatch::app {
 
@@ -16,7 +20,10 @@ LoadedSolids load_solids(const InputFile& input, const Progress& progress) {
   for (std::size_t i = 0; i < set.bodies.size(); ++i) {
     progress("describing the bodies", double(i) / double(set.bodies.size()));
     geometry::BrepReport report = geometry::check(set.bodies[i].brep);
-    result.bodies.push_back({std::move(set.bodies[i]), std::move(report)});
+    std::optional<segmentation::Prospect> prospect;
+    if (report.stage != geometry::BrepStage::repair && report.stage != geometry::BrepStage::parameterization)
+      prospect = segmentation::prospect(set.bodies[i].brep);
+    result.bodies.push_back({std::move(set.bodies[i]), std::move(report), std::move(prospect)});
   }
   return result;
 }

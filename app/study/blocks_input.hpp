@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "segmentation/decomposition/decompose.hpp"
+#include "segmentation/decomposition/decomposition_options.hpp"
 #include "segmentation/parameterization/parameterize.hpp"
 #include "segmentation/parameterization/read_blocks.hpp"
 

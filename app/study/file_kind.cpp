@@ -7,6 +7,7 @@
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/error.hpp"
 #include "geometry/brep/read_brep.hpp"
+#include "geometry/io/hdf5_reader.hpp"
 #include "geometry/io/read_gismo_solid.hpp"
 
 namespace isopatch::app {
@@ -27,12 +28,20 @@ FileKind kind_of_xml(const std::filesystem::path& path) {
   }
 }
 
+FileKind kind_of_hdf5(const std::filesystem::path& path) {
+  try {
+    return geometry::Hdf5Reader(path).contains(blocks_group) ? FileKind::blocks : FileKind::results;
+  } catch (const Error&) {
+    return FileKind::results;
+  }
+}
+
 }  // namespace
 
 FileKind kind_of(const std::filesystem::path& path) {
   const std::string ending = ending_of(path);
   if (ending == ".toml") return FileKind::study;
-  if (ending == ".h5") return FileKind::results;
+  if (ending == ".h5") return kind_of_hdf5(path);
   if (ending == ".xml") return kind_of_xml(path);
   if (ending == ".g2" || ending == ".mesh") return FileKind::patches;
   if (ending == ".off") return FileKind::polyhedra;

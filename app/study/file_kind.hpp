@@ -7,7 +7,8 @@ namespace isopatch::app {
 /// What a file holds, as far as commands and studies tell files apart.
 enum class FileKind {
   study,         ///< .toml
-  results,       ///< .h5
+  results,       ///< .h5, but for blocks
+  blocks,        ///< .h5 as `isopatch segment` writes it
   patches,       ///< .g2, .mesh, and .xml without solids
   cad,           ///< solids that the CAD library reads: STEP, IGES, .brep
   gismo_solids,  ///< .xml with solids
@@ -15,9 +16,12 @@ enum class FileKind {
   unknown,       ///< any other ending; readers of patches look at the content
 };
 
-/// By the ending, in whatever case; of .xml files the content decides, and those that cannot be read count as
-/// patches, whose reader says why.
+/// By the ending, in whatever case; of .xml and .h5 files the content decides, and those that cannot be read
+/// count as patches and results, whose readers say why.
 FileKind kind_of(const std::filesystem::path& path);
+
+/// Group of HDF5 files that hold blocks.
+inline constexpr const char* blocks_group = "/isopatch_blocks";
 
 /// Whether it is one of the three kinds of solids.
 bool holds_solids(FileKind kind);

@@ -51,6 +51,17 @@ BlocksInput read_solids(std::vector<std::filesystem::path> files, const ModelKey
   return solids;
 }
 
+/// Blocks that `isopatch segment` has written.
+BlocksInput read_blocks(const ModelKeys& keys, const ConfigSection& input, const SolidSections& how,
+                        const ModelPaths& path) {
+  if (!how.segmentation.table.entries.empty())
+    throw error_at(how.segmentation.place,
+                   "[segmentation] cuts solids; those of `file` are blocks already; remove one");
+  if (keys.gives_length_unit)
+    throw error_at(input.place, "length_unit: the blocks of `file` are in metres already; remove it");
+  return read_solids({path(*keys.file, "file")}, keys, path, how.parameterization);
+}
+
 /// A file of patches or of solids, or several files of solids.
 ModelSource read_files(const ModelKeys& keys, const ConfigSection& input, const SolidSections& how,
                        const std::string& source) {
@@ -64,6 +75,8 @@ ModelSource read_files(const ModelKeys& keys, const ConfigSection& input, const 
           "[segmentation] cuts the solids of `file`; those of `blocks` are hexahedra already; remove one");
     return read_solids(std::move(solids), keys, path, how.parameterization);
   }
+  if (keys.file && kind_of(path(*keys.file, "file")) == FileKind::blocks)
+    return read_blocks(keys, input, how, path);
   if (keys.file && holds_solids(path(*keys.file, "file"))) {
     BlocksInput whole = read_solids({path(*keys.file, "file")}, keys, path, how.parameterization);
     whole.decomposition = read_table<SegmentationKeys>(how.segmentation.table, how.segmentation.place,
@@ -121,7 +134,8 @@ const Keys<ModelKeys>& model_keys() {
           "paths count from the study's folder; ${NAME} and ${NAME:-default} are environment "
           "variables. Or a file of solids in any format of `blocks`: those that are no topological hexahedra "
           "are cut "
-          "into such, as [segmentation] says; faces keep their names, \"face 3\" where they have none. "
+          "into such, as [segmentation] says; faces keep their names, \"face 3\" where they have none. Or "
+          "blocks.h5, as `isopatch segment` writes it, whose blocks are not cut again. "
           "Either this, "
           "`blocks` or `generate`."),
       custom_key<ModelKeys>(

@@ -11,14 +11,14 @@ namespace {
 /// Files that hold a model whatever their content is.
 bool is_model_name(const std::filesystem::path& path) {
   const FileKind kind = kind_of(path);
-  return kind == FileKind::patches || holds_solids(kind);
+  return kind == FileKind::patches || kind == FileKind::blocks || holds_solids(kind);
 }
 
 }  // namespace
 
 void refuse_what_is_no_study(const std::filesystem::path& path, std::string_view text) {
   const std::string name = path.string();
-  if (text.starts_with("\x89HDF"))
+  if (text.starts_with("\x89HDF") && !is_model_name(path))
     throw Error(ErrorCode::invalid_argument,
                 fmt::format("{} holds results, not a study; `isopatch info {}` tells about them, and report, "
                             "probe, fields and render take them. A study is a .toml file",

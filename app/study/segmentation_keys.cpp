@@ -47,8 +47,22 @@ Key<S> count_key(const std::string& name, int most, Member member, std::string m
 
 }  // namespace
 
+const Choices<segmentation::TJoints>& t_joint_choices() {
+  static const Choices<segmentation::TJoints> choices = {{"remove", segmentation::TJoints::remove},
+                                                         {"keep", segmentation::TJoints::keep}};
+  return choices;
+}
+
 const Keys<SegmentationKeys>& segmentation_keys() {
   static const Keys<S> keys = {
+      custom_key<S>("t_joints", quoted_list(names(t_joint_choices())),
+                    "What becomes of sides that meet others in parts: further cuts until all meet side to "
+                    "side, or nothing. Patches of kept ones cannot be coupled yet, so such a study is "
+                    "refused; `isopatch segment` writes and shows them.",
+                    [](S& target, const ConfigValue& value) {
+                      target.options.t_joints = read_choice(value, "t_joints", t_joint_choices());
+                    })
+          .with_default("\"remove\""),
       number_key(
           "time_limit", dimensions::none, {0, 1e7, false, true},
           [](DecompositionOptions& o) -> double& { return o.time_limit; },

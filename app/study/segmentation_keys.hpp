@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/study/keys.hpp"
-#include "segmentation/decomposition/decompose.hpp"
+#include "segmentation/decomposition/decomposition_options.hpp"
 
 namespace isopatch::app {
 
@@ -11,5 +11,8 @@ struct SegmentationKeys {
 };
 
 const Keys<SegmentationKeys>& segmentation_keys();
+
+/// "remove" or "keep".
+const Choices<segmentation::TJoints>& t_joint_choices();
 
 }  // namespace isopatch::app

@@ -163,7 +163,9 @@ void write_t_joints(Hdf5Writer& file, const std::string& group, const HexTopolog
 
 SidePart next_part(NumberList& joints, Shares& outlines) {
   SidePart part{next_side(joints)};
-  part.outline.resize(std::min(joints.next_count(), outlines.values.size()));
+  // Its points are in the other list; without those `outlines` says so.
+  const int points = std::max(0, joints.next());
+  part.outline.resize(std::min(static_cast<std::size_t>(points), outlines.values.size()));
   const bool has_piece = joints.next_flag(), has_rectangle = joints.next_flag();
   for (auto& point : part.outline)
     for (double& x : point) x = outlines.next();

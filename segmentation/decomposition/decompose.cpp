@@ -9,16 +9,13 @@
 #include <vector>
 
 #include "geometry/base/error.hpp"
-#include "geometry/brep/brep_graph.hpp"
-#include "geometry/brep/require_solid.hpp"
 #include "geometry/brep/solid_error.hpp"
-#include "geometry/topology/graph_connectivity.hpp"
-#include "segmentation/decomposition/combinatorics/cell_incidence.hpp"
 #include "segmentation/decomposition/conforming.hpp"
 #include "segmentation/decomposition/cut_tree.hpp"
 #include "segmentation/decomposition/geometric_oracle.hpp"
-#include "segmentation/decomposition/prepare.hpp"
+#include "segmentation/decomposition/keep_t_joints.hpp"
 #include "segmentation/decomposition/star_cells.hpp"
+#include "segmentation/decomposition/starting_cell.hpp"
 #include "segmentation/decomposition/templates.hpp"
 #include "segmentation/decomposition/unfinished_parts.hpp"
 
@@ -35,27 +32,6 @@ std::string reasons(const CellStore& store) {
   for (const auto& [reason, count] : store.refusals())
     text += fmt::format("{} {} times: {}", text.empty() ? ":" : ",", count, reason);
   return text;
-}
-
-/// @throws SolidError not_three_connected  naming two faces that meet in more than a vertex or an edge, and
-/// where
-void require_three_connected(const geometry::Brep& solid, const CellGraph& sides) {
-  if (is_three_connected(sides)) return;
-  const geometry::EdgeGraph graph = edge_graph(solid);
-  const auto report = connectivity(graph, topology(graph, boundary(graph)));
-  std::string where;
-  geometry::SolidFault fault;
-  if (const auto& conflict = report.conflict) {
-    where = fmt::format(": {} and {} meet in {} and in {} without the edge between them",
-                        describe(solid, conflict->first), describe(solid, conflict->second),
-                        describe(solid, conflict->u), describe(solid, conflict->v));
-    fault.faces = {{conflict->first.value}, {conflict->second.value}};
-    fault.points = {{"one place", solid.vertex(conflict->u)}, {"the other", solid.vertex(conflict->v)}};
-  }
-  throw geometry::SolidError(
-      ErrorCode::not_three_connected,
-      fmt::format("its edge graph is not 3-connected{}; cut the solid there in the CAD program", where),
-      std::move(fault));
 }
 
 bool is_polyhedral(const Brep& solid, const CellComplex& complex) {
@@ -98,10 +74,8 @@ class Decomposer {
         options_(options),
         progress_(progress),
         store_(solid, options.cut, options.time_limit),
-        prepared_(prepared(solid)),
-        whole_(store_.add(prepared_, CellId(0))),
+        start_(starting_cell(store_)),
         oracle_(geometric_oracle(store_)) {
-    require_three_connected(solid, whole_.graph);
     oracle_.goes_on = [this](const SearchRound& round) { return tell(round); };
   }
 
@@ -110,7 +84,7 @@ class Decomposer {
       look(search);
       if (store_.time_is_up()) break;
     }
-    let_meet(cut_, wide);
+    if (options_.t_joints == TJoints::remove) let_meet(cut_, wide);
     if (!best_) give_up();
     best_->report.evaluations = evaluations_;
     best_->report.seconds = store_.seconds();
@@ -131,7 +105,7 @@ class Decomposer {
   /// One search; of its ways the one that takes the fewest hexahedra, if it takes fewer than those known.
   void look(const SearchOptions& search) {
     std::vector<Decomposition> ways;
-    for (const CutTree& tree : search_several(whole_, oracle_, search)) {
+    for (const CutTree& tree : search_several(start_.cell, oracle_, search)) {
       evaluations_ = std::max(evaluations_, tree.evaluations);
       if (!tree.complete()) {
         if (!unfinished_) unfinished_ = tree;
@@ -144,8 +118,12 @@ class Decomposer {
       }
     }
     if (ways.empty()) return;
-    if (search.finish == Finish::convex_solids) return divide_around_points(std::move(ways.front()));
-    let_meet(ways, narrow);
+    if (options_.t_joints == TJoints::keep)
+      let_be(ways);
+    else if (search.finish == Finish::convex_solids)
+      return divide_around_points(std::move(ways.front()));
+    else
+      let_meet(ways, narrow);
     std::move(ways.begin(), ways.end(), std::back_inserter(cut_));
   }
 
@@ -155,7 +133,21 @@ class Decomposer {
     CellComplex stars = star_cells(solid_, way.parts);
     way.report.by_tetrahedra = stars.cells.size() > way.parts.cells.size();
     finish(std::move(way), std::move(stars));
-    store_.set_time_limit(std::min(store_.time_limit(), store_.seconds() + options_.time_limit / 2));
+    leave(options_.time_limit / 2);
+  }
+
+  /// Sides that meet others in parts stay so.
+  void let_be(const std::vector<Decomposition>& ways) {
+    for (Decomposition way : ways) {
+      try {
+        way.complex = keep_t_joints(solid_, way.parts, tolerance(), options_.cut.sides);
+      } catch (const Error& error) {
+        why_not_ = error.what();
+        continue;
+      }
+      way.report.t_joints_kept = true;
+      take(std::move(way));
+    }
   }
 
   void let_meet(const std::vector<Decomposition>& ways, const Width& width) {
@@ -171,12 +163,12 @@ class Decomposer {
     Decomposition way = ways[cells.start];
     way.report.further_cuts = cells.further_cuts;
     finish(std::move(way), std::move(cells.complex));
-    store_.set_time_limit(std::min(store_.time_limit(), store_.seconds() + options_.time_limit / 12));
+    leave(options_.time_limit / 12);
   }
 
   Decomposition cut(const CutTree& tree) const {
     Decomposition result;
-    result.parts = prepared_;
+    result.parts = start_.complex;
     result.report.cuts = apply_cuts(solid_, result.parts, CellId(0), tree, store_, options_.cut);
     result.report.cells = static_cast<int>(result.parts.cells.size());
     result.t_joints = parted_sides(CellShapes(solid_, result.parts), options_.cut.sides);
@@ -200,10 +192,26 @@ class Decomposer {
     return result;
   }
 
+  double tolerance() const { return options_.cut.tolerance * solid_.size(); }
+
+  /// Seconds from now on, if there are so many.
+  void leave(double seconds) {
+    if (best_) store_.set_time_limit(std::min(store_.time_limit(), store_.seconds() + seconds));
+  }
+
   void finish(Decomposition way, CellComplex side_to_side) {
-    way.complex = hexahedral(solid_, std::move(side_to_side), options_.cut.tolerance * solid_.size());
+    try {
+      way.complex = hexahedral(solid_, std::move(side_to_side), tolerance());
+    } catch (const Error& error) {
+      why_not_ = error.what();
+      return;
+    }
+    take(std::move(way));
+  }
+
+  void take(Decomposition way) {
     way.report.hexahedra = static_cast<int>(way.complex.cells.size());
-    best_ = std::move(way);
+    if (!best_ || way.report.hexahedra < best_->report.hexahedra) best_ = std::move(way);
   }
 
   [[noreturn]] void give_up() const {
@@ -219,10 +227,12 @@ class Decomposer {
               options_.time_limit),
           *unfinished_, store_);
     throw unfinished_search(
-        fmt::format("{} of its parts could not be cut into hexahedra, prisms and tetrahedra; {} cuts "
-                    "were tried, {} of them refused{}. Cut the solid in the CAD program where its parts join",
-                    unfinished_->unfinished.size(), unfinished_->evaluations, unfinished_->refusals,
-                    reasons(store_)),
+        fmt::format(
+            "{} of its parts could not be cut into hexahedra, prisms and tetrahedra, the first at {} "
+            "of the solid; {} cuts were tried, {} of them refused{}. Cut the solid in the CAD program "
+            "where its parts join",
+            unfinished_->unfinished.size(), faces_of_unfinished(*unfinished_, store_),
+            unfinished_->evaluations, unfinished_->refusals, reasons(store_)),
         *unfinished_, store_);
   }
 
@@ -231,8 +241,7 @@ class Decomposer {
   const DecompositionOptions& options_;
   const Progress& progress_;
   CellStore store_;
-  CellComplex prepared_;
-  SearchCell whole_;
+  StartingCell start_;
   SearchOracle oracle_;
   int evaluations_ = 0;
   std::optional<CutTree> unfinished_;  // the first search that ended so

@@ -13,7 +13,8 @@
 namespace isopatch::segmentation {
 
 struct Decomposition {
-  geometry::CellComplex complex;     ///< of hexahedra that meet side to side
+  /// Of hexahedra that meet side to side; where T-joints are kept also in parts of sides.
+  geometry::CellComplex complex;
   geometry::CellComplex parts;       ///< what the search cut the solid into, before sides were made to meet
   std::vector<PartedSide> t_joints;  ///< of `parts`
   DecompositionReport report;
@@ -22,8 +23,10 @@ struct Decomposition {
 /// Takes a solid apart into topological hexahedra that meet side to side, by cutting loops.
 ///
 /// Cuts go through concave edges first. Every cell becomes a hexahedron, a prism or a tetrahedron; cuts that
-/// divide a side are carried on through its neighbours, then templates make hexahedra of all.
+/// divide a side are carried on through its neighbours, then templates make hexahedra of all. Where T-joints
+/// are kept, hexahedra stay as they are cut, and templates divide the others alone.
 /// @param name  of the solid, for messages
+/// @throws Error not_contractible     holes lead through it
 /// @throws Error not_three_connected  the graph of its sides is not 3-connected: names the pair
 /// @throws CuttingError unsupported  no way was found: says what stopped it, with what was cut by then
 /// @param progress  told after every round of the search, phase and details with a tab between them:

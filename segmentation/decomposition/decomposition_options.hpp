@@ -5,6 +5,12 @@
 
 namespace isopatch::segmentation {
 
+/// What becomes of sides that meet others in parts.
+enum class TJoints {
+  remove,  ///< further cuts and templates, until all meet side to side
+  keep,    ///< left as they are
+};
+
 struct DecompositionOptions {
   SearchOptions search = {.beam = 6,
                           .branches = 16,
@@ -15,6 +21,7 @@ struct DecompositionOptions {
                           .cost = {.t_joint = 2, .divided = 4}};
   CutOptions cut = {};
   double time_limit = 60;  ///< seconds, after which the best way known is taken, or none; above 0
+  TJoints t_joints = TJoints::remove;
   int max_cells = 2000;    ///< at most so many hexahedra when sides are made to meet; range 1 ..
 };
 void validate(const DecompositionOptions& options);

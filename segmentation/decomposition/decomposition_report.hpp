@@ -7,6 +7,7 @@ struct DecompositionReport {
   int cuts = 0;                ///< that the search made
   int cells = 0;               ///< base solids that it ended with
   int t_joints = 0;            ///< sides then that met others in parts
+  bool t_joints_kept = false;  ///< not removed
   int further_cuts = 0;        ///< that made them meet side to side
   bool by_tetrahedra = false;  ///< instead of further cuts: all cells divided around a point inside
   int hexahedra = 0;           ///< in the end

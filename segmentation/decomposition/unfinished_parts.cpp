@@ -1,5 +1,9 @@
 #include "segmentation/decomposition/unfinished_parts.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <set>
 #include <utility>
 
 #include "geometry/brep/cell_solids.hpp"
@@ -34,6 +38,20 @@ Eigen::Matrix3Xd polyline(const CellShapes& shapes, EdgeId edge) {
   Eigen::Matrix3Xd points(3, pieces + 1);
   for (int i = 0; i <= pieces; ++i) points.col(i) = shapes.point(edge, double(i) / pieces);
   return points;
+}
+
+std::string faces_of_unfinished(const CutTree& tree, const CellStore& store) {
+  const CutTree::Node& node = tree.nodes[static_cast<std::size_t>(tree.unfinished.front())];
+  const CellStore::Entry& entry = store.entry(node.cell.handle);
+  std::set<int> faces;
+  for (const geometry::CellFaceUse& use : entry.complex.cell(entry.cell).faces)
+    if (const auto origin = entry.complex.face(use.face).origin) faces.insert(origin->value);
+  constexpr std::size_t most = 6;
+  std::vector<int> shown(faces.begin(), faces.end());
+  const bool all = shown.size() <= most;
+  if (!all) shown.resize(most);
+  if (shown.empty()) return "no face";
+  return fmt::format("face{} {}{}", faces.size() == 1 ? "" : "s", fmt::join(shown, ", "), all ? "" : ", ...");
 }
 
 CuttingError unfinished_search(const std::string& message, const CutTree& tree, const CellStore& store) {

@@ -10,6 +10,10 @@
 
 namespace isopatch::segmentation {
 
+/// "faces 3, 7, 9": those of the solid that an unfinished part has pieces of, for messages; "no face" if
+/// it lies inside.
+std::string faces_of_unfinished(const CutTree& tree, const CellStore& store);
+
 /// The error of a search that ended with parts that are no base solids; their concave edges are its fault.
 CuttingError unfinished_search(const std::string& message, const CutTree& tree, const CellStore& store);
 

@@ -287,6 +287,37 @@ def faults():
             "scene": None, "faults": scene}
 
 
+def box_piece(name, low, high, **more):
+    """A block between two corners: points of each face apart, edges as pairs of points."""
+    corner = lambda i: [(low, high)[(i >> c) & 1][c] for c in range(3)]
+    quads = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+    points = [x for quad in quads for i in quad for x in corner(i)]
+    triangles = [4 * q + k for q in range(6) for k in (0, 1, 2, 0, 2, 3)]
+    edges = [block(corner(i) + corner(i | bit)) for i in range(8) for bit in (1, 2, 4) if not i & bit]
+    return {"name": name, "body": "part", "file": "", "volume": math.prod(b - a for a, b in zip(low, high)), "is_faulty": False,
+            "faces": ["face <0>"], "points": block(points), "triangles": triangles, "edges": edges, **more}
+
+
+def blocks(failed=False):
+    """An L of two parts, one of them twice as long, which meet in part of a side; three blocks of them."""
+    long, short = box_piece("part 0 of part", (0, 0, 0), (0.2, 0.1, 0.1)), box_piece("part 1 of part", (0, 0.1, 0), (0.1, 0.2, 0.1))
+    joint = {"piece": 0, "points": block([0.1, 0.1, 0, 0.1, 0.1, 0.1])}
+    parts = {"name": "parts after the cuts", "pieces": [long, short], "lines": [joint]}
+    corners = [((0, 0, 0), (0.1, 0.1, 0.1)), ((0.1, 0, 0), (0.2, 0.1, 0.1)), ((0, 0.1, 0), (0.1, 0.2, 0.1))]
+    pieces = [box_piece(f"part#{i}", *ends, file=f"block_{i}.step") for i, ends in enumerate(corners)]
+    body = {"name": "part", "volume": 3e-3, "block_volume": 3e-3 * (1 + 1e-9), "cuts": 1, "parts": 2, "t_joints": 1, "further_cuts": 1,
+            "by_tetrahedra": False, "hexahedra": 3, "seconds": 0.25}
+    stages = [parts, {"name": "blocks", "pieces": pieces, "lines": []}]
+    if failed:
+        body["error"] = "solid 'part': 1 of its parts could not be <cut>"
+        long["is_faulty"] = True
+        stages = [{**parts, "name": "blocks"}]
+    scene = {"length": {"unit": "mm", "factor": 1e3}, "box": {"min": [0, 0, 0], "max": [0.2, 0.2, 0.1]}, "lines_name": "T-joints",
+             "stages": stages, "faces": [], "places": []}
+    return {"kind": "blocks", "program": "isopatch 0.1.0", "title": "part.step", "study": "", "summary": {"bodies": [body]},
+            "plots": [], "scene": None, "faults": None, "blocks": scene}
+
+
 def grid_fields(point):
     x, y, z = point
     return [0, 0, -1e-3 * x * x], 1e8 * abs(0.1 - z) * (1 + 10 * math.sin(20 * y) ** 2)
@@ -327,6 +358,7 @@ def fill(data):
 
 
 PAGES = {"report": ring_report, "compare": ring_compare, "model": ring_model, "verification": verification, "faults": faults,
+         "blocks": blocks, "failure": lambda: blocks(failed=True),
          "grid": lambda: grid_report(samples=9)}
 
 

@@ -433,6 +433,72 @@ class OtherPages(Pages):
         self.browser.settle()
         self.assertFalse(self.browser.run("return document.querySelector('.marker-picked').hidden"))
 
+    def slide(self, control, value):
+        self.browser.run("""const slider = document.getElementById(arguments[0]); slider.value = arguments[1];
+                         slider.dispatchEvent(new Event("input"));""", control, str(value))
+        self.browser.settle()
+
+    def counted(self, condition):
+        """The part of the picture's pixels, red r, green g, blue b, for which a condition holds."""
+        return self.browser.run("""
+            isopatch.viewer.draw();
+            const canvas = isopatch.viewer.canvas;
+            const gl = canvas.getContext("webgl2") || canvas.getContext("webgl");
+            const bytes = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);
+            gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+            const holds = new Function("r", "g", "b", "return " + arguments[0]);
+            let count = 0;
+            for (let i = 0; i < bytes.length; i += 4) if (holds(bytes[i], bytes[i + 1], bytes[i + 2])) count += 1;
+            return 4 * count / bytes.length;""", condition)
+
+    PINK = "r > 150 && g < 60 && b > 60 && b < 170"
+    RED = "r > 60 && r > 3 * g && r > 3 * b"
+
+    def test_blocks_move_apart_from_the_centre(self):
+        self.open("blocks")
+        self.expect_sound()
+        self.expect_drawn()
+        pictures = []
+        for value in (0, 1, 0):
+            self.slide("apart", value)
+            pictures.append(self.browser.picture())
+            for i, centre in enumerate([(0.05, 0.05), (0.15, 0.05), (0.05, 0.15)]):
+                moved = self.browser.run("return isopatch.viewer.offsetOf(arguments[0])", i)
+                for found, x, middle in zip(moved, centre, (0.1, 0.1)):
+                    self.assertAlmostEqual(found, value * (x - middle), delta=1e-6)
+        self.assertNotEqual(pictures[0], pictures[1])
+        self.assertEqual(pictures[0], pictures[2])
+
+    def test_blocks_switch_to_the_parts_with_their_t_joints(self):
+        self.open("blocks")
+        self.assertLess(self.counted(self.PINK), 1e-4)  # before removal, so on the parts alone
+        self.browser.run("document.getElementById('stage-0').click()")
+        self.assertGreater(self.counted(self.PINK), 1e-3)
+        self.browser.run("document.getElementById('show-lines').click()")
+        self.assertLess(self.counted(self.PINK), 1e-4)
+
+    def test_blocks_are_listed_and_chosen_by_a_click(self):
+        self.open("blocks")
+        rows = self.browser.run("return [...document.querySelectorAll('tbody tr')].map((row) => [...row.children].map((cell) => cell.textContent))")
+        self.assertIn(["part", "3000 cm^3", "1", "2", "1", "1 further cut", "3", "1e-09", "0.25 s"], rows)
+        self.assertIn(["part#1", "block_1.step", "1000 cm^3", "33.3 %", "face <0>", "show"], rows)
+        x, y = self.browser.run("return isopatch.viewer.project([0.15, 0.05, 0.1].map((x, c) => x + isopatch.viewer.offsetOf(1)[c]))")
+        self.browser.click(x, y)
+        self.assertIn("block_1.step", self.browser.run("return document.getElementById('picked').innerText"))
+        self.browser.click(x, y)
+        self.assertIn("Click a block", self.browser.run("return document.getElementById('picked').innerText"))
+        self.browser.run("document.querySelector('[aria-label=\"show part#2\"]').click()")
+        self.assertIn("block_2.step", self.browser.run("return document.getElementById('picked').innerText"))
+
+    def test_what_could_not_be_cut_is_red(self):
+        self.open("failure")
+        self.expect_sound()
+        self.assertIn("could not be <cut>", self.browser.run("return document.querySelector('.warnings').textContent"))
+        self.assertIn("given up", self.browser.run("return document.querySelector('tbody').textContent"))
+        self.assertGreater(self.counted(self.RED), 0.05)
+        self.open("blocks")
+        self.assertLess(self.counted(self.RED), 1e-3)
+
     def test_verdicts_are_readable_in_both_themes(self):
         self.open("verification")
         for theme in ("light", "dark"):
@@ -446,7 +512,7 @@ class OtherPages(Pages):
     def test_pages_fit_a_phone(self):
         self.addCleanup(self.browser.resize, 1280, 800)
         self.browser.resize(390, 844, is_phone=True)
-        for name in ("report", "compare", "model", "verification", "faults"):
+        for name in ("report", "compare", "model", "verification", "faults", "blocks", "failure"):
             self.open(name)
             width = self.browser.run("return document.documentElement.scrollWidth")
             self.assertLessEqual(width, 390, name)
@@ -524,6 +590,32 @@ class Program(Pages):
             return hit && [hit.place, hit.fields.displacement]""", [x, y])
         if hit and math.dist(hit[0], probe["point"]) < 1e-3:
             self.assertLess(math.dist(hit[1], probe["displacement"]), 0.05 * math.hypot(*probe["displacement"]))
+
+    def test_segment(self):
+        """A prism over an L, cut in two."""
+        outline = [(0, 0), (20, 0), (20, 10), (10, 10), (10, 20), (0, 20)]
+        corners = [f"{x} {y} {z}" for z in (0, 10) for x, y in outline]
+        sides = [f"4 {i} {(i + 1) % 6} {6 + (i + 1) % 6} {6 + i}" for i in range(6)]
+        solid, output = self.folder / "l.off", self.folder / "blocks"
+        solid.write_text("\n".join(["OFF", "12 8 0", *corners, "6 5 4 3 2 1 0", "6 6 7 8 9 10 11", *sides]))
+        command = [os.environ["ISOPATCH_PROGRAM"], "segment", solid, "-o", output, "--length-unit", "mm"]
+        run = subprocess.run(command, text=True, capture_output=True, stdin=subprocess.DEVNULL, timeout=60)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.browser.open(output / "report.html")
+        self.expect_sound()
+        self.expect_drawn()
+        rows = self.browser.run("return [...document.querySelectorAll('tbody tr')].map((row) => [...row.children].map((cell) => cell.textContent))")
+        self.assertEqual(rows[0][:8], ["l", "3 cm^3", "1", "2", "0", "", "2", "below 1e-12"])
+        self.assertEqual([row[:2] for row in rows[1:]], [["l", "block_0.step"], ["l#1", "block_1.step"]])
+        # Without time there is one part, red, with its concave edge.
+        run = subprocess.run([*command, "--time-limit", "1e-9"], text=True, capture_output=True, stdin=subprocess.DEVNULL, timeout=60)
+        self.assertEqual(run.returncode, 2, run.stderr)
+        self.assertIn(str(output / "failure.html"), run.stderr)
+        self.assertFalse((output / "report.html").exists())
+        self.browser.open(output / "failure.html")
+        self.expect_sound()
+        self.assertIn("raise time_limit", self.browser.run("return document.querySelector('.warnings').textContent"))
+        self.assertIn("given up", self.browser.run("return document.querySelector('tbody').textContent"))
 
     def test_compare(self):
         self.page("compare", "compare.html")

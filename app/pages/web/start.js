@@ -4,8 +4,9 @@ globalThis.isopatch = globalThis.isopatch || {};
   "use strict";
 
   const builders = {report: "buildReport", model: "buildReport", compare: "buildCompare", verification: "buildVerification",
-                    faults: "buildFaults"};
-  const titles = {report: "Report", model: "Model", compare: "Comparison of the couplings", verification: "Checked", faults: "Bad input"};
+                    faults: "buildFaults", blocks: "buildBlocks"};
+  const titles = {report: "Report", model: "Model", compare: "Comparison of the couplings", verification: "Checked", faults: "Bad input",
+                  blocks: "Solids cut into blocks"};
 
   // Light, dark, or as the system has it.
   function themeButton(changed) {

@@ -43,6 +43,9 @@ HexTopology sample_complex() {
          {{0, 0}, {1.0 / 3, 0}, {1.0 / 3, 1}, {0, 1}},
          SideRectangle{{0, 0}, {1.0 / 3, 1}}},
         {{BlockId(3), Side::north}, SideRectangle{{0.5, 0}, {1, 1}}, {{0.9, 0.1}, {1, 0.2}, {0.8, 0.3}}}}}};
+  // An outline of more points than the list of joints has numbers behind it.
+  for (int i = 0; i < 16; ++i)
+    topology.t_joints[0].parts[1].outline.push_back({0.5 + 0.4 * (i > 8), 0.03 * (16 - i)});
   topology.split_edges = {{HexEdgeId(7), {{HexVertexId(19), 0.1}, {HexVertexId(2), 0.7}}}};
   return topology;
 }

@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "geometry/base/tests/expect_error.hpp"
@@ -19,6 +21,7 @@
 #include "segmentation/decomposition/cutting/cell_sides.hpp"
 #include "segmentation/decomposition/cutting/tests/sample_polyhedra.hpp"
 #include "segmentation/decomposition/cutting_error.hpp"
+#include "segmentation/decomposition/prospect.hpp"
 #include "segmentation/decomposition/star_cells.hpp"
 
 namespace isopatch::segmentation {
@@ -161,6 +164,53 @@ TEST(Decompose, TellsHowFarItIs) {
   ASSERT_GT(told.size(), 2U);
   EXPECT_EQ(told[0], "cutting 'l'");
   EXPECT_EQ(told[1].rfind("cutting 'l'\t0 cuts, 1 part unfinished, 0 of 60 s", 0), 0U) << told[1];
+}
+
+TEST(Decompose, KeepsTJointsIfAsked) {
+  DecompositionOptions options;
+  options.t_joints = TJoints::keep;
+  const std::vector<std::pair<const char*, std::vector<std::array<double, 2>>>> outlines = {
+      {"e", {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {2, 2}, {2, 3}, {1, 3}, {1, 4}, {3, 4}, {3, 5}, {0, 5}}},
+      {"triangle", {{0, 0}, {1, 0}, {0, 1}}},
+      {"pentagon", {{0, 0}, {2, 0}, {3, 2}, {1, 3}, {-1, 2}}},
+      {"arrow", {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {0.5, 3}}}};
+  for (const auto& [name, outline] : outlines) {
+    SCOPED_TRACE(name);
+    const geometry::BrepFile solid{geometry::make_brep(samples::prism(outline, 1)), name, 0};
+    const Decomposition result = decompose(solid.brep, name, options);
+    EXPECT_TRUE(result.report.t_joints_kept);
+    EXPECT_EQ(result.report.further_cuts, 0);
+    double volume = 0;
+    for (const geometry::BrepFile& part : blocks(solid, result)) {
+      EXPECT_EQ(part.brep.faces().size(), 6U);
+      EXPECT_EQ(part.brep.edges().size(), 12U);
+      volume += part.brep.volume();
+    }
+    EXPECT_NEAR(volume, solid.brep.volume(), 1e-9);
+    for (std::size_t c = 0; c < result.complex.cells.size(); ++c) {
+      const CellSides sides =
+          cell_sides(CellShapes(solid.brep, result.complex), geometry::CellId(static_cast<int>(c)));
+      const auto base = base_solid(sides.graph);
+      EXPECT_TRUE(base && base->kind == BaseKind::hexahedron);
+    }
+  }
+  // Four parts, three of which meet the trunk.
+  const geometry::Brep e = geometry::make_brep(samples::prism(outlines[0].second, 1));
+  EXPECT_EQ(decompose(e, "e", options).report.hexahedra, 4);
+}
+
+TEST(Prospect, CountsSidesAndConcaveEdgesOrRefuses) {
+  const Prospect l = prospect(geometry::make_brep(samples::l_shape()));
+  EXPECT_FALSE(l.refusal);
+  EXPECT_EQ(l.sides, 8);
+  EXPECT_EQ(l.concave.size(), 1U);
+  EXPECT_TRUE(l.blunt.empty());
+  const Prospect house = prospect(geometry::make_brep(samples::house()));
+  EXPECT_TRUE(house.concave.empty());
+  const Prospect notched = prospect(geometry::make_brep(samples::house_with_a_notch()));
+  ASSERT_TRUE(notched.refusal);
+  EXPECT_EQ(notched.refusal->code(), ErrorCode::not_three_connected);
+  EXPECT_EQ(notched.refusal->fault().faces.size(), 2U);
 }
 
 TEST(Decompose, NamesTheFacesOfAGraphThatIsNotThreeConnected) {

@@ -1,0 +1,217 @@
+#include "app/reports/cutting_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "app/base/engineering_units.hpp"
+#include "app/base/internal/json_values.hpp"
+#include "app/base/provenance.hpp"
+#include "app/pages/page.hpp"
+#include "geometry/brep/cell_solids.hpp"
+#include "segmentation/decomposition/unfinished_parts.hpp"
+
+namespace isopatch::app {
+namespace {
+
+using geometry::Brep;
+using segmentation::CuttingError;
+using segmentation::UnfinishedPart;
+
+std::optional<geometry::Tessellation> triangulated(const Brep& brep) {
+  try {
+    return tessellate(brep, {.chord = 2e-3});
+  } catch (const Error&) {
+    return std::nullopt;  // its edges are drawn
+  }
+}
+
+/// One mesh of all faces, whose points stay apart, so that each is lit by its own normals.
+void add_mesh(const geometry::Tessellation& mesh, BlockPiece& piece) {
+  Eigen::Index points = 0, triangles = 0;
+  for (const auto& face : mesh.faces) points += face.points.cols(), triangles += face.triangles.cols();
+  piece.points.resize(3, points);
+  piece.triangles.resize(3, triangles);
+  points = triangles = 0;
+  for (const auto& face : mesh.faces) {
+    piece.points.middleCols(points, face.points.cols()) = face.points;
+    piece.triangles.middleCols(triangles, face.triangles.cols()) =
+        face.triangles.array() + static_cast<int>(points);
+    points += face.points.cols();
+    triangles += face.triangles.cols();
+  }
+  for (const auto& edge : mesh.edges) piece.edges.push_back(edge.points);
+}
+
+BlockPiece piece_of(const Brep& brep, const std::string& name, const std::string& body) {
+  BlockPiece piece{
+      name, body, "", std::abs(brep.volume()), false, {}, Eigen::Matrix3Xd(3, 0), Eigen::Matrix3Xi(3, 0), {}};
+  for (const geometry::BrepFace& face : brep.faces())
+    if (!face.name.empty() &&
+        std::find(piece.faces.begin(), piece.faces.end(), face.name) == piece.faces.end())
+      piece.faces.push_back(face.name);
+  if (const auto mesh = triangulated(brep)) {
+    add_mesh(*mesh, piece);
+    return piece;
+  }
+  for (std::size_t e = 0; e < brep.edges().size(); ++e) {
+    constexpr int pieces = 16;
+    Eigen::Matrix3Xd line(3, pieces + 1);
+    for (int i = 0; i <= pieces; ++i)
+      line.col(i) = brep.point(EdgeId(static_cast<int>(e)), double(i) / pieces);
+    piece.edges.push_back(std::move(line));
+  }
+  return piece;
+}
+
+void add_piece(BlockStage& stage, BlockPiece piece, const std::vector<Eigen::Matrix3Xd>& lines) {
+  for (const Eigen::Matrix3Xd& line : lines)
+    stage.lines.push_back({static_cast<int>(stage.pieces.size()), line});
+  stage.pieces.push_back(std::move(piece));
+}
+
+/// The parts of a body after the cuts, with T-joints.
+void add_parts(const CutBody& body, BlockStage& stage) {
+  const segmentation::Decomposition& cutting = *body.cutting;
+  std::vector<geometry::CellId> all;
+  for (std::size_t c = 0; c < cutting.parts.cells.size(); ++c) all.emplace_back(static_cast<int>(c));
+  const std::vector<Brep> parts = geometry::cell_solids(body.solid.brep, cutting.parts, all);
+  const segmentation::CellShapes shapes(body.solid.brep, cutting.parts);
+  std::vector<std::vector<Eigen::Matrix3Xd>> lines(parts.size());
+  for (const segmentation::PartedSide& side : cutting.t_joints)
+    for (const EdgeId edge : side.inside)
+      lines[static_cast<std::size_t>(side.cell.value)].push_back(segmentation::polyline(shapes, edge));
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    add_piece(stage, piece_of(parts[p], fmt::format("part {} of {}", p, body.solid.name), body.solid.name),
+              lines[p]);
+}
+
+void add_unfinished(const CuttingError& error, const std::string& body, BlockStage& stage) {
+  for (std::size_t p = 0; p < error.parts().size(); ++p) {
+    const UnfinishedPart& part = error.parts()[p];
+    BlockPiece piece = piece_of(part.solid, fmt::format("part {} of {}", p, body), body);
+    piece.is_faulty = !part.finished;
+    add_piece(stage, std::move(piece), part.lines);
+  }
+}
+
+/// A body that was given up; whole if no cut was tried on it.
+void add_unfinished(const CutBody& body, BlockStage& stage) {
+  if (!body.failure->parts().empty()) {
+    add_unfinished(*body.failure, body.solid.name, stage);
+    return;
+  }
+  BlockPiece piece = piece_of(body.solid.brep, body.solid.name, body.solid.name);
+  piece.is_faulty = true;
+  std::vector<Eigen::Matrix3Xd> lines;
+  for (const auto& edge : body.failure->fault().edges) lines.push_back(edge.points);
+  add_piece(stage, std::move(piece), lines);
+}
+
+/// The faces and places that an error names.
+void mark_faults(const CutBody& body, BlockScene& scene) {
+  const geometry::SolidFault& fault = body.failure->fault();
+  if (const auto mesh = fault.faces.empty() ? std::nullopt : triangulated(body.solid.brep))
+    for (const geometry::SolidFault::Face& face : fault.faces) {
+      const geometry::FaceTriangles& drawn = mesh->faces[static_cast<std::size_t>(face.number)];
+      scene.faces.push_back({fmt::format("{}: face {}", body.solid.name, face.number), face.remark, true,
+                             drawn.points, drawn.triangles});
+    }
+  for (const auto& point : fault.points) scene.places.push_back({point.name, point.point});
+}
+
+Json body_json(const CutBody& body) {
+  const auto report = body.cutting ? body.cutting->report : segmentation::DecompositionReport{};
+  double volume = 0;
+  for (const geometry::BrepFile& block : body.blocks) volume += block.brep.volume();
+  Json json = {{"name", body.solid.name},
+               {"volume", std::abs(body.solid.brep.volume())},
+               {"block_volume", volume},
+               {"cuts", report.cuts},
+               {"parts", report.cells},
+               {"t_joints", report.t_joints},
+               {"t_joints_kept", report.t_joints_kept},
+               {"further_cuts", report.further_cuts},
+               {"by_tetrahedra", report.by_tetrahedra},
+               {"hexahedra", body.blocks.size()},
+               {"seconds", report.seconds}};
+  if (body.failure) json["error"] = body.failure->what();
+  return json;
+}
+
+std::string html(BlockScene scene, double size, const Json& bodies, const std::string& title,
+                 const std::string& study) {
+  scene.length = model_length_unit(size);
+  Page page;
+  page.kind = "blocks";
+  page.program = fmt::format("isopatch {}", version());
+  page.title = title;
+  page.study = study;
+  page.summary_json = Json{{"bodies", bodies}}.dump(-1, ' ', false, Json::error_handler_t::replace);
+  page.blocks = std::move(scene);
+  return to_html(page);
+}
+
+}  // namespace
+
+std::string block_file_name(std::size_t block) {
+  return fmt::format("block_{}.step", block);
+}
+
+std::string cutting_html(const CutSolids& solids, const std::string& title) {
+  BlockScene scene;
+  BlockStage parts{"parts after the cuts", {}, {}}, blocks{"blocks", {}, {}};
+  Json bodies = Json::array();
+  std::size_t file = 0;
+  double size = 0;
+  bool cut = false, failed = false, kept = false;
+  for (const CutBody& body : solids.bodies) {
+    bodies.push_back(body_json(body));
+    size = std::max(size, body.solid.brep.size());
+    if (body.failure) {
+      failed = true;
+      for (BlockStage* stage : {&parts, &blocks}) add_unfinished(body, *stage);
+      mark_faults(body, scene);
+      continue;
+    }
+    if (body.cutting) {
+      add_parts(body, parts);
+      cut = true;
+      kept |= body.cutting->report.t_joints_kept;
+    }
+    for (const geometry::BrepFile& block : body.blocks) {
+      BlockPiece piece = piece_of(block.brep, block.name, body.solid.name);
+      if (!body.cutting) parts.pieces.push_back(piece);
+      piece.file = block_file_name(file++);
+      blocks.pieces.push_back(std::move(piece));
+    }
+  }
+  scene.lines_name = failed ? "T-joints, edges in the way"
+                     : kept ? "T-joints, kept"
+                            : "T-joints before removal";
+  if (cut) scene.stages.push_back(std::move(parts));
+  scene.stages.push_back(std::move(blocks));
+  return html(std::move(scene), size, bodies, title, "");
+}
+
+std::string cutting_fault_html(const CuttingError& error, const std::string& title,
+                               const std::string& study) {
+  BlockScene scene;
+  scene.lines_name = "in the way";
+  BlockStage stage{"parts", {}, {}};
+  double volume = 0, size = 0;
+  for (const UnfinishedPart& part : error.parts()) {
+    volume += part.solid.volume();
+    size = std::max(size, part.solid.size());
+  }
+  add_unfinished(error, "the solid", stage);
+  scene.stages.push_back(std::move(stage));
+  const Json body = {{"name", "solid"}, {"volume", volume}, {"error", error.what()}};
+  return html(std::move(scene), size, Json::array({body}), title, study);
+}
+
+}  // namespace isopatch::app

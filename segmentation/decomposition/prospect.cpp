@@ -1,0 +1,41 @@
+#include "segmentation/decomposition/prospect.hpp"
+
+#include <variant>
+
+#include "geometry/base/error.hpp"
+#include "segmentation/decomposition/starting_cell.hpp"
+
+namespace isopatch::segmentation {
+namespace {
+
+Prospect seen(const geometry::Brep& solid, const DecompositionOptions& options) {
+  CellStore store(solid, options.cut, options.time_limit);
+  const StartingCell start = starting_cell(store);
+  const CellSides& sides = store.entry(start.cell.handle).sides;
+  Prospect result{static_cast<int>(start.cell.graph.faces.size()), {}, {}};
+  for (std::size_t e = 0; e < start.cell.graph.edges.size(); ++e) {
+    const CellGraph::Edge& found = start.cell.graph.edges[e];
+    if (found.kind != EdgeKind::non_convex) continue;
+    std::vector<EdgeId>& list = found.angle && found.angle->degrees() < 180 ? result.blunt : result.concave;
+    for (const geometry::EdgeUse& use : sides.edges[e])
+      if (const auto* edge =
+              std::get_if<EdgeId>(&start.complex.curve(start.complex.edge(use.edge).curve).shape))
+        list.push_back(*edge);
+  }
+  return result;
+}
+
+}  // namespace
+
+Prospect prospect(const geometry::Brep& solid, const DecompositionOptions& options) {
+  try {
+    return seen(solid, options);
+  } catch (const geometry::SolidError& error) {
+    return {0, {}, {}, error};
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::internal) throw;
+    return {0, {}, {}, geometry::SolidError(error.code(), error.what(), {})};
+  }
+}
+
+}  // namespace isopatch::segmentation

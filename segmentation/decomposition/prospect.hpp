@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "geometry/brep/solid_error.hpp"
+#include "segmentation/decomposition/decomposition_options.hpp"
+
+namespace isopatch::segmentation {
+
+/// What `decompose` has before it, as far as that is known without searching.
+struct Prospect {
+  int sides = 0;  ///< plane neighbours of one name and colour count as one
+  std::vector<EdgeId>
+      concave;                ///< edges of the solid with more than 180 degrees inside: cuts go through them
+  std::vector<EdgeId> blunt;  ///< likewise those with nearly as much
+  std::optional<geometry::SolidError> refusal = {};  ///< why it will not be tried; all else is empty then
+};
+
+/// @cost  that of one triangulation and the angles at all edges
+Prospect prospect(const geometry::Brep& solid, const DecompositionOptions& options = {});
+
+}  // namespace isopatch::segmentation

@@ -1,0 +1,60 @@
+#include "segmentation/decomposition/starting_cell.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+#include "geometry/base/error.hpp"
+#include "geometry/brep/brep_graph.hpp"
+#include "geometry/brep/require_solid.hpp"
+#include "geometry/brep/solid_error.hpp"
+#include "geometry/topology/graph_connectivity.hpp"
+#include "segmentation/decomposition/combinatorics/cell_incidence.hpp"
+#include "segmentation/decomposition/prepare.hpp"
+
+namespace isopatch::segmentation {
+namespace {
+
+void require_contractible(const geometry::Brep& solid) {
+  const geometry::EdgeGraph graph = edge_graph(solid);
+  const geometry::TopologyReport report = topology(graph, boundary(graph));
+  if (report.genus == 0) return;
+  throw geometry::SolidError(
+      ErrorCode::not_contractible,
+      fmt::format("{} hole{} lead{} through it; cut the solid through {} in the CAD program", report.genus,
+                  report.genus == 1 ? "" : "s", report.genus == 1 ? "s" : "",
+                  report.genus == 1 ? "it" : "each of them"),
+      {});
+}
+
+void require_three_connected(const geometry::Brep& solid, const CellGraph& sides) {
+  if (is_three_connected(sides)) return;
+  const geometry::EdgeGraph graph = edge_graph(solid);
+  const auto report = connectivity(graph, topology(graph, boundary(graph)));
+  std::string where;
+  geometry::SolidFault fault;
+  if (const auto& conflict = report.conflict) {
+    where = fmt::format(": {} and {} meet in {} and in {} without the edge between them",
+                        describe(solid, conflict->first), describe(solid, conflict->second),
+                        describe(solid, conflict->u), describe(solid, conflict->v));
+    fault.faces = {{conflict->first.value}, {conflict->second.value}};
+    fault.points = {{"one place", solid.vertex(conflict->u)}, {"the other", solid.vertex(conflict->v)}};
+  }
+  throw geometry::SolidError(
+      ErrorCode::not_three_connected,
+      fmt::format("its edge graph is not 3-connected{}; cut the solid there in the CAD program", where),
+      std::move(fault));
+}
+
+}  // namespace
+
+StartingCell starting_cell(CellStore& store) {
+  StartingCell start{prepared(store.source()), {}};
+  require_contractible(store.source());
+  start.cell = store.add(start.complex, geometry::CellId(0));
+  require_three_connected(store.source(), start.cell.graph);
+  return start;
+}
+
+}  // namespace isopatch::segmentation

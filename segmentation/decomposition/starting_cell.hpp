@@ -1,0 +1,20 @@
+#pragma once
+
+#include "segmentation/decomposition/search_cell.hpp"
+
+namespace isopatch::segmentation {
+
+/// A solid as the one cell that cuts start from, with its neighbouring plane faces merged.
+struct StartingCell {
+  geometry::CellComplex complex;
+  SearchCell cell;
+};
+
+/// @param store  of the solid, which gets the cell
+/// @throws SolidError unsupported          a face that is no disc: names it
+/// @throws SolidError not_contractible     a solid with holes through it
+/// @throws SolidError not_three_connected  names two faces that meet in more than a vertex or an edge, and
+/// where
+StartingCell starting_cell(CellStore& store);
+
+}  // namespace isopatch::segmentation
