@@ -7,6 +7,7 @@
 
 #include "app/commands/input_options.hpp"
 #include "app/problem/cut_solids.hpp"
+#include "app/problem/cutting_json.hpp"
 #include "app/results/output_directory.hpp"
 #include "geometry/brep/write_brep.hpp"
 
@@ -41,7 +42,9 @@ ExitCode segment_command(const SegmentCommand& command, const Console& console) 
   }
   display.clear();
   for (const std::string& warning : solids.warnings) console.warn(warning);
-  if (!console.quiet)
+  if (command.json)
+    console.out << cutting_json_text(solids);
+  else if (!console.quiet)
     console.out << cutting_text(solids)
                 << fmt::format("  {} written to {}\n",
                                solids.blocks.size() == 1
@@ -69,6 +72,7 @@ void add_segment_command(CLI::App& app, CommandLine& line) {
   segment.add_option("--time-limit", command->time_limit, "Seconds that a body may take to be cut")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  segment.add_flag("--json", command->json, "JSON instead of text");
 }
 
 }  // namespace isopatch::app

@@ -17,6 +17,7 @@ struct SegmentCommand {
   std::string length_unit;       ///< as of InputFile
   CadReading reading;
   double time_limit = segmentation::DecompositionOptions{}.time_limit;  ///< s
+  bool json = false;
 };
 /// Cuts solids into topological hexahedra and writes them as STEP files, one a block.
 ExitCode segment_command(const SegmentCommand& command, const Console& console);
