@@ -29,7 +29,7 @@ class Outcome(NamedTuple):
 
 
 def call(root, line, *, seconds, threads=1):
-    """A command that may take so many seconds of the processor and, where others work too, six times as long."""
+    """A command that may take so many seconds of the processor and, where others work too, twenty times as long."""
     def limit():
         resource.setrlimit(resource.RLIMIT_CPU, (int(seconds) + 1, int(seconds) + 5))
 
@@ -37,7 +37,7 @@ def call(root, line, *, seconds, threads=1):
         process = subprocess.Popen([str(word) for word in line], env=runs.environment(root, threads),
                                    stdin=subprocess.DEVNULL, stdout=output, stderr=said, start_new_session=True,
                                    preexec_fn=limit)
-        end = time.monotonic() + 6 * seconds
+        end = time.monotonic() + 20 * seconds
         # Its own usage, which a pool of threads cannot tell from that of all children.
         finished, status, usage = os.wait4(process.pid, os.WNOHANG)
         while not finished:
