@@ -117,8 +117,10 @@ def face_name(solid, face):
 
 def held_and_loaded(solid):
     """The first faces of two sides: the largest one, and the largest of those that have fewest corners in common
-    with it."""
+    with it. Of sides that are one face, if there are two: others stay apart where the graph would not be 3-connected."""
     groups = merged_faces(solid)
+    single = [group for group in groups if len(group) == 1]
+    groups = single if len(single) > 1 else groups
     area = {group[0]: sum(solid["faces"][face]["area"] for face in group) for group in groups}
     places = {group[0]: {place for face in group for place in corners(solid, face)} for group in groups}
     held = max(area, key=area.get)
@@ -172,5 +174,5 @@ def in_few_words(error, most=90):
     text = re.sub(r"^isopatch: error: ", "", error)
     text = re.sub(r"^\S*/\S+: ", "", text)
     text = re.sub(r"^(solid|body \d+) '[^']*'[:,]? ", "", text)
-    text = re.split(r"; | \(| at \(|: \d+ ", text)[0]
+    text = re.split(r"; | \(| at |: \d+ ", text)[0]
     return text if len(text) <= most else text[:most].rsplit(" ", 1)[0] + " ..."
