@@ -37,19 +37,28 @@ def call(root, line, *, seconds, threads=1):
         process = subprocess.Popen([str(word) for word in line], env=runs.environment(root, threads),
                                    stdin=subprocess.DEVNULL, stdout=output, stderr=said, start_new_session=True,
                                    preexec_fn=limit)
-        end = time.monotonic() + 20 * seconds
-        # Its own usage, which a pool of threads cannot tell from that of all children.
-        finished, status, usage = os.wait4(process.pid, os.WNOHANG)
-        while not finished:
-            if time.monotonic() > end:
-                os.killpg(process.pid, signal.SIGKILL)
-            time.sleep(0.02)
-            finished, status, usage = os.wait4(process.pid, os.WNOHANG)
+        try:
+            status, usage = _ended(process, time.monotonic() + 20 * seconds)
+        except BaseException:
+            os.killpg(process.pid, signal.SIGKILL)
+            raise
         process.returncode = os.waitstatus_to_exitcode(status)
         code = None if process.returncode in (-signal.SIGXCPU, -signal.SIGKILL) else process.returncode
         output.seek(0)
         said.seek(0)
         return Outcome(code, output.read(), said.read(), usage.ru_utime + usage.ru_stime)
+
+
+def _ended(process, latest):
+    """Status and usage of a process, ended if need be: its own usage, which a pool of threads cannot tell from that of
+    all children."""
+    while True:
+        finished, status, usage = os.wait4(process.pid, os.WNOHANG)
+        if finished:
+            return status, usage
+        if time.monotonic() > latest:
+            os.killpg(process.pid, signal.SIGKILL)
+        time.sleep(0.02)
 
 
 # -------------------------------------------------------------- descriptions
