@@ -167,6 +167,9 @@ class Verdicts(unittest.TestCase):
         text = self.robustness.table(rows)
         self.assertIn("| simple            |      2 |      50 % |    50 % |", text)
         self.assertIn("21 to 40 vertices", text)
+        self.assertNotIn("Faults", text)
+        rows.append(("simple", 3, 30, 17, "crash", "signal 11", None, 3.0))
+        self.assertTrue(self.robustness.table(rows).endswith("\n\nFaults: simple:3 crash."))
 
 
 class Tables(unittest.TestCase):
