@@ -10,6 +10,7 @@
 #include "app/commands/input_options.hpp"
 #include "app/problem/block_file.hpp"
 #include "app/problem/cut_solids.hpp"
+#include "app/problem/cutting_json.hpp"
 #include "app/reports/cutting_page.hpp"
 #include "app/results/output_directory.hpp"
 #include "app/solids/fault_page.hpp"
@@ -129,7 +130,9 @@ ExitCode segment_command(const SegmentCommand& command, const Console& console) 
   display.clear();
   for (const std::string& warning : solids.warnings) console.warn(warning);
   if (!no_file.empty()) console.warn(no_file);
-  if (!console.quiet)
+  if (command.json)
+    console.out << cutting_json_text(solids);
+  else if (!console.quiet)
     console.out << cutting_text(solids) << files_text(blocks.size(), command.output)
                 << (failed ? ""
                            : fmt::format("  {}{} shows the blocks\n",
@@ -160,6 +163,7 @@ void add_segment_command(CLI::App& app, CommandLine& line) {
                   "Sides that meet others in parts: remove them by further cuts, or keep them")
       ->check(CLI::IsMember(names(t_joint_choices())))
       ->capture_default_str();
+  segment.add_flag("--json", command->json, "JSON instead of text");
 }
 
 }  // namespace isopatch::app

@@ -19,6 +19,7 @@ struct SegmentCommand {
   CadReading reading;
   std::string t_joints = "remove";                                      ///< or "keep"
   double time_limit = segmentation::DecompositionOptions{}.time_limit;  ///< s
+  bool json = false;
 };
 /// Cuts solids into topological hexahedra and writes them as STEP files, one a block.
 ExitCode segment_command(const SegmentCommand& command, const Console& console);

@@ -91,6 +91,17 @@ TEST_F(CutSolidsOfStudies, AreWrittenAsStepFilesWithTheirFacesNames) {
   EXPECT_THAT(out_, HasSubstr("face 1"));
 }
 
+TEST_F(CutSolidsOfStudies, AreDescribedInJson) {
+  write_file(file("l.off"), l_shape);
+  ASSERT_EQ(run({"segment", file("l.off"), "-o", file("blocks"), "--json"}), 0) << err_;
+  const json body = json::parse(out_)["bodies"][0];
+  EXPECT_EQ(body["name"], "l");
+  EXPECT_EQ(body["cuts"], 1);
+  EXPECT_EQ(body["parts"], 2);
+  EXPECT_EQ(body["t_joints"], 0);
+  EXPECT_EQ(body["hexahedra"], 2);
+}
+
 TEST_F(CutSolidsOfStudies, ReplaceThoseOfAnEarlierCommand) {
   write_file(file("l.off"), l_shape);
   ASSERT_EQ(run({"segment", file("l.off"), "-o", file("blocks")}), 0) << err_;

@@ -108,8 +108,11 @@ class Mesh(NamedTuple):
     surfaces: dict      # physical number: triangles of six nodes
 
 
-def read_mesh(path):
-    """A mesh of format 2.2, its second-order tetrahedra and triangles."""
+def read_mesh(path, surface_tag=3):
+    """A mesh of format 2.2, its second-order tetrahedra and triangles.
+
+    surface_tag: 3 for the numbers of physical surfaces, 4 for those of the geometry.
+    """
     nodes, tetrahedra, surfaces, section, left = {}, [], {}, "", 0
     with open(path, encoding="ascii") as file:
         for line in file:
@@ -126,7 +129,7 @@ def read_mesh(path):
                 if entries[1] == 11:
                     tetrahedra.append(corners)
                 elif entries[1] == 9:
-                    surfaces.setdefault(entries[3], []).append(corners)
+                    surfaces.setdefault(entries[surface_tag], []).append(corners)
     return Mesh(nodes, tetrahedra, surfaces)
 
 

@@ -26,3 +26,10 @@ def table(head, rows):
     rule = "|" + "|".join("-" * (width + 2) if column == 0 else "-" * (width + 1) + ":"
                           for column, width in enumerate(widths)) + "|"
     return [line(cells[0]), rule] + [line(row) for row in cells[1:]]
+
+
+def insert(text, marker, new):
+    """A text with new lines between the comments that begin and end a marked part."""
+    begin, end = f"<!-- {marker} -->", f"<!-- end of {marker} -->"
+    before, rest = text.split(begin)
+    return before + begin + "\n" + new + "\n" + end + rest.split(end)[1]

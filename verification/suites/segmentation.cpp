@@ -1,0 +1,150 @@
+// Solids that are cut into hexahedra, from their files to energies, against quadratic tetrahedra on the
+// solids themselves: the figures of segmentation.json, which scripts/segmentation_references makes.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "geometry/base/tests/data_file.hpp"
+#include "geometry/brep/read_brep.hpp"
+#include "verification/suites/solved_study.hpp"
+#include "verification/tests/reference_data.hpp"
+
+namespace isopatch::verification {
+namespace {
+
+using nlohmann::json;
+
+/// Models without a folder are among the suite's studies, others among the data by others.
+bool is_own(const std::string& model) {
+  return !std::filesystem::path(model).has_parent_path();
+}
+
+std::filesystem::path path_of(const std::string& model) {
+  return is_own(model) ? std::filesystem::path(ISOPATCH_SOURCE_DIR) / "verification/studies" / model
+                       : test::data_file(model);
+}
+
+json segmentation_case(const std::string& model) {
+  std::ifstream file(std::filesystem::path(ISOPATCH_SOURCE_DIR) / "verification/suites/segmentation.json");
+  const json content = json::parse(file);
+  for (const json& one : content["cases"])
+    if (one["model"] == model) return one;
+  throw std::out_of_range("no case " + model);
+}
+
+/// Of three meshes, each halved, at size 0. Energies of solids with clamped and concave edges converge with
+/// order 1 to 2 at last; outside of that the meshes are too coarse to show their order, and the nearer bound
+/// is taken.
+double at_size_zero(const std::vector<double>& energies) {
+  const double coarse = energies[0], middle = energies[1], fine = energies[2];
+  const double ratio = std::clamp((middle - coarse) / (fine - middle), 2.0, 4.0);
+  return fine + (fine - middle) / (ratio - 1);
+}
+
+/// Of the reference: its finest mesh and what three extrapolate to differ by as much.
+double uncertainty(const json& one) {
+  return 1 - one["meshes"][2]["energy"].get<double>() / one["energy"].get<double>();
+}
+
+SolvedStudy solved_case(const json& one, int refine) {
+  const std::string model = one["model"];
+  const std::string folder = is_own(model) ? "" : "${ISOPATCH_DATA:-../../../shared/data}/";
+  const auto faces = [&](const char* key) { return json::array({one[key]}).dump(); };
+  return solved("verification/studies/segmented.toml",
+                {"model.file=" + folder + model, "support.0.faces=" + faces("held"),
+                 "load.0.faces=" + faces("loaded"), fmt::format("discretization.refine={}", refine)});
+}
+
+/// @param from  refinement of the coarsest of three meshes
+void expect_segmented(const std::string& model, int from) {
+  const json one = segmentation_case(model);
+  std::vector<double> energies;
+  ClaimStudy finest;
+  double volume = 0;
+  for (int refine = from; refine < from + 3; ++refine) {
+    const SolvedStudy study = solved_case(one, refine);
+    energies.push_back(study.run.solution.results.internal_energy);
+    volume = study.run.built.report.volume;
+    finest = study.named;
+  }
+  const bool plane = one["plane"];
+  expect(
+      Claim{model + ": volume of the patches", "m^3", ReferenceKind::exact, "the solid's, over its faces",
+            geometry::read_brep(path_of(model)).brep.volume(), volume,
+            plane ? Tolerance{1e-9, "round-off"} : Tolerance{1e-3, "curved faces are approximated to 1e-4"},
+            finest});
+  expect(Claim{
+      fmt::format("{}: energy, extrapolated from refinements {} to {}", model, from, from + 2),
+      "J",
+      ReferenceKind::independent_fe,
+      fmt::format("CalculiX, quadratic tetrahedra, three meshes of up to {} nodes, extrapolated by {:.1f} %",
+                  one["meshes"][2]["nodes"].get<int>(), 100 * uncertainty(one)),
+      one["energy"],
+      at_size_zero(energies),
+      {1e-2, "extrapolation, on both sides, of what converges slowly at clamped and concave edges"},
+      finest});
+}
+
+TEST(Segmentation, OwnSolids) {
+  for (const char* model : {"l_shape.off", "house.off", "steps.off"}) expect_segmented(model, 0);
+}
+
+TEST(Segmentation, House) {
+  ISOPATCH_NEEDS_DATA("solids/house.off");
+  expect_segmented("solids/house.off", 0);
+}
+
+TEST(FullSegmentation, TriangulatedE) {
+  ISOPATCH_NEEDS_DATA("solids/E_triangulated.off");
+  expect_segmented("solids/E_triangulated.off", 0);
+}
+
+TEST(Segmentation, CutLShape) {
+  ISOPATCH_NEEDS_DATA("solids/ffoLshapeCut.xml");
+  expect_segmented("solids/ffoLshapeCut.xml", 0);
+}
+
+TEST(Segmentation, Bipyramid) {
+  ISOPATCH_NEEDS_DATA("solids/ffoTriBiPyramid.xml");
+  expect_segmented("solids/ffoTriBiPyramid.xml", 0);
+}
+
+TEST(FullSegmentation, DoublePyramid) {
+  ISOPATCH_NEEDS_DATA("solids/ffoTriDoublePyramid.xml");
+  expect_segmented("solids/ffoTriDoublePyramid.xml", 0);
+}
+
+TEST(Segmentation, RoundedBlock) {
+  ISOPATCH_NEEDS_DATA("models/block_fillet1.step");
+  expect_segmented("models/block_fillet1.step", 0);
+}
+
+TEST(FullSegmentation, ThreeConcaveEdges) {
+  ISOPATCH_NEEDS_DATA("models/three_concave_edge.step");
+  expect_segmented("models/three_concave_edge.step", 0);
+}
+
+TEST(FullSegmentation, SevenConnected) {
+  ISOPATCH_NEEDS_DATA("models/7-connected.step");
+  expect_segmented("models/7-connected.step", 0);
+}
+
+TEST(FullSegmentation, ConjoinedTwins) {
+  ISOPATCH_NEEDS_DATA("models/conjoined_twins.step");
+  expect_segmented("models/conjoined_twins.step", 0);
+}
+
+TEST(FullSegmentation, SciencePark) {
+  ISOPATCH_NEEDS_DATA("solids/ffoSciencePark2.xml");
+  expect_segmented("solids/ffoSciencePark2.xml", 0);
+}
+
+}  // namespace
+}  // namespace isopatch::verification
