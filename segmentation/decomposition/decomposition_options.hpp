@@ -15,6 +15,7 @@ struct DecompositionOptions {
   CutOptions cut = {};
   double time_limit = 60;  ///< seconds, after which it is given up; above 0
   int max_cells = 2000;    ///< at most so many cells while sides are made to meet; range 1 ..
+  bool operator==(const DecompositionOptions&) const = default;
 };
 void validate(const DecompositionOptions& options);
 
