@@ -145,27 +145,35 @@ void check_conforming(const std::vector<NurbsVolume>& patches, const std::vector
   check_other_parameters(free, tolerance.same_point * size, label);
 }
 
-void check_listed(const std::vector<NurbsVolume>& patches, const std::vector<Interface>& found,
-                  const std::vector<std::pair<PatchFace, PatchFace>>& listed, const Tolerance& tolerance,
-                  double size, const FaceLabel& label) {
-  for (const auto& [a, b] : listed) {
-    const auto pair = std::minmax(a, b);
-    const bool confirmed = std::any_of(found.begin(), found.end(), [&](const Interface& i) {
-      return i.first == pair.first && i.second == pair.second;
-    });
-    if (confirmed) continue;
+void check_stated(const std::vector<NurbsVolume>& patches, const std::vector<Interface>& found,
+                  const std::vector<StatedInterface>& all_stated, const Tolerance& tolerance, double size,
+                  const FaceLabel& label) {
+  const auto order = [](const Interface& interface) { return std::pair(interface.first, interface.second); };
+  for (const StatedInterface& given : all_stated) {
+    const StatedInterface stated = given.second < given.first ? exchanged(given) : given;
+    const std::pair pair(stated.first, stated.second);
+    const auto at = std::lower_bound(found.begin(), found.end(), pair,
+                                     [&](const Interface& i, const auto& key) { return order(i) < key; });
+    if (at != found.end() && order(*at) == pair) continue;
     const auto surface = [&](PatchFace f) {
       return face_surface(patches[static_cast<std::size_t>(f.patch.value)], f.side);
     };
-    const FaceMatch match = match_faces(surface(a), surface(b));
+    const FaceMatch match = match_faces(surface(given.first), surface(given.second));
+    if (match.distance <= tolerance.same_point * size)
+      throw Error(
+          ErrorCode::not_conforming,
+          fmt::format("the faces of the stated interface {} - {} lie on each other, but not as it says: "
+                      "their directions run otherwise. Correct its directions, or leave the interfaces "
+                      "out, so that they are found from the geometry",
+                      label(given.first), label(given.second)));
     throw Error(
         ErrorCode::not_conforming,
         fmt::format(
-            "the listed interface {} - {} is not one: the faces differ by up to {:.3g} at {}, {:.2g} of "
+            "the stated interface {} - {} is not one: the faces differ by up to {:.3g} at {}, {:.2g} of "
             "the model's size, and {:.2g} is allowed. Correct the list, mend the model, or raise "
             "same_point (in a study: model.same_point)",
-            label(a), label(b), match.distance, text(match.first_point), match.distance / size,
-            tolerance.same_point));
+            label(given.first), label(given.second), match.distance, text(match.first_point),
+            match.distance / size, tolerance.same_point));
   }
 }
 

@@ -17,10 +17,10 @@ namespace isopatch::geometry {
 void check_conforming(const std::vector<NurbsVolume>& patches, const std::vector<PatchFace>& faces,
                       const Tolerance& tolerance, double size, const FaceLabel& label);
 
-/// Checks a file's list of interfaces against the ones found.
+/// Checks that every stated interface is among the ones found, in its orientation.
 /// @throws Error not_conforming, naming the faces and how far they are from each other
-void check_listed(const std::vector<NurbsVolume>& patches, const std::vector<Interface>& found,
-                  const std::vector<std::pair<PatchFace, PatchFace>>& listed, const Tolerance& tolerance,
-                  double size, const FaceLabel& label);
+void check_stated(const std::vector<NurbsVolume>& patches, const std::vector<Interface>& found,
+                  const std::vector<StatedInterface>& all_stated, const Tolerance& tolerance, double size,
+                  const FaceLabel& label);
 
 }  // namespace isopatch::geometry

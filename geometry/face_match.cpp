@@ -46,39 +46,6 @@ std::vector<double> unscaled(const KnotVector& knots, std::vector<double> scaled
   return scaled;
 }
 
-FaceMatch compare(const NurbsSurface& first, const NurbsSurface& second, const FaceOrientation& orientation) {
-  // Direction k of the first face is direction along[k] of the second.
-  const std::array<int, 2> along = orientation.swapped ? std::array{1, 0} : std::array{0, 1};
-  const std::array<bool, 2> flips = {orientation.flip_first, orientation.flip_second};
-  std::array<std::vector<double>, 2> scaled;
-  std::array<std::vector<double>, 2> on_first;
-  std::array<std::vector<double>, 2> on_second;
-  for (std::size_t k = 0; k < 2; ++k) {
-    const KnotVector& mine = first.knots()[k];
-    const auto a = static_cast<std::size_t>(along[k]);
-    scaled[k] = samples(mine, second.knots()[a], flips[a]);
-    on_first[k] = unscaled(mine, scaled[k], false);
-    on_second[a] = unscaled(second.knots()[a], scaled[k], flips[a]);
-  }
-  const Eigen::Matrix3Xd points = points_on_grid(first, on_first);
-  const Eigen::Matrix3Xd others = points_on_grid(second, on_second);
-  const auto rows = static_cast<Eigen::Index>(scaled[0].size());
-  const auto columns = static_cast<Eigen::Index>(scaled[1].size());
-  FaceMatch match{orientation, -1, {}, {}, {}};
-  for (Eigen::Index j = 0; j < columns; ++j)
-    for (Eigen::Index i = 0; i < rows; ++i) {
-      const Eigen::Vector3d point = points.col(i + j * rows);
-      const Eigen::Vector3d other = others.col(orientation.swapped ? j + i * columns : i + j * rows);
-      const double distance = (point - other).norm();
-      if (distance <= match.distance) continue;
-      match.distance = distance;
-      match.parameter = {scaled[0][static_cast<std::size_t>(i)], scaled[1][static_cast<std::size_t>(j)]};
-      match.first_point = point;
-      match.second_point = other;
-    }
-  return match;
-}
-
 double corner_distance(const NurbsSurface& first, const NurbsSurface& second,
                        const FaceOrientation& orientation) {
   double largest = 0;
@@ -115,6 +82,40 @@ Parameter<2> unscaled(const NurbsSurface& surface, const Parameter<2>& scaled) {
   return surface.low() + scaled.cwiseProduct(surface.high() - surface.low());
 }
 
+FaceMatch match_faces(const NurbsSurface& first, const NurbsSurface& second,
+                      const FaceOrientation& orientation) {
+  // Direction k of the first face is direction along[k] of the second.
+  const std::array<int, 2> along = orientation.swapped ? std::array{1, 0} : std::array{0, 1};
+  const std::array<bool, 2> flips = {orientation.flip_first, orientation.flip_second};
+  std::array<std::vector<double>, 2> scaled;
+  std::array<std::vector<double>, 2> on_first;
+  std::array<std::vector<double>, 2> on_second;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const KnotVector& mine = first.knots()[k];
+    const auto a = static_cast<std::size_t>(along[k]);
+    scaled[k] = samples(mine, second.knots()[a], flips[a]);
+    on_first[k] = unscaled(mine, scaled[k], false);
+    on_second[a] = unscaled(second.knots()[a], scaled[k], flips[a]);
+  }
+  const Eigen::Matrix3Xd points = points_on_grid(first, on_first);
+  const Eigen::Matrix3Xd others = points_on_grid(second, on_second);
+  const auto rows = static_cast<Eigen::Index>(scaled[0].size());
+  const auto columns = static_cast<Eigen::Index>(scaled[1].size());
+  FaceMatch match{orientation, -1, {}, {}, {}};
+  for (Eigen::Index j = 0; j < columns; ++j)
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      const Eigen::Vector3d point = points.col(i + j * rows);
+      const Eigen::Vector3d other = others.col(orientation.swapped ? j + i * columns : i + j * rows);
+      const double distance = (point - other).norm();
+      if (distance <= match.distance) continue;
+      match.distance = distance;
+      match.parameter = {scaled[0][static_cast<std::size_t>(i)], scaled[1][static_cast<std::size_t>(j)]};
+      match.first_point = point;
+      match.second_point = other;
+    }
+  return match;
+}
+
 FaceMatch match_faces(const NurbsSurface& first, const NurbsSurface& second) {
   std::vector<std::pair<double, FaceOrientation>> by_corners;
   for (const FaceOrientation& orientation : all_orientations())
@@ -124,7 +125,7 @@ FaceMatch match_faces(const NurbsSurface& first, const NurbsSurface& second) {
   best.distance = std::numeric_limits<double>::infinity();
   for (const auto& [at_corners, orientation] : by_corners) {
     if (at_corners >= best.distance) break;
-    const FaceMatch match = compare(first, second, orientation);
+    const FaceMatch match = match_faces(first, second, orientation);
     if (match.distance < best.distance) best = match;
   }
   return best;

@@ -21,6 +21,10 @@ struct FaceMatch {
 /// @cost O(control points of both) for each orientation that cannot be excluded by its corners
 FaceMatch match_faces(const NurbsSurface& first, const NurbsSurface& second);
 
+/// The same in a given orientation, from first to second.
+FaceMatch match_faces(const NurbsSurface& first, const NurbsSurface& second,
+                      const FaceOrientation& orientation);
+
 /// A surface parameter from one scaled to [0, 1]^2.
 Parameter<2> unscaled(const NurbsSurface& surface, const Parameter<2>& scaled);
 

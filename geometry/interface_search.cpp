@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "geometry/base/error.hpp"
 #include "geometry/collapse.hpp"
@@ -69,6 +70,18 @@ void check_at_most_two(const std::vector<Interface>& interfaces, const FaceLabel
           label(*twice), others));
 }
 
+// By the smaller and the larger face of a pair.
+using StatedOrientations = std::map<std::pair<PatchFace, PatchFace>, FaceOrientation>;
+
+StatedOrientations orientations_of(const std::vector<StatedInterface>& stated) {
+  StatedOrientations result;
+  for (const StatedInterface& given : stated) {
+    const StatedInterface ordered = given.second < given.first ? exchanged(given) : given;
+    result.emplace(std::pair(ordered.first, ordered.second), ordered.orientation);
+  }
+  return result;
+}
+
 }  // namespace
 
 double thickness(const NurbsVolume& patch, Side side) {
@@ -103,8 +116,8 @@ std::vector<std::pair<std::size_t, std::size_t>> close_pairs(const std::vector<E
   return pairs;
 }
 
-FaceSets find_interfaces(const std::vector<NurbsVolume>& patches, const Tolerance& tolerance, double size,
-                         const FaceLabel& label) {
+FaceSets find_interfaces(const std::vector<NurbsVolume>& patches, const std::vector<StatedInterface>& stated,
+                         const Tolerance& tolerance, double size, const FaceLabel& label) {
   const double same_point = tolerance.same_point * size;
   FaceSets sets;
   std::vector<PatchFace> faces;
@@ -121,9 +134,13 @@ FaceSets find_interfaces(const std::vector<NurbsVolume>& patches, const Toleranc
       surfaces.push_back(face_surface(patches[p], side));
       middles.push_back(surfaces.back().point(unscaled(surfaces.back(), {0.5, 0.5})));
     }
+  const StatedOrientations orientations = orientations_of(stated);
   std::vector<bool> joined(faces.size(), false);
   for (const auto& [i, j] : close_pairs(middles, 2 * same_point)) {
-    const FaceMatch match = match_faces(surfaces[i], surfaces[j]);
+    const auto known = orientations.find({faces[i], faces[j]});
+    const FaceMatch match = known == orientations.end()
+                                ? match_faces(surfaces[i], surfaces[j])
+                                : match_faces(surfaces[i], surfaces[j], known->second);
     if (match.distance > same_point) continue;
     const Interface found{faces[i], faces[j], match.orientation, match.distance};
     check_thickness(patches, found, same_point, label);

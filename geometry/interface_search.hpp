@@ -20,14 +20,16 @@ struct FaceSets {
   std::vector<PatchFace> degenerate;  ///< faces without an area
 };
 
-/// Finds the pairs of faces that agree to `tolerance.same_point` times `size` in one of the eight
-/// orientations.
+/// Finds the pairs of faces that agree to `tolerance.same_point` times `size`, in the orientation stated for
+/// the pair or else in one of the eight. A stated pair that does not is left out.
 /// @param patches  right-handed
+/// @param stated   interfaces that are known, faces as in `patches`
+/// @return interfaces ordered by their faces, of which the first is the smaller
 /// @param size     of the model, model units
 /// @throws Error not_conforming for more than two faces in one place, and for two that lie on the same side
 /// @cost   O(faces log faces) for the search, O(control points) per candidate
-FaceSets find_interfaces(const std::vector<NurbsVolume>& patches, const Tolerance& tolerance, double size,
-                         const FaceLabel& label);
+FaceSets find_interfaces(const std::vector<NurbsVolume>& patches, const std::vector<StatedInterface>& stated,
+                         const Tolerance& tolerance, double size, const FaceLabel& label);
 
 /// Pairs of points no further apart than `radius`, each with the smaller index first.
 /// @cost O(n log n) plus the pairs in slabs as thick as the radius

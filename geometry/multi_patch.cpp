@@ -60,8 +60,9 @@ void check_input(const PatchSet& set, const Tolerance& tolerance) {
   for (const Boundary& boundary : set.boundaries)
     for (const PatchFace& face : boundary.faces)
       check_face(face, set.patches.size(), fmt::format("boundary '{}'", boundary.name));
-  for (const auto& [first, second] : set.listed_interfaces)
-    for (const PatchFace& face : {first, second}) check_face(face, set.patches.size(), "list of interfaces");
+  for (const StatedInterface& stated : set.interfaces)
+    for (const PatchFace& face : {stated.first, stated.second})
+      check_face(face, set.patches.size(), "list of interfaces");
 }
 
 double diagonal(const std::vector<NurbsVolume>& patches) {
@@ -126,16 +127,15 @@ MultiPatch connect(PatchSet set, const Tolerance& tolerance) {
   }
   for (Boundary& boundary : set.boundaries)
     for (PatchFace& face : boundary.faces) face = model.from_input(face);
-  for (auto& [first, second] : set.listed_interfaces) {
-    first = model.from_input(first);
-    second = model.from_input(second);
-  }
+  for (StatedInterface& stated : set.interfaces)
+    stated = turned_around(stated, model.was_reversed(stated.first.patch),
+                           model.was_reversed(stated.second.patch));
   model.boundaries_ = std::move(set.boundaries);
   model.names_ = std::move(set.names);
 
   const FaceLabel label = [&](PatchFace face) { return model.label(face); };
-  FaceSets found = find_interfaces(model.patches_, tolerance, model.size_, label);
-  check_listed(model.patches_, found.interfaces, set.listed_interfaces, tolerance, model.size_, label);
+  FaceSets found = find_interfaces(model.patches_, set.interfaces, tolerance, model.size_, label);
+  check_stated(model.patches_, found.interfaces, set.interfaces, tolerance, model.size_, label);
   check_conforming(model.patches_, found.boundary, tolerance, model.size_, label);
   model.interfaces_ = std::move(found.interfaces);
   model.boundary_faces_ = std::move(found.boundary);

@@ -7,26 +7,10 @@
 #include "geometry/base/tolerance.hpp"
 #include "geometry/interface.hpp"
 #include "geometry/patch_face.hpp"
+#include "geometry/patch_set.hpp"
 #include "geometry/splines/nurbs.hpp"
 
 namespace isopatch::geometry {
-
-/// A named set of patch faces.
-struct Boundary {
-  std::string name;
-  std::vector<PatchFace> faces;
-};
-
-/// Patches as a reader or a generator gives them, before anything is known about how they meet.
-struct PatchSet {
-  std::vector<NurbsVolume> patches;
-  /// Named boundaries; may be empty.
-  std::vector<Boundary> boundaries;
-  /// Pairs that the file lists as interfaces; `connect` holds them against the geometry. May be empty.
-  std::vector<std::pair<PatchFace, PatchFace>> listed_interfaces;
-  /// What patches are called; as many as there are patches, fewer or none.
-  std::vector<std::string> names = {};
-};
 
 /// Volume patches and how they meet.
 ///
@@ -82,17 +66,18 @@ class MultiPatch {
 /// Bounding box of all control points.
 Eigen::AlignedBox3d box(const MultiPatch& model);
 
-/// Finds from the geometry alone how patches meet.
+/// Verifies the interfaces that are stated and finds the others from the geometry.
 ///
-/// Left-handed patches are turned around first. Two faces are an interface if, in one of the eight
-/// orientations, they agree to `tolerance.same_point` times the model's size at their corners and on a grid
-/// of inner points that sees every knot span: equal corners alone do not make an interface.
+/// Left-handed patches are turned around first. Two faces are an interface if they agree to
+/// `tolerance.same_point` times the model's size at their corners and on a grid of inner points that sees
+/// every knot span (equal corners alone do not make an interface): in the orientation that is stated, or in
+/// one of the eight where none is. The model is the same whether interfaces are stated or not.
 ///
-/// @throws Error invalid_argument  no patch, a named boundary or a listed interface with a face that does not
+/// @throws Error invalid_argument  no patch, a named boundary or a stated interface with a face that does not
 /// exist
 /// @throws Error not_conforming    faces that nearly meet (a gap or an overlap, saying which and how far),
 /// more than
-///                                 two faces in one place, a listed interface that the geometry refutes
+///                                 two faces in one place, a stated interface that the geometry refutes
 /// @cost   O(faces log faces) for the search, O(control points) per candidate
 MultiPatch connect(PatchSet patches, const Tolerance& tolerance = {});
 

@@ -34,6 +34,12 @@ PatchSet as_given(const std::vector<NurbsVolume>& patches, const PatchConnection
     set.patches.push_back(connections.reversed[p] ? reversed(patches[p], 0) : patches[p]);
   for (Boundary& boundary : set.boundaries)
     for (PatchFace& face : boundary.faces) face = as_given(connections, face);
+  const auto reversed_patch = [&](PatchFace face) {
+    return connections.reversed[static_cast<std::size_t>(face.patch.value)];
+  };
+  for (const Interface& i : connections.interfaces)
+    set.interfaces.push_back(
+        turned_around({i.first, i.second, i.orientation}, reversed_patch(i.first), reversed_patch(i.second)));
   return set;
 }
 
@@ -89,11 +95,17 @@ void validate(const PatchConnections& connections, std::size_t patch_count) {
 
 MultiPatch connected(const std::vector<NurbsVolume>& patches, const PatchConnections& connections) {
   validate(connections, patches.size());
-  MultiPatch model = connect(as_given(patches, connections), tolerance_for(patches, connections));
-  if (connections_of(model).reversed != connections.reversed ||
-      !are_same(model.interfaces(), connections.interfaces))
-    throw Error(ErrorCode::invalid_argument, "the patches do not meet as their connections say");
-  return model;
+  constexpr const char* other = "the patches do not meet as their connections say";
+  try {
+    MultiPatch model = connect(as_given(patches, connections), tolerance_for(patches, connections));
+    if (connections_of(model).reversed != connections.reversed ||
+        !are_same(model.interfaces(), connections.interfaces))
+      throw Error(ErrorCode::invalid_argument, other);
+    return model;
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::not_conforming) throw;
+    throw Error(ErrorCode::invalid_argument, fmt::format("{}: {}", other, error.what()));
+  }
 }
 
 }  // namespace isopatch::geometry

@@ -10,6 +10,7 @@ struct MultigridOptions {
   double smoothing_range = 40;
   /// Steps of conjugate gradients that estimate the largest eigenvalue. Range 2 .. 100.
   int eigenvalue_steps = 15;
+  bool operator==(const MultigridOptions&) const = default;
 };
 
 }  // namespace isopatch::solvers

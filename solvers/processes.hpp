@@ -22,6 +22,8 @@ class Processes {
   /// @throws Error unsupported  if MPI connects another number than the launcher started
   static Processes launched();
 
+  bool operator==(const Processes&) const = default;
+
   int rank() const { return rank_; }
   int count() const { return count_; }
   /// Whether this is rank 0, which writes files and reports.

@@ -39,6 +39,7 @@ struct SolverOptions {
   MultigridOptions multigrid = {};
   /// Bytes that the run may use; 0: what the machine has to spare.
   double memory_limit = 0;
+  bool operator==(const SolverOptions&) const = default;
 };
 /// @throws Error invalid_argument naming field, value and range
 void validate(const SolverOptions& options);

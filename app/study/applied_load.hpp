@@ -13,30 +13,35 @@ namespace isopatch::app {
 struct Traction {
   FaceSelection selection = {};
   Eigen::Vector3d value = Eigen::Vector3d::Zero();
+  bool operator==(const Traction&) const = default;
 };
 
 /// Pushes against faces where positive, Pa.
 struct Pressure {
   FaceSelection selection = {};
   double value = 0;
+  bool operator==(const Pressure&) const = default;
 };
 
 /// A total force, spread evenly over the area of all its faces, N.
 struct Force {
   FaceSelection selection = {};
   Eigen::Vector3d value = Eigen::Vector3d::Zero();
+  bool operator==(const Force&) const = default;
 };
 
 /// Force per volume of patches, N/m^3.
 struct BodyForce {
   PatchSelection patches = {};
   Eigen::Vector3d value = Eigen::Vector3d::Zero();
+  bool operator==(const BodyForce&) const = default;
 };
 
 /// Acceleration of gravity in patches, whose materials need a density, m/s^2.
 struct Gravity {
   PatchSelection patches = {};
   Eigen::Vector3d value = Eigen::Vector3d::Zero();
+  bool operator==(const Gravity&) const = default;
 };
 
 /// What acts on some faces or in some patches: [[load]].
@@ -45,6 +50,7 @@ struct AppliedLoad {
   std::string key = {};   ///< what results call it: its name, or "load 1"
   std::variant<Traction, Pressure, Force, BodyForce, Gravity> load = {};
   Place place = {};
+  bool operator==(const AppliedLoad&) const = default;
 };
 
 /// "traction", "pressure", "force", "body_force" or "gravity", as its key in the study.

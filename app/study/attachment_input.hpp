@@ -14,6 +14,10 @@ struct AttachmentInput {
   std::vector<std::string> faces;                     ///< "1:north", or names of boundaries
   Eigen::Affine3d map = Eigen::Affine3d::Identity();  ///< from these faces to the far ends, model units
   Place place;
+  bool operator==(const AttachmentInput& other) const {
+    return name == other.name && faces == other.faces && map.matrix() == other.map.matrix() &&
+           place == other.place;
+  }
 };
 
 }  // namespace isopatch::app

@@ -14,6 +14,7 @@ struct BlocksInput {
   /// How solids are taken apart that are no topological hexahedra; nothing: such solids are refused.
   std::optional<segmentation::DecompositionOptions> decomposition = {};
   segmentation::ParameterizationOptions options;
+  bool operator==(const BlocksInput&) const = default;
 };
 
 }  // namespace isopatch::app

@@ -15,6 +15,7 @@ struct Place {
   std::string source;
   int line = 0;
   int column = 0;
+  bool operator==(const Place&) const = default;
 };
 
 /// "study.toml:12:3", or "study.toml" where the line is not known.

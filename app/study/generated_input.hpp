@@ -25,6 +25,7 @@ using GeneratedDimensions =
 struct GeneratedInput {
   GeneratedDimensions dimensions;
   double length_unit = 1;  ///< m per model unit; above 0
+  bool operator==(const GeneratedInput&) const = default;
 };
 
 }  // namespace isopatch::app

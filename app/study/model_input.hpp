@@ -27,6 +27,7 @@ struct ModelInput {
   std::vector<AttachmentInput> attachments = {};
   Tolerance tolerance = {};
   Place place = {};
+  bool operator==(const ModelInput&) const = default;
 };
 
 }  // namespace isopatch::app

@@ -22,12 +22,14 @@ struct MaterialInput {
   PatchSelection patches;
   iga::Material material;
   Place place;
+  bool operator==(const MaterialInput&) const = default;
 };
 
 /// A parameter of a patch, in the input's naming.
 struct PatchParameter {
   int patch = 0;
   Eigen::Vector3d parameter = Eigen::Vector3d::Zero();
+  bool operator==(const PatchParameter&) const = default;
 };
 
 /// A place whose values are wanted: a point (m), or a patch with a parameter.
@@ -35,6 +37,7 @@ struct ProbeInput {
   std::string name;
   std::variant<Eigen::Vector3d, PatchParameter> where;
   Place place;
+  bool operator==(const ProbeInput&) const = default;
 };
 
 /// Digits of the numbers of results_exact.vtm; automatic takes single where full would need more than 1 GB.
@@ -47,6 +50,7 @@ struct FieldOptions {
   int pieces = 0;
   bool exact = true;  ///< whether Bezier cells are written as well
   FieldPrecision precision = FieldPrecision::automatic;
+  bool operator==(const FieldOptions&) const = default;
 };
 
 /// What is written, and where.
@@ -56,6 +60,7 @@ struct OutputInput {
   FieldOptions field_options;
   bool hdf5 = true;
   bool report = true;
+  bool operator==(const OutputInput&) const = default;
 };
 
 /// A study: everything that the file says, in SI units. STUDY.md documents the keys.
@@ -71,6 +76,7 @@ struct Study {
   OutputInput output;
   std::string source;  ///< path of the file, for messages
   std::string text;    ///< the file as it was read, stored with the results
+  bool operator==(const Study&) const = default;
 };
 
 }  // namespace isopatch::app

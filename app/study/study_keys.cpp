@@ -135,8 +135,8 @@ const Keys<solvers::SolverOptions>& solver_keys() {
           "method", &O::method, methods,
           "auto factorizes where that costs little (CHOLMOD for elimination, MUMPS for lagrange or several "
           "processes) and iterates where factors would cost more or not fit (cg for elimination, minres for "
-          "lagrange); if the one fails it tries the other; the summary says why. direct is another word for "
-          "auto."),
+          "lagrange); if the one fails it tries the other, and for lagrange also cg with all ties "
+          "eliminated; the summary says why. direct is another word for auto."),
       quantity_key<O>(
           "tolerance", &O::tolerance, dim::none, {1e-14, 1e-2},
           "Relative residual to reach; with a multigrid the relative error in its norm, about that in "

@@ -14,14 +14,18 @@ namespace isopatch::app {
 struct HeldDisplacement {
   iga::PrescribedDisplacement displacement;
   std::optional<FaceConditions> edges = {};  ///< holds edges of the faces selected and not the faces
+  bool operator==(const HeldDisplacement&) const = default;
 };
 
 /// No displacement along the normal of a plane face.
-struct Symmetry {};
+struct Symmetry {
+  bool operator==(const Symmetry&) const = default;
+};
 
 /// A displacement along the normal of a plane face, m, outwards.
 struct Roller {
   double normal_displacement = 0;
+  bool operator==(const Roller&) const = default;
 };
 
 /// What holds some faces: [[support]].
@@ -30,6 +34,7 @@ struct SupportInput {
   std::string key = {};   ///< what results call it: its name, or "support 1"
   FaceSelection selection = {};
   std::variant<HeldDisplacement, Symmetry, Roller> condition = {};
+  bool operator==(const SupportInput&) const = default;
 };
 
 /// "displacement", "symmetry" or "roller", as its key in the study.

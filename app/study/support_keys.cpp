@@ -106,9 +106,11 @@ const Keys<SupportInput>& support_keys() {
                     "A plane of symmetry of any orientation: no displacement along its normal.",
                     [](S&, const ConfigValue& value) { read_flag(value, "symmetry"); })
           .with_default("false"),
-      custom_key<S>("roller", "true or false",
-                    "A frictionless guide on a plane face: the same condition by its other name.",
-                    [](S&, const ConfigValue& value) { read_flag(value, "roller"); })
+      custom_key<S>(
+          "roller", "true or false",
+          "Whether plane faces slide without friction: no displacement along their normal (or the one that "
+          "normal_displacement gives), any in their plane. With 0 it is the same as symmetry.",
+          [](S&, const ConfigValue& value) { read_flag(value, "roller"); })
           .with_default("false"),
       custom_key<S>("normal_displacement", type_name(dim::length),
                     "With roller: moves the faces along their outward normal.",

@@ -19,6 +19,31 @@ SOURCE = pathlib.Path(os.environ["ISOPATCH_SOURCE_DIR"])
 DATA = pathlib.Path(os.environ.get("ISOPATCH_DATA", SOURCE.parent / "shared" / "data"))
 SAME = 1e-10  # relative; a vector's differences count beside its length
 
+STRETCHED = """
+[model]
+generate = "box"
+patches = [3, 1, 1]
+[discretization]
+degree = 2
+refine = 1
+elements_per_direction = [1, 1, 3]
+[[material]]
+young = 2e11
+poisson = 0
+[[support]]
+faces = ["x_min"]
+roller = true
+[[support]]
+faces = ["y_min"]
+roller = true
+[[support]]
+faces = ["z_min"]
+roller = true
+[[load]]
+faces = ["x_max"]
+traction = [1e6, 0, 0]
+"""
+
 ONE_PATCH = """
 [model]
 generate = "box"
@@ -136,6 +161,18 @@ class Processes(unittest.TestCase):
     def test_patch_test_with_prescribed_displacements(self):
         self.expect_same_figures(SOURCE / "examples/patch_test/study.toml", "discretization.degree=2",
                                  "discretization.refine=1", "coupling.method='lagrange'", balanced=True)
+
+    def test_equal_maxima_are_found_in_one_place(self):
+        # Stretched evenly: the stress is the same everywhere, and the largest displacement all over one face.
+        for text in (STRETCHED, STRETCHED.replace("patches = [3, 1, 1]", "patches = [1, 1, 3]")):
+            study = self.study(text)
+            for settings in ((), ("coupling.method=lagrange",)):
+                one = self.summary(1, study, settings)["results"]
+                self.assertLess(abs(one["max_von_mises"] - 1e6), 1, "an even stress")
+                for count in (2, 3):
+                    several = self.summary(count, study, settings)["results"]
+                    for name in ("max_displacement_at", "max_von_mises_at"):
+                        self.assertEqual(one[name], several[name], f"{name} with {count} processes {settings}")
 
     def test_terrific(self):
         if not (DATA / "terrific" / "terrific.xml").exists():

@@ -86,6 +86,78 @@ TEST(StudyInput, AKeyThatDoesNotBelongToTheLoadIsRefusedWhereItStands) {
               HasSubstr("normal_displacement needs roller = true"));
 }
 
+// What is wrong with a whole study.
+std::string refusal_of_study(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  try {
+    parse_study(text, "s.toml", overrides);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(StudyInput, MaterialsSayWhatTheyLack) {
+  const auto of = [](const std::string& keys) {
+    return refusal_of_study("[model]\ngenerate = \"box\"\n[[material]]\n" + keys +
+                            "[[support]]\nfaces = [\"x_min\"]\nsymmetry = true\n");
+  };
+  EXPECT_THAT(of("density = 1\n"), HasSubstr("s.toml:3:1: [[material]] needs elastic constants"));
+  EXPECT_THAT(of("name = \"stel\"\n"),
+              HasSubstr("no material named \"stel\" (did you mean 'steel'?); known: "));
+  EXPECT_THAT(of("young = 1e9\npoisson = 0.3\nlame = { lambda = 1e9, mu = 1e9 }\n"),
+              HasSubstr("has both lame and young or poisson; keep one"));
+  EXPECT_THAT(of("young = 1e9\n"), HasSubstr("[[material]] has young but lacks poisson"));
+  EXPECT_THAT(of("poisson = 0.3\n"), HasSubstr("[[material]] has poisson but lacks young"));
+  EXPECT_THAT(of("lame = { lambda = -1e9, mu = 1e9 }\n"), HasSubstr("s.toml:3:1: "));
+}
+
+TEST(StudyInput, ModelsHaveOneSourceAndOnlyWhatBelongsToIt) {
+  const auto of = [](const std::string& keys) { return refusal_of_study("[model]\n" + keys + after_model); };
+  EXPECT_THAT(of(""), HasSubstr("[model] needs either file = "));
+  EXPECT_THAT(of("generate = \"box\"\nfile = \"a.xml\"\n"), HasSubstr("[model] needs either file = "));
+  EXPECT_THAT(of("generate = \"box\"\npairs = \"p.txt\"\n"),
+              HasSubstr("pairs says how blocks meet, but [model] has no blocks"));
+  EXPECT_THAT(of("generate = \"box\"\nsame_point = 1e-3\nnear_miss = 1e-3\n"),
+              HasSubstr("near_miss must be above same_point"));
+  EXPECT_THAT(of("file = \"a.xml\"\n[parameterization]\ndegree = 4\n"),
+              HasSubstr("[parameterization] is for solids, but [model] has patches already"));
+  EXPECT_THAT(of("file = \"a.xml\"\n[segmentation]\nbeam = 4\n"),
+              HasSubstr("[segmentation] is for solids, but [model] has patches already"));
+  EXPECT_THAT(of("file = \"\"\n"), HasSubstr("the path is empty"));
+  EXPECT_THAT(of("file = \"${open\"\n"), HasSubstr("'${' without '}'"));
+  EXPECT_THAT(of("generate = \"bax\"\n"), HasSubstr("unknown value \"bax\" (did you mean 'box'?)"));
+}
+
+TEST(StudyInput, SelectionsAndVectorsSayWhatTheyExpect) {
+  const auto of = [](const std::string& rest) {
+    return refusal_of_study("[model]\ngenerate = \"box\"\n" + rest + "\n" + after_model);
+  };
+  const std::string load = "[[load]]\npressure = 1\n", weight = "[[load]]\ngravity = [0, 0, 1]\n";
+  EXPECT_THAT(of(load + "faces = []"), HasSubstr("faces is empty: name at least one"));
+  EXPECT_THAT(of(weight + "patches = []"), HasSubstr("patches is empty"));
+  for (const char* range : {"3-1", "1-", "- 2", "1 2"})
+    EXPECT_THAT(of(weight + "patches = \"" + range + "\""),
+                HasSubstr("patches: expected \"all\", numbers from 0, ranges such as"))
+        << range;
+  EXPECT_THAT(of("[[support]]\nfaces = [\"x_max\"]\ndisplacement = [0, 0]"),
+              HasSubstr("displacement: expected 3 components, got 2"));
+  EXPECT_THAT(of("[discretization]\ndegree = [2, 2]"), HasSubstr("degree: expected one number or 3, got 2"));
+  EXPECT_THAT(of("[[load]]\npressure = 1\nwhere = { normal = [0, 0, 0] }"),
+              HasSubstr("is a direction; it cannot be zero"));
+  EXPECT_THAT(of("[load]\npressure = 1"), HasSubstr("load: write [[load]] with two brackets"));
+}
+
+TEST(StudyInput, OverridesSayWhichKeyTheyMissed) {
+  const std::string study = "[model]\ngenerate = \"box\"\nsize = [1, 2, 3]\n" + after_model;
+  const auto of = [&](const std::string& assignment) { return refusal_of_study(study, {assignment}); };
+  EXPECT_EQ(of("model.size.1=7"), "accepted");
+  EXPECT_THAT(of("model.size"), HasSubstr("--set model.size: expected key=value, for example"));
+  EXPECT_THAT(of("model..size=1"), HasSubstr("a key is empty"));
+  EXPECT_THAT(of("model.size.x=1"), HasSubstr("'x' is no index of an array of 3 (they count from 0)"));
+  EXPECT_THAT(of("model.size.3=1"), HasSubstr("'3' is no index of an array of 3"));
+  EXPECT_THAT(of("model.generate.name=1"), HasSubstr("'name' lies inside"));
+}
+
 TEST(StudyInput, AMisspeltKindIsFoundBeforeItIsMissed) {
   EXPECT_THAT(refusal_of("[[load]]\nfaces = [\"x_max\"]\npresure = 1\n"),
               HasSubstr("did you mean 'pressure'?"));

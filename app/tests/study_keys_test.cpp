@@ -320,6 +320,34 @@ TEST(StudyKeys, AreAllReadAndChangeTheStudy) {
     }
 }
 
+// All that a study says: its text, which says it too, apart.
+std::optional<Study> said_by(const std::string& text) {
+  try {
+    Study study = parse_study(whole(text), "folder/study.toml");
+    study.text.clear();
+    return study;
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+TEST(StudyKeys, MakeStudiesThatAreEqualIfAndOnlyIfTheySayTheSame) {
+  std::size_t compared = 0;
+  for (const ShownSection& section : all_sections())
+    for (const Shown& shown : section.keys) {
+      const std::string rest = section.heading + shown.before;
+      const std::optional<Study> with = said_by(rest + shown.assignment + "\n");
+      ASSERT_TRUE(with) << section.name << "." << shown.key;
+      EXPECT_EQ(said_by(rest + shown.assignment + "\n"), with);
+      // A comment instead, so that all else stays where it was.
+      const std::optional<Study> without = said_by(rest + "#\n");
+      if (!without) continue;
+      EXPECT_NE(without, with) << section.name << "." << shown.key;
+      ++compared;
+    }
+  EXPECT_GT(compared, 100u);
+}
+
 TEST(StudyKeys, AreAllShownToBeRead) {
   std::map<std::string, std::vector<std::string>> documented, shown;
   for (const SectionText& section : study_sections())

@@ -13,6 +13,7 @@ namespace isopatch {
 struct GuardLimits {
   double seconds = 120;     ///< of computing; a program that only waits may do so five times as long. Above 0
   std::uint64_t bytes = 0;  ///< of address space; 0 for as much as there is
+  bool operator==(const GuardLimits&) const = default;
 };
 
 /// A program to run in a child process with limits, because it may crash, hang or want all the memory there

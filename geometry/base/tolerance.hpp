@@ -12,6 +12,7 @@ struct Tolerance {
   double near_miss = 1e-3;
   /// Knots of two neighbours closer than this times the knot range are one knot. Range (0, 1e-3).
   double same_knot = 1e-9;
+  bool operator==(const Tolerance&) const = default;
 };
 
 }  // namespace isopatch

@@ -41,6 +41,21 @@ bool opposite_in(const std::array<int, 4>& cycle, int a, int b) {
   return cycle[static_cast<std::size_t>((at + 2) % 4)] == b;
 }
 
+// Vertices of a face where its parameters are (0, 0), (1, 0), (0, 1) and (1, 1).
+std::array<int, 4> corners(const MfemTopology& topology, const PatchFace& face) {
+  const auto t = tangents(face.side);
+  std::array<int, 4> result{};
+  for (int corner = 0; corner < 4; ++corner) {
+    std::array<int, 3> ends{};
+    ends[static_cast<std::size_t>(direction(face.side))] = is_high(face.side) ? 1 : 0;
+    ends[static_cast<std::size_t>(t[0])] = corner & 1;
+    ends[static_cast<std::size_t>(t[1])] = corner >> 1;
+    result[static_cast<std::size_t>(corner)] =
+        mfem_corner(topology.patches[static_cast<std::size_t>(face.patch.value)], ends);
+  }
+  return result;
+}
+
 std::map<std::pair<int, int>, MfemEdge> edges_by_ends(const MfemTopology& topology,
                                                       std::size_t knot_vectors) {
   std::map<std::pair<int, int>, MfemEdge> result;
@@ -96,6 +111,18 @@ std::vector<MfemFace> mfem_faces(const std::vector<std::array<int, 8>>& patches)
     }
   }
   return faces;
+}
+
+std::vector<StatedInterface> mfem_interfaces(const MfemTopology& topology) {
+  std::vector<StatedInterface> result;
+  for (const MfemFace& face : topology.faces) {
+    if (face.patches.size() != 2) continue;
+    const auto orientation =
+        orientation_between(corners(topology, face.patches[0]), corners(topology, face.patches[1]));
+    // `mfem_faces` has seen that both run through the vertices in one cycle.
+    result.push_back({face.patches[0], face.patches[1], orientation.value()});
+  }
+  return result;
 }
 
 std::vector<Boundary> mfem_boundaries(const MfemTopology& topology, const std::string& source) {

@@ -51,6 +51,9 @@ std::pair<int, int> mfem_edge_ends(const std::array<int, 8>& patch, int directio
 /// @throws Error unsupported  a patch that meets itself
 std::vector<MfemFace> mfem_faces(const std::vector<std::array<int, 8>>& patches);
 
+/// The faces of two patches, as their vertices lie on each other.
+std::vector<StatedInterface> mfem_interfaces(const MfemTopology& topology);
+
 /// Boundaries "attribute N" by increasing N.
 /// @param source  the file's name, for messages
 /// @throws Error bad_format or unsupported for an element that is no outer face of a patch, with its line

@@ -145,6 +145,25 @@ class GismoReader {
     return {found->second, static_cast<Side>(side - 1)};
   }
 
+  // On which direction of the second patch each of the first falls, and whether both run the same way.
+  FaceOrientation orientation(TextScanner& scanner, Side first, Side second) const {
+    std::array<int, 3> image{};
+    std::array<bool, 3> same_way{};
+    for (int& direction : image) direction = scanner.integer("a direction of an interface", 0, 2);
+    for (bool& flag : same_way) flag = scanner.integer("an orientation of an interface", 0, 1) == 1;
+    const auto on_first = tangents(first), on_second = tangents(second);
+    const int s = image[static_cast<std::size_t>(on_first[0])];
+    const int t = image[static_cast<std::size_t>(on_first[1])];
+    if (s == t || s == direction(second) || t == direction(second))
+      scanner.fail(fmt::format("directions {} {} {} of an interface do not take side {} to side {}", image[0],
+                               image[1], image[2], static_cast<int>(first) + 1,
+                               static_cast<int>(second) + 1));
+    const bool flip_s = !same_way[static_cast<std::size_t>(on_first[0])];
+    const bool flip_t = !same_way[static_cast<std::size_t>(on_first[1])];
+    if (s == on_second[0]) return {false, flip_s, flip_t};
+    return {true, flip_t, flip_s};
+  }
+
   void read_interfaces(pugi::xml_node multi_patch) {
     for (const pugi::xml_node node : multi_patch.children("interfaces")) {
       const std::string content = xml_.content(node);
@@ -152,10 +171,7 @@ class GismoReader {
       while (!scanner.at_end()) {
         const PatchFace first = face(scanner);
         const PatchFace second = face(scanner);
-        // How the directions map follows from the geometry; here only the form is checked.
-        for (int d = 0; d < 3; ++d) scanner.integer("a direction of an interface", 0, 2);
-        for (int d = 0; d < 3; ++d) scanner.integer("an orientation of an interface", 0, 1);
-        result_.listed_interfaces.emplace_back(first, second);
+        result_.interfaces.push_back({first, second, orientation(scanner, first.side, second.side)});
       }
     }
   }

@@ -11,7 +11,7 @@ namespace isopatch::geometry {
 ///
 /// Patches are the `Geometry` elements of type TensorBSpline3 and TensorNurbs3 that the `MultiPatch` element
 /// lists, in its order, or all of them where there is none. `boundary` elements with a `name` attribute
-/// become named boundaries, the pairs of `interfaces` become listed interfaces. Curves and surfaces are left
+/// become named boundaries, `interfaces` become stated interfaces. Curves and surfaces are left
 /// out.
 ///
 /// Knots, control points and weights may be base64 (`format="B64Float64"`). Control points are places in

@@ -31,8 +31,7 @@ class MfemReader {
     else
       result.patches = read_numbered();
     result.boundaries = mfem_boundaries(topology_, in_.source());
-    for (const MfemFace& face : topology_.faces)
-      if (face.patches.size() == 2) result.listed_interfaces.emplace_back(face.patches[0], face.patches[1]);
+    result.interfaces = mfem_interfaces(topology_);
     return result;
   }
 

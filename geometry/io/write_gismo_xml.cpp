@@ -80,12 +80,11 @@ void add_faces(Text& text, const std::vector<PatchFace>& faces, const std::strin
 
 // "patch side patch side", where each direction of the first patch goes on the second, and whether both run
 // the same way there; across the interface: whether one runs on into the other.
-std::string interface_line(const MultiPatch& model, const Interface& found) {
-  const PatchFace first = model.to_input(found.first);
-  const PatchFace second = model.to_input(found.second);
+std::string interface_line(const StatedInterface& interface) {
+  const PatchFace &first = interface.first, &second = interface.second;
   const auto on_first = tangents(first.side);
   const auto on_second = tangents(second.side);
-  const FaceOrientation& o = found.orientation;
+  const FaceOrientation& o = interface.orientation;
   std::array<int, 3> map{};
   std::array<bool, 3> same{};
   const auto across = static_cast<std::size_t>(direction(first.side));
@@ -96,12 +95,23 @@ std::string interface_line(const MultiPatch& model, const Interface& found) {
     const std::size_t image = o.swapped ? 1 - t : t;
     map[d] = on_second[image];
     same[d] = !(image == 0 ? o.flip_first : o.flip_second);
-    // A patch turned back to its input runs the other way in its first direction.
-    if (d == 0 && model.was_reversed(first.patch)) same[d] = !same[d];
-    if (map[d] == 0 && model.was_reversed(second.patch)) same[d] = !same[d];
   }
   return fmt::format("{} {} {} {:d} {:d} {:d}", numbers(first), numbers(second), fmt::join(map, " "), same[0],
                      same[1], same[2]);
+}
+
+void add_interfaces(Text& text, const std::vector<StatedInterface>& interfaces) {
+  add(text, "  <interfaces>");
+  for (const StatedInterface& interface : interfaces) add(text, "{}\n", interface_line(interface));
+  add(text, "</interfaces>\n");
+}
+
+std::vector<StatedInterface> interfaces_in_input_names(const MultiPatch& model) {
+  std::vector<StatedInterface> result;
+  for (const Interface& i : model.interfaces())
+    result.push_back(turned_around({i.first, i.second, i.orientation}, model.was_reversed(i.first.patch),
+                                   model.was_reversed(i.second.patch)));
+  return result;
 }
 
 std::vector<PatchFace> to_input(const MultiPatch& model, const std::vector<PatchFace>& faces) {
@@ -133,9 +143,7 @@ std::string to_gismo_xml(const MultiPatch& model) {
   for (std::size_t p = 0; p < patches.size(); ++p)
     if (model.was_reversed(PatchId(static_cast<int>(p)))) patches[p] = reversed(patches[p], 0);
   Text text = opening(patches);
-  add(text, "  <interfaces>");
-  for (const Interface& found : model.interfaces()) add(text, "{}\n", interface_line(model, found));
-  add(text, "</interfaces>\n");
+  add_interfaces(text, interfaces_in_input_names(model));
   // All outer faces first: older versions of G+Smo read only the first list, newer ones drop repetitions.
   if (!model.boundary_faces().empty()) add_faces(text, to_input(model, model.boundary_faces()), "");
   for (const Boundary& boundary : model.boundaries())
@@ -145,6 +153,7 @@ std::string to_gismo_xml(const MultiPatch& model) {
 
 std::string to_gismo_xml(const PatchSet& patches) {
   Text text = opening(patches.patches);
+  if (!patches.interfaces.empty()) add_interfaces(text, patches.interfaces);
   for (const Boundary& boundary : patches.boundaries) add_faces(text, boundary.faces, boundary.name);
   return closed(text);
 }

@@ -143,6 +143,7 @@ PatchSet box_model(const BoxOptions& options) {
         }
         builder.add(patch_of(lattice, cell, options), outside);
       }
+  builder.join_grid(options.patches);
   return options.orientation_seed ? randomly_reoriented(builder.patches(), *options.orientation_seed)
                                   : builder.patches();
 }

@@ -26,6 +26,7 @@ struct BoxOptions {
   unsigned seed = 1;  ///< the same seed gives the same box on every machine
   /// If given, every patch gets an orientation drawn at random from all 48, left-handed ones among them.
   std::optional<unsigned> orientation_seed = std::nullopt;
+  bool operator==(const BoxOptions&) const = default;
 };
 
 /// @throws Error invalid_argument, naming field, value and range

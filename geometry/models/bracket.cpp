@@ -42,6 +42,8 @@ PatchSet bracket_model(const BracketOptions& options) {
                                     {Side::east, "inner"},
                                     {Side::front, "bottom"},
                                     {Side::back, "top"}});
+  builder.join({PatchId(0), Side::east}, {PatchId(1), Side::west});
+  builder.join({PatchId(0), Side::north}, {PatchId(2), Side::south});
   return builder.patches();
 }
 

@@ -9,6 +9,7 @@ struct BracketOptions {
   double leg = 2;        ///< outer length of both legs
   double width = 1;      ///< of both legs; below leg
   double thickness = 1;  ///< z runs from 0 to thickness
+  bool operator==(const BracketOptions&) const = default;
 };
 
 /// @throws Error invalid_argument, naming field, value and range

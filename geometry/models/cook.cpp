@@ -49,6 +49,7 @@ PatchSet cook_model(const CookOptions& options) {
       if (j + 1 == rows) names.emplace_back(Side::north, "y_max");
       builder.add(extruded(section_between(side(i), side(i + 1)), {0, 0, options.thickness}), names);
     }
+  builder.join_grid({columns, rows, 1});
   return builder.patches();
 }
 

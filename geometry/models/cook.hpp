@@ -16,6 +16,7 @@ struct CookOptions {
   double rise = 44;                     ///< y of the lower right corner, any finite number
   double thickness = 1;                 ///< z runs from 0 to thickness
   std::array<int, 2> patches = {1, 1};  ///< along x and along y, 1 .. 1000 each
+  bool operator==(const CookOptions&) const = default;
 };
 
 /// @throws Error invalid_argument, naming field, value and range

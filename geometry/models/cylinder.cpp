@@ -69,6 +69,7 @@ PatchSet cylinder_model(const CylinderOptions& options) {
         if (k + 1 == options.axial_patches) names.emplace_back(Side::back, "top");
         builder.add(extruded(section_between(circle(i), circle(i + 1)), {0, 0, top - z}), names);
       }
+  builder.join_grid({options.radial_patches, around, options.axial_patches}, {false, closed, false});
   return builder.patches();
 }
 

@@ -14,6 +14,7 @@ struct CylinderOptions {
   int radial_patches = 1;            ///< 1 .. 1000
   int axial_patches = 1;             ///< 1 .. 1000
   int patches_around = 0;  ///< at least so many that each takes 120 degrees or less; 0: 90 degrees or less
+  bool operator==(const CylinderOptions&) const = default;
 };
 
 /// @throws Error invalid_argument, naming field, value and range

@@ -56,12 +56,14 @@ PatchSet elbow_model(const ElbowOptions& options) {
   validate(options);
   constexpr int around = 4;
   ModelBuilder builder;
+  int along = 0;
   for (int i = 0; i < around; ++i) {
     const Angle from = Angle::degrees(90 * i);
     const Angle to = Angle::degrees(90 * (i + 1));
     const auto circle = [&](double radius) { return arc({0, 0, 0}, radius, from, to); };
     const auto pieces =
         pieces_along(options, section_between(circle(options.inner_radius), circle(options.outer_radius)));
+    along = static_cast<int>(pieces.size());
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       std::vector<std::pair<Side, std::string_view>> names = {{Side::west, "inner"}, {Side::east, "outer"}};
       if (k == 0) names.emplace_back(Side::front, "inlet");
@@ -69,6 +71,8 @@ PatchSet elbow_model(const ElbowOptions& options) {
       builder.add(pieces[k], names);
     }
   }
+  for (int i = 0; i < around; ++i) builder.join_row(i * along, 1, along, 2);
+  for (int k = 0; k < along; ++k) builder.join_row(k, along, around, 1, true);
   return builder.patches();
 }
 

@@ -14,6 +14,7 @@ struct ElbowOptions {
   Angle bend_angle = Angle::degrees(90);  ///< above 0, at most 180 degrees
   double inlet_length = 15;               ///< straight pipe before the bend, 0 or more
   double outlet_length = 15;              ///< straight pipe behind the bend, 0 or more
+  bool operator==(const ElbowOptions&) const = default;
 };
 
 /// @throws Error invalid_argument, naming field, value and range

@@ -45,6 +45,7 @@ PatchSet elliptic_plate_model(const EllipticPlateOptions& options) {
     if (k + 1 == options.layers) names.emplace_back(Side::back, "top");
     builder.add(extruded(section, {0, 0, height(k + 1) - height(k)}), names);
   }
+  builder.join_grid({1, 1, options.layers});
   return builder.patches();
 }
 

@@ -14,6 +14,7 @@ struct EllipticPlateOptions {
   double outer_y = 2.75;   ///< above inner_y
   double thickness = 0.6;  ///< z runs from 0 to thickness
   int layers = 1;          ///< patches through the thickness, 1 .. 1000
+  bool operator==(const EllipticPlateOptions&) const = default;
 };
 
 /// @throws Error invalid_argument, naming field, value and range

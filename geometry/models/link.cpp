@@ -97,6 +97,14 @@ NurbsVolume turned(const NurbsVolume& volume, const Eigen::Vector3d& center) {
   return NurbsVolume(volume.knots(), points, volume.weights());
 }
 
+constexpr int eye_patches = 5;  // one that faces the shank, three around, the neck
+
+// How the patches of one end meet.
+void join_eye(ModelBuilder& builder, int first) {
+  builder.join_row(first, 1, eye_patches - 1, 1, true);
+  builder.join({PatchId(first), Side::east}, {PatchId(first + eye_patches - 1), Side::west});
+}
+
 // The patches of one end; `place` puts them where they belong.
 template <class Place>
 void add_eye(ModelBuilder& builder, const Eye& eye, const Eigen::Vector3d& up, std::string_view bore,
@@ -190,6 +198,14 @@ PatchSet link_model(const LinkOptions& options) {
         extruded(shank_section(low, high, left.half_width), up),
         {{Side::south, "sides"}, {Side::north, "sides"}, {Side::front, "bottom"}, {Side::back, "top"}});
   }
+  join_eye(builder, 0);
+  join_eye(builder, eye_patches);
+  const PatchId left_neck(eye_patches - 1), right_neck(2 * eye_patches - 1);
+  const PatchId shank(2 * eye_patches), end(2 * eye_patches + options.shank_patches - 1);
+  builder.join({left_neck, Side::east}, {shank, Side::west});
+  builder.join_row(shank.value, 1, options.shank_patches, 0);
+  // The right end is the left one turned by 180 degrees, so its neck runs the other way across.
+  builder.join({end, Side::east}, {right_neck, Side::east}, {.flip_first = true});
   return builder.patches();
 }
 

@@ -16,6 +16,7 @@ struct LinkOptions {
   double fillet_radius = 20;       ///< of the four arcs that lead from the eyes to the shank, tangent to both
   double thickness = 12;           ///< z runs from 0 to thickness
   int shank_patches = 1;           ///< patches along the straight part of the shank, 1 .. 1000
+  bool operator==(const LinkOptions&) const = default;
 };
 
 /// @throws Error invalid_argument, naming field, value and range

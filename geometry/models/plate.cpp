@@ -44,6 +44,7 @@ PatchSet plate_model(const PlateOptions& options) {
                                     {Side::north, "x_min"},
                                     {Side::front, "bottom"},
                                     {Side::back, "top"}});
+  builder.join({PatchId(0), Side::north}, {PatchId(1), Side::south});
   return builder.patches();
 }
 

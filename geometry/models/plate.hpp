@@ -11,6 +11,7 @@ struct PlateOptions {
   double height = 4;       ///< half of the whole plate's, along y; above hole_radius
   double hole_radius = 1;  ///< positive
   double thickness = 1;    ///< z runs from 0 to thickness
+  bool operator==(const PlateOptions&) const = default;
 };
 
 /// @throws Error invalid_argument, naming field, value and range

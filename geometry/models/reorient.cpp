@@ -46,6 +46,13 @@ Side reoriented(Side side, const PatchOrientation& orientation) {
   return side_of(static_cast<int>(d), is_high(side) != orientation.flipped[d]);
 }
 
+FaceOrientation reoriented_face(Side side, const PatchOrientation& orientation) {
+  const std::array<int, 2> before = tangents(side);
+  const std::array<int, 2> after = tangents(reoriented(side, orientation));
+  const auto at = [&](std::size_t i) { return static_cast<std::size_t>(after[i]); };
+  return {orientation.from[at(0)] != before[0], orientation.flipped[at(0)], orientation.flipped[at(1)]};
+}
+
 PatchSet randomly_reoriented(const PatchSet& patches, unsigned seed) {
   // The engine's numbers are the same everywhere; those of the library's distributions are not.
   std::mt19937 random(seed);
@@ -63,8 +70,13 @@ PatchSet randomly_reoriented(const PatchSet& patches, unsigned seed) {
     Boundary& copy = result.boundaries.emplace_back(Boundary{boundary.name, {}});
     for (const PatchFace& face : boundary.faces) copy.faces.push_back(moved(face));
   }
-  for (const auto& [first, second] : patches.listed_interfaces)
-    result.listed_interfaces.emplace_back(moved(first), moved(second));
+  const auto change = [&](const PatchFace& face) {
+    return reoriented_face(face.side, drawn[static_cast<std::size_t>(face.patch.value)]);
+  };
+  for (const StatedInterface& stated : patches.interfaces)
+    result.interfaces.push_back(
+        {moved(stated.first), moved(stated.second),
+         composed(composed(inverse(change(stated.first)), stated.orientation), change(stated.second))});
   return result;
 }
 

@@ -23,7 +23,10 @@ NurbsVolume reoriented(const NurbsVolume& volume, const PatchOrientation& orient
 /// Where a side of the volume is found after `reoriented`.
 Side reoriented(Side side, const PatchOrientation& orientation);
 
-/// Every patch in an orientation drawn at random from all 48; boundaries and listed interfaces follow. The
+/// Where parameters of a side are found on that side after `reoriented`.
+FaceOrientation reoriented_face(Side side, const PatchOrientation& orientation);
+
+/// Every patch in an orientation drawn at random from all 48; boundaries and interfaces follow. The
 /// model is the same body, which makes this the hardest test of everything that couples patches.
 /// @param seed  the same seed gives the same orientations on every machine
 PatchSet randomly_reoriented(const PatchSet& patches, unsigned seed);

@@ -112,6 +112,11 @@ PatchSet sphere_model(const SphereOptions& options) {
       if (layer + 1 == options.radial_patches) names.emplace_back(Side::back, "outer");
       builder.add(patch, names);
     }
+  for (int layer = 0; layer < options.radial_patches; ++layer)
+    for (int axis = 0; axis < 3; ++axis)
+      builder.join({PatchId(3 * layer + axis), Side::east},
+                   {PatchId(3 * layer + (axis + 1) % 3), Side::north});
+  for (int axis = 0; axis < 3; ++axis) builder.join_row(axis, 3, options.radial_patches, 2);
   return builder.patches();
 }
 

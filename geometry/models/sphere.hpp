@@ -9,6 +9,7 @@ struct SphereOptions {
   double inner_radius = 1;  ///< positive
   double outer_radius = 2;  ///< above inner_radius
   int radial_patches = 1;   ///< 1 .. 1000
+  bool operator==(const SphereOptions&) const = default;
 };
 
 /// @throws Error invalid_argument, naming field, value and range

@@ -15,6 +15,7 @@ struct TwistedBeamOptions {
   double width = 1.1;                ///< positive
   double depth = 0.32;               ///< positive
   Angle twist = Angle::degrees(90);  ///< from root to tip; above 0, at most 720 degrees
+  bool operator==(const TwistedBeamOptions&) const = default;
 };
 
 /// @throws Error invalid_argument, naming field, value and range

@@ -18,6 +18,8 @@ using Parameter = Eigen::Matrix<double, D, 1>;
 template <int D>
 class Nurbs {
  public:
+  bool operator==(const Nurbs&) const = default;
+
   static constexpr int dimension = D;
   using KnotVectors = std::array<KnotVector, D>;
 

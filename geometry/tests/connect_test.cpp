@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 #include <random>
 
@@ -272,8 +273,34 @@ TEST(Connect, HoldsTheListOfInterfacesAgainstTheGeometry) {
   const PatchFace b{PatchId(1), Side::west};
   PatchSet set{{box_between({0, 0, 0}, {1, 1, 1}), box_between({1, 0, 0}, {2, 1, 1})}, {}, {{b, a}}};
   EXPECT_EQ(connect(set).interfaces().size(), 1u);
-  set.listed_interfaces = {{a, {PatchId(1), Side::east}}};
+  set.interfaces = {{a, {PatchId(1), Side::east}}};
   EXPECT_THAT(refusal(set), AllOf(HasSubstr("0:east - 1:east"), HasSubstr("differ by up to 1 ")));
+  set.interfaces = {{a, b, {.flip_first = true}}};
+  EXPECT_THAT(refusal(set), AllOf(HasSubstr("0:east - 1:west lie on each other, but not as it says"),
+                                  HasSubstr("leave the interfaces out")));
+}
+
+TEST(Connect, GivesTheSameModelWhetherInterfacesAreStatedOrFound) {
+  std::mt19937 random(4);
+  std::uniform_int_distribution<int> any(0, 47);
+  for (int trial = 0; trial < 20; ++trial) {
+    PatchSet set{eight_boxes(), {}, {}};
+    for (NurbsVolume& patch : set.patches) patch = permuted(patch, any(random));
+    const MultiPatch found = connect(set);
+    for (const Interface& i : found.interfaces())
+      set.interfaces.push_back(turned_around({i.first, i.second, i.orientation},
+                                             found.was_reversed(i.first.patch),
+                                             found.was_reversed(i.second.patch)));
+    EXPECT_EQ(connect(set).interfaces(), found.interfaces());
+    // In any order, from either side, and only some of them.
+    std::shuffle(set.interfaces.begin(), set.interfaces.end(), random);
+    set.interfaces.resize(7);
+    for (std::size_t i = 0; i < 7; i += 2) set.interfaces[i] = exchanged(set.interfaces[i]);
+    EXPECT_EQ(connect(set).interfaces(), found.interfaces());
+    StatedInterface& wrong = set.interfaces.front();
+    wrong.orientation.flip_second = !wrong.orientation.flip_second;
+    EXPECT_THAT(refusal(set), HasSubstr("not as it says"));
+  }
 }
 
 TEST(Connect, RefusesWhatDoesNotExist) {

@@ -11,6 +11,7 @@ struct Material {
   double mu = 0;       ///< shear modulus, Pa; positive
   double density = 0;  ///< kg/m^3; needed by gravity only
   std::string name;    ///< for reports; may be empty
+  bool operator==(const Material&) const = default;
 };
 
 /// @param young    E > 0, Pa

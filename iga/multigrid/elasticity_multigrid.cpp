@@ -28,6 +28,12 @@ bool has_one_element_of_degree(const Level& level, int highest) {
   return true;
 }
 
+// The same functions with degree + 1 Gauss points.
+std::vector<PatchSpace> with_fewest_points(std::vector<PatchSpace> spaces) {
+  for (PatchSpace& space : spaces) space.points = {0, 0, 0};
+  return spaces;
+}
+
 // The coarsest level's matrix, the same on every process, which has all rows there.
 solvers::LinearOperator coarse_inverse(const Level& level, const std::vector<Material>& materials,
                                        int points) {
@@ -42,6 +48,7 @@ solvers::LinearOperator coarse_inverse(const Level& level, const std::vector<Mat
 
 // Levels, operators and transfers refer to each other, so they stay where they are.
 struct ElasticityMultigrid::State {
+  std::vector<PatchSpace> smoothed_spaces;  // of the finest level
   std::deque<Level> coarser;
   std::deque<LevelOperator> operators;
   std::deque<FastDiagonalization> smoothers;
@@ -88,10 +95,14 @@ ElasticityMultigrid::ElasticityMultigrid(const ElasticityProblem& problem, const
       made.from_finer = [&transfer](const Eigen::VectorXd& f) { return transfer.from_finer(f); };
     }
     if (l + 1 == levels.size()) break;
-    const LevelOperator& stiffness = state_->operators.emplace_back(level, problem.materials, options.points);
+    if (l == 0 && !product) state_->smoothed_spaces = with_fewest_points(level.spaces);
+    const LevelOperator& stiffness =
+        state_->operators.emplace_back(level, l == 0 && !product ? state_->smoothed_spaces : level.spaces,
+                                       problem.materials, options.points);
     const FastDiagonalization& smoother =
         state_->smoothers.emplace_back(model, level, problem.materials, stiffness.diagonal());
-    made.product = l == 0 ? product : [&stiffness](const Eigen::VectorXd& x) { return stiffness.apply(x); };
+    made.product =
+        l == 0 && product ? product : [&stiffness](const Eigen::VectorXd& x) { return stiffness.apply(x); };
     made.smoother = [&smoother](const Eigen::VectorXd& r) { return smoother.apply(r); };
     progress("multigrid", static_cast<double>(l + 1) / static_cast<double>(levels.size()));
   }

@@ -22,13 +22,15 @@ struct ElasticityMultigridOptions {
 /// The multigrid preconditioner of an elasticity problem coupled by elimination.
 ///
 /// Levels: half the elements per direction each time, then degree 2 and 1, down to a matrix that is
-/// factorized; all products but that one without a matrix. The smoother is a Chebyshev polynomial in
-/// FastDiagonalization.
+/// factorized; all products but the finest and that one without a matrix. The smoother is a Chebyshev
+/// polynomial in FastDiagonalization.
 class ElasticityMultigrid {
  public:
   /// @param finest   the solution space; must outlive the multigrid, as must `problem`
   /// @param frames   of the finest level's global nodes
-  /// @param product  of the finest level, assembled or not
+  /// @param product  of the finest level if a matrix is at hand. Empty: an operator, which for smoothing has
+  ///                 degree + 1 Gauss points even where the map of a patch asks for more, unless
+  ///                 `options.points` says how many: of the products of an iteration all but one smooth
   /// @throws Error singular_system  if a level is not positive definite
   ElasticityMultigrid(const ElasticityProblem& problem, const Level& finest,
                       const std::vector<SupportFrame>& frames, const Distribution& distribution,

@@ -25,7 +25,11 @@ Eigen::Matrix3Xd at_nodes(const Level& level, const Eigen::VectorXd& of_rows) {
 }
 
 LevelOperator::LevelOperator(const Level& level, const std::vector<Material>& materials, int points)
-    : level_(&level), stiffness_(level.spaces, level.parts, materials, points) {}
+    : LevelOperator(level, level.spaces, materials, points) {}
+
+LevelOperator::LevelOperator(const Level& level, const std::vector<PatchSpace>& spaces,
+                             const std::vector<Material>& materials, int points)
+    : level_(&level), stiffness_(spaces, level.parts, materials, points) {}
 
 Eigen::VectorXd LevelOperator::forces(const Eigen::VectorXd& displacement) const {
   return sum_of_nodes(*level_, stiffness_.apply(at_nodes(*level_, displacement)));

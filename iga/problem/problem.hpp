@@ -19,6 +19,7 @@ namespace isopatch::iga {
 struct PrescribedDisplacement {
   std::array<std::optional<double>, 3> value = {0.0, 0.0, 0.0};  ///< m
   Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();            ///< dimensionless; exact for any patch
+  bool operator==(const PrescribedDisplacement&) const = default;
 };
 
 /// u.n = normal_displacement on a plane face of any orientation: a symmetry plane, or a frictionless roller.

@@ -76,8 +76,9 @@ DiscreteSolution solve_eliminated(const CoupledProblem& coupled, const solvers::
   }
   system.costs.assembly_seconds = watch.lap();
   const ElasticityMultigrid multigrid(*coupled.problem, level, coupled.frames, coupled.distribution,
-                                      coupled.processes, system.product, {options.multigrid, coupled.points},
-                                      progress);
+                                      coupled.processes,
+                                      is_assembled ? system.product : solvers::LinearOperator(),
+                                      {options.multigrid, coupled.points}, progress);
   system.preconditioner = [&](const Eigen::VectorXd& r) { return multigrid.apply(r); };
   system.costs.setup_seconds = watch.lap();
   system.costs.form = options.form;

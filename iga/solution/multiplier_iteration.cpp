@@ -16,9 +16,8 @@ DiscreteSolution solve_with_multipliers(const CoupledProblem& coupled, const sol
   const Level level =
       finest_level(coupled.spaces, coupled.global, coupled.frames, coupled.distribution, coupled.processes);
   const LevelOperator stiffness(level, coupled.problem->materials, coupled.points);
-  const ElasticityMultigrid multigrid(
-      *coupled.problem, level, coupled.frames, coupled.distribution, coupled.processes,
-      [&](const VectorXd& x) { return stiffness.apply(x); }, {options.multigrid, coupled.points}, progress);
+  const ElasticityMultigrid multigrid(*coupled.problem, level, coupled.frames, coupled.distribution,
+                                      coupled.processes, {}, {options.multigrid, coupled.points}, progress);
   const SaddlePoint saddle(coupled, level, multigrid, stiffness.diagonal());
   solvers::OperatorSystem system;
   system.rows = saddle.rows();

@@ -96,7 +96,7 @@ void add_results(const CoupledProblem& coupled, const DiscreteSolution& discrete
              coupled.processes);
   const Eigen::Matrix3Xd unbalanced = internal.forces - coupled.load;
   solution.multipliers = multipliers_in_space(
-      coupled, coupled.coupling == Coupling::lagrange
+      coupled, discrete.multipliers.size() == static_cast<Eigen::Index>(coupled.multipliers.size())
                    ? discrete.multipliers
                    : recovered_multipliers(coupled.multipliers, coupled.global, coupled.frames, -unbalanced));
   ElasticityResults& results = solution.results;

@@ -26,6 +26,7 @@ struct ElasticityOptions {
   /// Among which the elements are spread. All of them call `solve_elasticity` with the same problem and
   /// options and get the same solution.
   solvers::Processes processes = {};
+  bool operator==(const ElasticityOptions&) const = default;
 };
 
 /// Sizes of the discrete problem. Scalar counts, three components a node.
@@ -43,8 +44,8 @@ struct ProblemSize {
 
 struct ElasticitySolution {
   ElasticField field;
-  std::vector<Multiplier>
-      multipliers;  ///< solved for with lagrange, recovered from the residual with elimination
+  std::vector<Multiplier> multipliers;  ///< solved for with lagrange, recovered from the residual with
+                                        ///< elimination and where lagrange was solved without them
   ElasticityResults results;
   ProblemSize size;
   solvers::SolveReport solver;

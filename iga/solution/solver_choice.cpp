@@ -128,6 +128,16 @@ SolverPlan iterative_plan(const SizeForecast& size, const solvers::SolverOptions
   return plan;
 }
 
+// Very thin parts make the matrix with multipliers useless in double precision, as they do the factor of the
+// one without; iterations on that one still work.
+SolverPlan without_multipliers(const SizeForecast& size) {
+  return {
+      Method::cg, Preconditioner::multigrid, Operator::matrix_free,
+      multigrid_bytes(size, Operator::matrix_free),
+      "iterations on the displacements that satisfy all ties, with a multigrid; multipliers are the forces "
+      "that these leave"};
+}
+
 // Flops as "3.2 Gflop".
 std::string flops_text(double flops) {
   return flops < 1e9 ? fmt::format("{:.3g} Mflop", 1e-6 * flops) : fmt::format("{:.3g} Gflop", 1e-9 * flops);
@@ -164,6 +174,7 @@ std::vector<SolverPlan> automatic_plans(const SizeForecast& size, const solvers:
   // What MUMPS fails on for reasons of its own, LU may do, at twice the cost.
   if (tied && size.processes == 1 && options.form != Operator::matrix_free)
     plans.push_back(direct_plan(size, Method::umfpack, "LU, which pivots more freely"));
+  if (tied && can_iterate) plans.push_back(without_multipliers(size));
   return plans;
 }
 

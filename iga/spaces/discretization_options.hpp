@@ -19,6 +19,7 @@ struct DiscretizationOptions {
   /// Highest continuity C^k across knots inside a patch; -1: as smooth as degree and geometry allow. Range -1
   /// .. 9.
   int continuity = -1;
+  bool operator==(const DiscretizationOptions&) const = default;
 };
 /// @throws Error invalid_argument naming field, value and range
 void validate(const DiscretizationOptions& options);

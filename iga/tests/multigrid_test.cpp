@@ -9,6 +9,7 @@
 #include "geometry/models/cylinder.hpp"
 #include "geometry/models/link.hpp"
 #include "geometry/models/sphere.hpp"
+#include "iga/multigrid/elasticity_multigrid.hpp"
 #include "iga/multigrid/fast_diagonalization.hpp"
 #include "iga/multigrid/level_operator.hpp"
 #include "iga/multigrid/level_transfer.hpp"
@@ -290,6 +291,36 @@ TEST(ChooseSolver, RefusesWhatCannotFitBeforeAssembly) {
       EXPECT_THAT(error.what(), HasSubstr("million unknowns would fit"));
     }
   }
+}
+
+// The finest level with degree + 1 Gauss points.
+Level with_fewest_points(Level level) {
+  for (PatchSpace& space : level.spaces) space.points = {0, 0, 0};
+  return level;
+}
+
+TEST(ElasticityMultigrid, SmoothsWithDegreePlusOneGaussPointsWhereNoMatrixIsAtHand) {
+  const geometry::MultiPatch ring = geometry::connect(geometry::cylinder_model());
+  ElasticityProblem p = problem(ring, {.degree = {2, 2, 2}, .refine = 1}, steel);
+  p.supports = {{"clamp", boundary(ring, "start"), PrescribedDisplacement{}}};
+  const Levels levels(p);
+  ASSERT_GT(levels.fine.spaces[0].points[1], 3);  // an arc asks for more
+  const Level few = with_fewest_points(levels.fine);
+  const LevelOperator many_points(levels.fine, p.materials, 0), few_points(few, p.materials, 0);
+  const auto preconditioned = [&](const solvers::LinearOperator& product) {
+    const ElasticityMultigrid multigrid(p, levels.fine, levels.frames, levels.distribution, {}, product,
+                                        {.coarsest_dofs = 50, .coarsest_curved_dofs = 50}, {});
+    return multigrid.apply(some_unknowns(levels.fine, 7));
+  };
+  const Eigen::VectorXd found = preconditioned({});
+  const ElasticityMultigrid of_few(p, few, levels.frames, levels.distribution, {},
+                                   [&](const Eigen::VectorXd& x) { return few_points.apply(x); },
+                                   {.coarsest_dofs = 50, .coarsest_curved_dofs = 50}, {});
+  EXPECT_EQ(found, of_few.apply(some_unknowns(few, 7)));
+  const Eigen::VectorXd with_matrix =
+      preconditioned([&](const Eigen::VectorXd& x) { return many_points.apply(x); });
+  EXPECT_GT((found - with_matrix).norm(), 1e-8 * found.norm());
+  EXPECT_LT((found - with_matrix).norm(), 1e-2 * found.norm());
 }
 
 }  // namespace

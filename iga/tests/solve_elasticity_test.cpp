@@ -3,8 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "geometry/base/error.hpp"
 #include "geometry/base/larger.hpp"
+#include "geometry/base/tests/expect_error.hpp"
 #include "geometry/models/cylinder.hpp"
 #include "iga/tests/small_models.hpp"
 
@@ -112,6 +115,26 @@ TEST(SolveElasticity, CouplingsAgreeInDisplacementEnergyAndMultipliers) {
   EXPECT_LT(apart / largest, 1e-9);
   EXPECT_EQ(a.size.multipliers, a.size.dofs_uncoupled - a.size.dofs_eliminated);
   EXPECT_LT(b.size.multipliers_free, b.size.multipliers);
+}
+
+TEST(Loads, NeedWhatTheyActOn) {
+  const geometry::MultiPatch box = distorted_box();
+  const Discretization d = discretize(box, {});
+  EXPECT_ERROR(total_force("pull", {}, {1, 0, 0}, d), ErrorCode::invalid_argument,
+               "'pull': a force needs faces with an area to act on");
+  const std::vector<Material> light(d.patches.size(), isotropic(1e9, 0.3));
+  EXPECT_ERROR(gravity("weight", {PatchId(1)}, {0, 0, -9.81}, light), ErrorCode::invalid_argument,
+               "'weight': patch 1 has no density; gravity needs one in its material");
+  ElasticityProblem p = problem(box, {}, light.front());
+  p.supports = {{"clamp", boundary(box, "x_min"), PrescribedDisplacement{}}};
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  p.surface_loads = {constant_traction("gust", boundary(box, "x_max"), {nan, 0, 0})};
+  EXPECT_ERROR(solve_elasticity(p), ErrorCode::invalid_argument, "'gust': the load on face");
+  p.surface_loads.clear();
+  p.volume_loads = {
+      {"pull", {PatchId(0)}, [&](const Eigen::Vector3d&) { return Eigen::Vector3d(0, nan, 0); }}};
+  EXPECT_ERROR(solve_elasticity(p), ErrorCode::invalid_argument,
+               "'pull': the force in patch 0 is not finite");
 }
 
 TEST(SolveElasticity, RollersPushAlongTheirNormalsOnly) {

@@ -173,10 +173,12 @@ TEST(SolverPlans, HaveTheOtherWayInReserve) {
   EXPECT_EQ(plans[1].method, Method::cg);
   const std::vector<SolverPlan> tied =
       solver_plans(size_of(box({2, 1, 1}), {.degree = {2, 2, 2}}, Coupling::lagrange), {}, plenty);
-  ASSERT_EQ(tied.size(), 3u);
+  ASSERT_EQ(tied.size(), 4u);
   EXPECT_EQ(tied[0].method, Method::mumps);
   EXPECT_EQ(tied[1].method, Method::minres);
   EXPECT_EQ(tied[2].method, Method::umfpack);
+  EXPECT_EQ(tied[3].method, Method::cg);
+  EXPECT_EQ(tied[3].form, solvers::Operator::matrix_free);
   EXPECT_EQ(solver_plans(small, {.method = Method::cholmod}, plenty).size(), 1u);
 }
 

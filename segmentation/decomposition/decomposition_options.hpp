@@ -22,7 +22,8 @@ struct DecompositionOptions {
   CutOptions cut = {};
   double time_limit = 60;  ///< seconds, after which the best way known is taken, or none; above 0
   TJoints t_joints = TJoints::remove;
-  int max_cells = 2000;    ///< at most so many hexahedra when sides are made to meet; range 1 ..
+  int max_cells = 2000;  ///< at most so many hexahedra when sides are made to meet; range 1 ..
+  bool operator==(const DecompositionOptions&) const = default;
 };
 void validate(const DecompositionOptions& options);
 

@@ -15,6 +15,7 @@ struct ListedPair {
 struct AssemblyOptions {
   /// Points of two blocks closer than this share of the size are one. Range (0, 0.05).
   double same_point = 1e-3;
+  bool operator==(const AssemblyOptions&) const = default;
 };
 void validate(const AssemblyOptions& options);
 

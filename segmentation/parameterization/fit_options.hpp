@@ -9,6 +9,7 @@ struct FitOptions {
   /// Of any direction; range start_spans .. 1024. Where the input's splines or turns begin with more than an
   /// eighth of it, it is eight times as many as they bring.
   int max_spans = 64;
+  bool operator==(const FitOptions&) const = default;
 };
 void validate(const FitOptions& options);
 

@@ -18,6 +18,7 @@ namespace isopatch::segmentation {
 struct OptionNames {
   std::string max_spans = "max_spans";
   std::string tolerance = "tolerance";
+  bool operator==(const OptionNames&) const = default;
 };
 
 /// Where the edges and faces of a block leave no regular map: a dihedral angle of 180 degrees or more, or of

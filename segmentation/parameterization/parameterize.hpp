@@ -29,6 +29,7 @@ struct ParameterizationOptions {
   bool optimize = true;
   OptimizationOptions optimization = {};
   OptionNames names = {};
+  bool operator==(const ParameterizationOptions&) const = default;
 };
 void validate(const ParameterizationOptions& options);
 

@@ -53,9 +53,12 @@ geometry::PatchSet patch_set(const HexModel& model, std::vector<geometry::NurbsV
   set.patches = std::move(patches);
   set.boundaries = boundaries_of(model);
   set.names = model.bodies;
-  for (const geometry::HexFace& face : model.topology.faces)
-    if (face.uses.size() > 1)
-      set.listed_interfaces.emplace_back(patch_face(face.uses[0].side), patch_face(face.uses[1].side));
+  for (const geometry::HexFace& face : model.topology.faces) {
+    if (face.uses.size() < 2) continue;
+    const geometry::HexFaceUse &first = face.uses[0], &second = face.uses[1];
+    set.interfaces.push_back({patch_face(first.side), patch_face(second.side),
+                              composed(inverse(first.orientation), second.orientation)});
+  }
   return set;
 }
 

@@ -21,6 +21,7 @@ struct BlockFiles {
   bool allow_partial = false;                       ///< likewise
   GuardLimits limits = {.seconds = 0, .bytes = 0};  ///< likewise
   AssemblyOptions assembly = {};
+  bool operator==(const BlockFiles&) const = default;
 };
 
 /// Solids, and what the files gave cause to say.

@@ -47,8 +47,10 @@ void expect_one_body(const std::string& name, const MultiPatch& model, int inter
 TEST(Coupling, InterfacesOfTerrific) {
   ISOPATCH_NEEDS_DATA("terrific/terrific.xml");
   PatchSet set = reference_patches("terrific/terrific.xml");
-  const FacePairs listed = sorted(set.listed_interfaces);
-  set.listed_interfaces.clear();
+  FacePairs pairs;
+  for (const StatedInterface& stated : set.interfaces) pairs.emplace_back(stated.first, stated.second);
+  const FacePairs listed = sorted(std::move(pairs));
+  set.interfaces.clear();
   const MultiPatch model = connect(set);
   const FacePairs found = found_in(model);
   FacePairs common;

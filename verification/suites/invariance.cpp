@@ -35,9 +35,9 @@ geometry::PatchSet renumbered(const geometry::PatchSet& set, const std::vector<i
     result.patches[static_cast<std::size_t>(order[p])] = set.patches[p];
   for (geometry::Boundary& boundary : result.boundaries)
     for (geometry::PatchFace& face : boundary.faces) face.patch = place(face.patch);
-  for (auto& [first, second] : result.listed_interfaces) {
-    first.patch = place(first.patch);
-    second.patch = place(second.patch);
+  for (geometry::StatedInterface& stated : result.interfaces) {
+    stated.first.patch = place(stated.first.patch);
+    stated.second.patch = place(stated.second.patch);
   }
   return result;
 }

@@ -30,6 +30,11 @@ inline geometry::PatchSet together(const geometry::PatchSet& first, const geomet
     boundary.name += ", second";
     result.boundaries.push_back(boundary);
   }
+  for (geometry::StatedInterface stated : second.interfaces) {
+    for (geometry::PatchFace* face : {&stated.first, &stated.second})
+      face->patch = PatchId(face->patch.value + offset);
+    result.interfaces.push_back(stated);
+  }
   return result;
 }
 

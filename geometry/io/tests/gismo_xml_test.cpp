@@ -11,6 +11,7 @@
 #include "geometry/io/read_gismo_xml.hpp"
 #include "geometry/io/tests/sample_patches.hpp"
 #include "geometry/io/write_gismo_xml.hpp"
+#include "geometry/splines/permute.hpp"
 #include "geometry/splines/refine.hpp"
 
 namespace isopatch::geometry {
@@ -96,6 +97,23 @@ TEST(GismoXml, KeepsTheInputsNamesOfLeftHandedPatches) {
   const PatchSet back = read_gismo_xml_text(text);
   EXPECT_TRUE(same_bits(back.patches[1], set.patches[1]));
   EXPECT_EQ(connect(back).boundaries()[0].faces, model.boundaries()[0].faces);
+}
+
+TEST(GismoXml, StatesHowFacesLieOnEachOther) {
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    std::mt19937 random(seed);
+    const auto turned = [&](NurbsVolume cube) {
+      for (int d = 0; d < 3; ++d)
+        if (random() % 2 == 1) cube = reversed(cube, d);
+      return permuted(cube, random() % 2 == 1 ? std::array{1, 2, 0} : std::array{0, 2, 1});
+    };
+    const MultiPatch model = connect({{turned(cube_at(0, 0, 0)), turned(cube_at(1, 0, 0))}, {}, {}});
+    const PatchSet back = read_gismo_xml_text(to_gismo_xml(model));
+    ASSERT_EQ(back.interfaces.size(), 1u);
+    // `connect` would refuse another orientation.
+    EXPECT_EQ(connect(back).interfaces(), model.interfaces()) << seed;
+    EXPECT_EQ(read_gismo_xml_text(to_gismo_xml(back)), back);
+  }
 }
 
 // The lines of an <interfaces> element, each pair in both orders.
@@ -184,6 +202,15 @@ TEST(GismoXml, ErrorsNameFileLineAndCause) {
       {"7 2</boundary>", "8 2</boundary>", "bad_format: a.xml:18: there is no patch with id 8"},
       {"7 2</boundary>", "7 2</boundary><interfaces>7 1 7 2 0 1</interfaces>",
        "bad_format: a.xml:18: the data end"},
+      {"<MultiPatch", "<MultiPatch parDim=\"3\"/><MultiPatch",
+       "a second MultiPatch element; keep the one to use"},
+      {"<patches type=\"id_index\">7</patches>", "", "the MultiPatch element lacks its <patches>"},
+      {" <Geometry type", " <Geometry type=\"TensorBSpline3\" id=\"7\"/><Geometry type",
+       "bad_format: a.xml:3: a second Geometry with id 7"},
+      {"7 2</boundary>", "7 2</boundary><interfaces>7 1 7 2 0 2 2 1 1 1</interfaces>",
+       "bad_format: a.xml:18: directions 0 2 2 of an interface do not take side 1 to side 2"},
+      {"7 2</boundary>", "7 2</boundary><interfaces>7 1 7 3 0 1 2 1 1 1</interfaces>",
+       "bad_format: a.xml:18: directions 0 1 2 of an interface do not take side 1 to side 3"},
   };
   for (const Broken& broken : cases)
     EXPECT_THAT(error_of([&] { read_gismo_xml_text(replaced(one_cube, broken.from, broken.to)); }),

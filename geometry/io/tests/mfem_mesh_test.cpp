@@ -5,6 +5,7 @@
 #include <set>
 #include <sstream>
 
+#include "geometry/face_match.hpp"
 #include "geometry/io/read_mfem_mesh.hpp"
 #include "geometry/io/tests/sample_patches.hpp"
 
@@ -146,8 +147,9 @@ TEST(MfemMesh, ReadsTwoPatchesNumberedByHand) {
               ElementsAre(PatchFace{PatchId(1), Side::south}, PatchFace{PatchId(1), Side::east}));
   EXPECT_EQ(found.boundaries[1].name, "attribute 4");
   EXPECT_THAT(found.boundaries[1].faces, ElementsAre(PatchFace{PatchId(0), Side::west}));
-  EXPECT_THAT(found.listed_interfaces,
-              ElementsAre(std::pair(PatchFace{PatchId(0), Side::east}, PatchFace{PatchId(1), Side::north})));
+  ASSERT_EQ(found.interfaces.size(), 1u);
+  EXPECT_EQ(found.interfaces[0].first, (PatchFace{PatchId(0), Side::east}));
+  EXPECT_EQ(found.interfaces[0].second, (PatchFace{PatchId(1), Side::north}));
   EXPECT_EQ(connect(found).interfaces().size(), 1u);
 }
 
@@ -309,7 +311,15 @@ TEST(MfemMesh, NumberingFollowsEveryOrientationOfNeighbours) {
     ASSERT_EQ(found.patches.size(), 2u);
     for (int p = 0; p < 2; ++p)
       ASSERT_EQ(found.patches[static_cast<std::size_t>(p)].control_points(), cubes.points(p)) << seed;
-    ASSERT_EQ(found.listed_interfaces.size(), 1u);
+    ASSERT_EQ(found.interfaces.size(), 1u);
+    const auto corner = [&](const PatchFace& face, const Parameter<2>& at) -> Eigen::Vector3d {
+      const NurbsSurface surface =
+          face_surface(found.patches[static_cast<std::size_t>(face.patch.value)], face.side);
+      return surface.point(unscaled(surface, at));
+    };
+    const StatedInterface& stated = found.interfaces[0];
+    for (const auto& at : {Parameter<2>(0, 0), Parameter<2>(1, 0), Parameter<2>(0, 1)})
+      ASSERT_EQ(corner(stated.first, at), corner(stated.second, stated.orientation(at))) << seed;
   }
 }
 

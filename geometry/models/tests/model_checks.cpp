@@ -45,6 +45,13 @@ void expect_every_face_named_once(const MultiPatch& model) {
   EXPECT_EQ(count.size(), model.boundary_faces().size());
 }
 
+// All interfaces are stated, and are those that are found where none is.
+void expect_interfaces_stated(PatchSet patches, const MultiPatch& model) {
+  EXPECT_EQ(patches.interfaces.size(), model.interfaces().size());
+  patches.interfaces.clear();
+  EXPECT_EQ(connect(std::move(patches)).interfaces(), model.interfaces());
+}
+
 }  // namespace
 
 std::vector<PatchFace> faces_of(const MultiPatch& model, const std::string& name) {
@@ -92,6 +99,7 @@ MultiPatch expect_sound(const PatchSet& patches, const Expected& expected) {
   EXPECT_TRUE(model.degenerate_faces().empty());
   EXPECT_EQ(model.bodies().size(), 1u);
   expect_every_face_named_once(model);
+  expect_interfaces_stated(patches, model);
   for (const Interface& shared : model.interfaces()) expect_conforming(model, shared);
   for (int i = 0; i < model.patch_count(); ++i) {
     const JacobianCertificate certificate = certify_jacobian(model.patch(PatchId(i)));

@@ -35,9 +35,9 @@ struct Expected {
   int boundary_faces = 6;
 };
 
-/// Connects the patches and checks what every generated model promises: one body, the expected counts, every
-/// boundary face in exactly one named boundary, certified Jacobians, and on the two sides of every interface
-/// equal control points and weights with one common factor.
+/// Connects the patches and checks what every generated model promises: one body, the expected counts, all
+/// interfaces stated, every boundary face in exactly one named boundary, certified Jacobians, and on the two
+/// sides of every interface equal control points and weights with one common factor.
 MultiPatch expect_sound(const PatchSet& patches, const Expected& expected);
 
 /// Checks that `make` throws Error invalid_argument with a message that contains every one of `parts`.

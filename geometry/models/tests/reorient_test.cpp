@@ -34,14 +34,14 @@ TEST(Reorient, ASideIsFoundWhereItWent) {
   }
 }
 
-TEST(Reorient, BoundariesAndListedInterfacesFollow) {
-  PatchSet patches = cylinder_model({.angle = Angle::degrees(180)});
-  patches.listed_interfaces = {{{PatchId(0), Side::north}, {PatchId(1), Side::south}}};
+TEST(Reorient, BoundariesAndInterfacesFollow) {
+  const PatchSet patches = cylinder_model({.angle = Angle::degrees(180)});
   for (unsigned seed = 0; seed < 10; ++seed) {
     const PatchSet other = randomly_reoriented(patches, seed);
     ASSERT_EQ(other.boundaries.size(), patches.boundaries.size());
     EXPECT_EQ(other.boundaries[0].name, patches.boundaries[0].name);
-    // connect() refuses a listed interface that the geometry refutes.
+    ASSERT_EQ(other.interfaces.size(), 1u);
+    // connect() refuses an interface that the geometry refutes, in its sides or its orientation.
     const MultiPatch model = connect(other);
     EXPECT_EQ(model.interfaces().size(), 1u);
   }

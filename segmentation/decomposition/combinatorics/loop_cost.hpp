@@ -43,6 +43,7 @@ struct CostOptions {
   double hexahedra = 1.0;
   /// Vertices of a piece whose least number of hexahedra is found exactly; range 4 .. 16.
   int exact_up_to = 10;
+  bool operator==(const CostOptions&) const = default;
 };
 /// @throws Error invalid_argument  naming field, value and range
 void validate(const CostOptions& options);

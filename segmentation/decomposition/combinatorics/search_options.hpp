@@ -25,6 +25,7 @@ struct SearchOptions {
   bool extensions =
       true;  ///< whether loops that extend faces are looked for; those proposed are taken anyway
   CostOptions cost;
+  bool operator==(const SearchOptions&) const = default;
 };
 /// @throws Error invalid_argument  naming field, value and range
 void validate(const SearchOptions& options);

@@ -19,6 +19,7 @@ struct CellSides {
 struct SideOptions {
   /// Angles that differ less from 180 degrees count as flat.
   Angle flat = Angle::degrees(2.5);
+  bool operator==(const SideOptions&) const = default;
 };
 
 /// Whether all faces of a cell are plane and all edges straight.

@@ -24,6 +24,7 @@ struct CutOptions {
   /// pieces.
   bool keep_plane = true;
   SideOptions sides = {};
+  bool operator==(const CutOptions&) const = default;
 };
 void validate(const CutOptions& options);
 

@@ -62,7 +62,7 @@ TEST(ChairStand, BecomesNineCertifiedWatertightPatches) {
   ASSERT_EQ(made.patches.patches.size(), 9u);
   for (const PatchReport& patch : made.report.patches) EXPECT_GT(patch.quality.min_scaled_jacobian, 0.7);
   EXPECT_LE(made.report.worst_face().deviation, 1e-4 * made.report.size);
-  EXPECT_EQ(made.patches.listed_interfaces.size(), 10u);
+  EXPECT_EQ(made.patches.interfaces.size(), 10u);
   // Exactly the points at interfaces agree, and no others are close.
   EXPECT_EQ(test::coincident_but_different_points(made.patches), 0);
   const geometry::MultiPatch model = geometry::connect(made.patches);

@@ -86,7 +86,7 @@ TEST_F(SeveralBlocks, BecomeCertifiedWatertightPatches) {
   EXPECT_TRUE(made.report.usable()) << testing::PrintToString(made.report.complaints());
   ASSERT_EQ(made.patches.patches.size(), 4u);
   EXPECT_LE(made.report.worst_face().deviation, 1e-4 * made.report.size);
-  EXPECT_EQ(made.patches.listed_interfaces.size(), 4u);
+  EXPECT_EQ(made.patches.interfaces.size(), 4u);
   EXPECT_EQ(test::coincident_but_different_points(made.patches), 0);
   const geometry::MultiPatch model = geometry::connect(made.patches);
   EXPECT_EQ(model.interfaces().size(), 4u);

@@ -90,7 +90,7 @@ TEST(SplineFaces, TwoBlocksThatShareOneHaveTheKnotsOfBoth) {
   });
   const Parameterization made =
       parameterize(hex_model({{test::solid_of(first), "first"}, {test::solid_of(second), "second"}}));
-  ASSERT_EQ(made.patches.listed_interfaces.size(), 1u);
+  ASSERT_EQ(made.patches.interfaces.size(), 1u);
   expect_exact(made, geometry::volume(first) + geometry::volume(second));
   EXPECT_EQ(test::coincident_but_different_points(made.patches), 0);
 }
