@@ -100,7 +100,20 @@ CutSolids try_to_cut_solids(const BlocksInput& input, const Progress& progress) 
 }
 
 segmentation::ReadBlocks put_together(const CutSolids& solids, const segmentation::AssemblyOptions& options) {
-  segmentation::ReadBlocks result{segmentation::hex_model(solids.blocks(), options), solids.warnings};
+  std::vector<segmentation::ListedPair> pairs;
+  std::vector<int> groups;
+  for (const CutBody& body : solids.bodies) {
+    const int first = static_cast<int>(groups.size());
+    // Parts of one body are known to meet where they were cut apart, but for sides in parts of sides.
+    const bool known = body.cutting && !body.cutting->report.t_joints_kept;
+    groups.insert(groups.end(), body.blocks.size(), known ? first : -1);
+    if (!known) continue;
+    for (const segmentation::BlockContact& contact : segmentation::block_contacts(*body.cutting))
+      pairs.push_back({first + contact.first_block, contact.first_face, first + contact.second_block,
+                       contact.second_face});
+  }
+  segmentation::ReadBlocks result{segmentation::hex_model(solids.blocks(), pairs, groups, options),
+                                  solids.warnings};
   result.model.bodies = solids.body_names();
   return result;
 }

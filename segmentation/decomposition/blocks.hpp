@@ -12,4 +12,12 @@ namespace isopatch::segmentation {
 /// names.
 std::vector<geometry::BrepFile> blocks(const geometry::BrepFile& solid, const Decomposition& decomposition);
 
+/// A face between two of these blocks: which of them, and its number in each.
+struct BlockContact {
+  int first_block = 0, first_face = 0, second_block = 0, second_face = 0;
+};
+
+/// All of them, where blocks meet side to side.
+std::vector<BlockContact> block_contacts(const Decomposition& decomposition);
+
 }  // namespace isopatch::segmentation

@@ -21,9 +21,8 @@ std::vector<CuttingLoop> proposals(CellStore& store, const SearchCell& cell) {
   const CellStore::Entry& entry = store.entry(cell.handle);
   const CellShapes shapes(store.source(), entry.complex);
   std::vector<CuttingLoop> result;
-  if (store.time_is_up()) return result;
   const bool convex = non_convex_count(cell.graph) == 0;
-  for (std::size_t e = 0; e < cell.graph.edges.size(); ++e) {
+  for (std::size_t e = 0; e < cell.graph.edges.size() && !store.time_is_up(); ++e) {
     if (!convex && cell.graph.edges[e].kind != EdgeKind::non_convex) continue;
     for (SpacedLoop& loop :
          plane_sections(shapes, entry.sides, EdgeId(static_cast<int>(e)), 1e-7 * store.source().size())) {

@@ -97,73 +97,123 @@ void validate(const AssemblyOptions& options) {
                 fmt::format("same_point is {}; its range is (0, 0.05)", options.same_point));
 }
 
-HexModel hex_model(std::vector<geometry::BrepFile> solids, const std::vector<ListedPair>& pairs,
-                   const AssemblyOptions& options) {
-  validate(options);
-  HexModel model = loose_blocks(std::move(solids));
-  const std::vector<Hexahedron> blocks = hexahedra(model);
-  const double size = size_of(blocks);
-  const BlockMaps maps = face_maps(blocks);
-  geometry::HexContacts contacts;
-  std::map<BlockSide, std::size_t> pair_of;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const BlockSide first = side_of_face(model, pairs[i].first_block, pairs[i].first_face, i);
-    const BlockSide second = side_of_face(model, pairs[i].second_block, pairs[i].second_face, i);
-    for (const BlockSide side : {first, second})
-      if (const auto [found, fresh] = pair_of.try_emplace(side, i); !fresh)
-        throw SolidError(
-            ErrorCode::invalid_argument,
-            fmt::format("face {} is in pair {} and in pair {}", label_of(model, side), found->second, i),
-            fault_of(model, {side}, fmt::format("in pairs {} and {}", found->second, i)));
-    const FaceContact found = contact(map_of(maps, first), map_of(maps, second));
-    if (found.distance > options.same_point * size)
+namespace {
+
+/// Blocks with the maps of their sides, while it is found how they meet.
+class Assembly {
+ public:
+  Assembly(std::vector<geometry::BrepFile> solids, const AssemblyOptions& options)
+      : model_(loose_blocks(std::move(solids))),
+        blocks_(hexahedra(model_)),
+        size_(size_of(blocks_)),
+        reach_(options.same_point * size_),
+        maps_(face_maps(blocks_)) {}
+
+  void add(const std::vector<ListedPair>& pairs) {
+    std::map<BlockSide, std::size_t> pair_of;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const BlockSide first = side_of_face(model_, pairs[i].first_block, pairs[i].first_face, i);
+      const BlockSide second = side_of_face(model_, pairs[i].second_block, pairs[i].second_face, i);
+      for (const BlockSide side : {first, second})
+        if (const auto [found, fresh] = pair_of.try_emplace(side, i); !fresh)
+          throw SolidError(
+              ErrorCode::invalid_argument,
+              fmt::format("face {} is in pair {} and in pair {}", label_of(model_, side), found->second, i),
+              fault_of(model_, {side}, fmt::format("in pairs {} and {}", found->second, i)));
+      add(first, second, i);
+    }
+  }
+
+  /// Compares sides of blocks that are not of one group, and not in a pair already.
+  void search(const std::vector<int>& groups) {
+    const std::vector<FaceWithBox> all = candidates(maps_, reach_);
+    const auto is_known = [&](BlockSide a, BlockSide b) {
+      const int group = groups[static_cast<std::size_t>(a.block.value)];
+      return a.block == b.block || (group >= 0 && group == groups[static_cast<std::size_t>(b.block.value)]);
+    };
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (std::size_t j = i + 1; j < all.size(); ++j)
+        if (!is_known(all[i].side, all[j].side) && all[i].box.intersects(all[j].box))
+          compare(all[i].side, all[j].side);
+  }
+
+  HexModel put_together() {
+    model_.topology =
+        with_t_joints(static_cast<int>(model_.solids.size()), std::move(contacts_), std::move(parts_));
+    return std::move(model_);
+  }
+
+ private:
+  void add(BlockSide first, BlockSide second, std::size_t pair) {
+    const FaceContact found = contact(map_of(maps_, first), map_of(maps_, second));
+    if (found.distance > reach_)
       throw SolidError(
           ErrorCode::not_conforming,
           fmt::format("pair {}: faces {} and {} do not meet: they are {:.3g} apart at ({:.6g}, {:.6g}, "
                       "{:.6g}), {:.2g} of the model's size; correct the list, or raise same_point",
-                      i, label_of(model, first), label_of(model, second), found.distance, found.place[0],
-                      found.place[1], found.place[2], found.distance / size),
-          fault_of(model, {first, second}, fmt::format("in pair {}", i),
+                      pair, label_of(model_, first), label_of(model_, second), found.distance, found.place[0],
+                      found.place[1], found.place[2], found.distance / size_),
+          fault_of(model_, {first, second}, fmt::format("in pair {}", pair),
                    {{fmt::format("{:.3g} apart", found.distance), found.place}}));
-    contacts.sides.push_back({first, second, found.orientation, found.distance});
+    join(first, second, found);
   }
-  model.topology = geometry::assembled_topology(static_cast<int>(model.solids.size()), contacts);
-  return model;
+
+  void join(BlockSide first, BlockSide second, const FaceContact& found) {
+    for (const auto& [a, b] : {std::pair{first, second}, std::pair{second, first}})
+      if (const auto [other, fresh] = partner_.try_emplace(a, b); !fresh)
+        throw SolidError(
+            ErrorCode::not_conforming,
+            fmt::format("face {} meets both {} and {}; a face lies between two blocks at most",
+                        label_of(model_, a), label_of(model_, other->second), label_of(model_, b)),
+            fault_of(model_, {a, other->second, b}, ""));
+    contacts_.sides.push_back({first, second, found.orientation, found.distance});
+  }
+
+  void compare(BlockSide first, BlockSide second) {
+    const FaceMap &one = map_of(maps_, first), &two = map_of(maps_, second);
+    const FaceContact found = contact(one, two);
+    if (found.distance <= reach_)
+      join(first, second, found);
+    else if (auto part = lies_in(one, two, reach_))
+      parts_.push_back({first, second, std::move(*part)});
+    else if (auto other_part = lies_in(two, one, reach_))
+      parts_.push_back({second, first, std::move(*other_part)});
+  }
+
+  HexModel model_;
+  std::vector<Hexahedron> blocks_;
+  double size_, reach_;
+  BlockMaps maps_;
+  geometry::HexContacts contacts_;
+  std::vector<SideInSide> parts_;
+  std::map<BlockSide, BlockSide> partner_;
+};
+
+}  // namespace
+
+HexModel hex_model(std::vector<geometry::BrepFile> solids, const std::vector<ListedPair>& pairs,
+                   const AssemblyOptions& options) {
+  validate(options);
+  Assembly assembly(std::move(solids), options);
+  assembly.add(pairs);
+  return assembly.put_together();
+}
+
+HexModel hex_model(std::vector<geometry::BrepFile> solids, const std::vector<ListedPair>& pairs,
+                   const std::vector<int>& groups, const AssemblyOptions& options) {
+  validate(options);
+  if (groups.size() != solids.size())
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("{} solids come with the groups of {}", solids.size(), groups.size()));
+  Assembly assembly(std::move(solids), options);
+  assembly.add(pairs);
+  assembly.search(groups);
+  return assembly.put_together();
 }
 
 HexModel hex_model(std::vector<geometry::BrepFile> solids, const AssemblyOptions& options) {
-  validate(options);
-  HexModel model = loose_blocks(std::move(solids));
-  const std::vector<Hexahedron> blocks = hexahedra(model);
-  const double reach = options.same_point * size_of(blocks);
-  const BlockMaps maps = face_maps(blocks);
-  const std::vector<FaceWithBox> all = candidates(maps, reach);
-  geometry::HexContacts contacts;
-  std::vector<SideInSide> parts;
-  std::map<BlockSide, BlockSide> partner;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    for (std::size_t j = i + 1; j < all.size(); ++j) {
-      const BlockSide first = all[i].side, second = all[j].side;
-      if (first.block == second.block || !all[i].box.intersects(all[j].box)) continue;
-      const FaceMap &one = map_of(maps, first), &two = map_of(maps, second);
-      const FaceContact found = contact(one, two);
-      if (found.distance <= reach) {
-        for (const auto& [a, b] : {std::pair{first, second}, std::pair{second, first}})
-          if (const auto [other, fresh] = partner.try_emplace(a, b); !fresh)
-            throw SolidError(
-                ErrorCode::not_conforming,
-                fmt::format("face {} meets both {} and {}; a face lies between two blocks at most",
-                            label_of(model, a), label_of(model, other->second), label_of(model, b)),
-                fault_of(model, {a, other->second, b}, ""));
-        contacts.sides.push_back({first, second, found.orientation, found.distance});
-      } else if (auto part = lies_in(one, two, reach)) {
-        parts.push_back({first, second, std::move(*part)});
-      } else if (auto other_part = lies_in(two, one, reach)) {
-        parts.push_back({second, first, std::move(*other_part)});
-      }
-    }
-  model.topology = with_t_joints(static_cast<int>(model.solids.size()), std::move(contacts), parts);
-  return model;
+  const std::vector<int> groups(solids.size(), -1);
+  return hex_model(std::move(solids), {}, groups, options);
 }
 
 }  // namespace isopatch::segmentation

@@ -26,6 +26,15 @@ void validate(const AssemblyOptions& options);
 HexModel hex_model(std::vector<geometry::BrepFile> solids, const std::vector<ListedPair>& pairs,
                    const AssemblyOptions& options = {});
 
+/// Puts solids together of which it is known in part how they meet.
+/// @param groups  by solid: solids of one group meet in pairs of the list and nowhere else, those of
+/// different groups,
+///                and all of group -1, wherever they are found to
+/// @throws Error as above
+/// @cost O(faces^2) boxes compared
+HexModel hex_model(std::vector<geometry::BrepFile> solids, const std::vector<ListedPair>& pairs,
+                   const std::vector<int>& groups, const AssemblyOptions& options = {});
+
 /// Finds the pairs from the geometry alone, and the T-joints: sides that lie in larger ones.
 /// @throws Error as above
 /// @cost O(faces^2)
