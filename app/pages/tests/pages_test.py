@@ -495,6 +495,7 @@ class OtherPages(Pages):
         self.expect_sound()
         self.assertIn("could not be <cut>", self.browser.run("return document.querySelector('.warnings').textContent"))
         self.assertIn("given up", self.browser.run("return document.querySelector('tbody').textContent"))
+        self.assertEqual(self.browser.run("return document.getElementById('t-joints').textContent"), "face 4 of block 'part' meets <part#1>")
         self.assertGreater(self.counted(self.RED), 0.05)
         self.open("blocks")
         self.assertLess(self.counted(self.RED), 1e-3)
