@@ -604,7 +604,7 @@ class Program(Pages):
         self.assertEqual(run.returncode, 0, run.stderr)
         self.browser.open(output / "report.html")
         self.expect_sound()
-        self.expect_drawn()
+        self.assertGreater(self.browser.pixels()["drawn"], 0.1)  # of few colours: plane faces
         rows = self.browser.run("return [...document.querySelectorAll('tbody tr')].map((row) => [...row.children].map((cell) => cell.textContent))")
         self.assertEqual(rows[0][:8], ["l", "3 cm^3", "1", "2", "0", "", "2", "below 1e-12"])
         self.assertEqual([row[:2] for row in rows[1:]], [["l", "block_0.step"], ["l#1", "block_1.step"]])
