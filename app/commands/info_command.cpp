@@ -7,13 +7,16 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <variant>
+#include <vector>
 
 #include "app/base/engineering_units.hpp"
 #include "app/commands/input_options.hpp"
 #include "app/problem/block_file.hpp"
 #include "app/problem/build_problem.hpp"
 #include "app/problem/loose_bodies.hpp"
+#include "app/problem/t_joint_text.hpp"
 #include "app/reports/describe_model.hpp"
 #include "app/reports/describe_problem.hpp"
 #include "app/solids/describe_solid.hpp"
@@ -97,10 +100,10 @@ ExitCode block_info(const InfoCommand& command, const Console& console) {
   for (const std::string& body : model.bodies) ++bodies[body];
   console.out << fmt::format("{}: {} blocks\n", command.input.path.string(), model.solids.size());
   for (const auto& [body, blocks] : bodies) console.out << fmt::format("  {}: {}\n", body, blocks);
-  const std::size_t joints = model.topology.t_joints.size();
-  console.out << (joints == 0 ? "all meet side to side\n"
-                              : fmt::format("{} sides meet others in parts (T-joints): not for studies yet\n",
-                                            joints));
+  const std::vector<std::string> joints = t_joint_texts(model);
+  console.out << (joints.empty() ? "all meet side to side\n"
+                                 : "T-joints, with which a study cannot be solved yet:\n");
+  for (const std::string& joint : joints) console.out << "  " << joint << "\n";
   return ExitCode::ok;
 }
 

@@ -5,12 +5,15 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "app/commands/input_options.hpp"
 #include "app/problem/block_file.hpp"
 #include "app/problem/cut_solids.hpp"
 #include "app/problem/cutting_json.hpp"
+#include "app/problem/t_joint_text.hpp"
 #include "app/reports/cutting_page.hpp"
 #include "app/results/output_directory.hpp"
 #include "app/solids/fault_page.hpp"
@@ -75,18 +78,28 @@ void write_blocks(const std::vector<geometry::BrepFile>& blocks, const std::file
   while (std::filesystem::remove(folder / block_file_name(next))) ++next;
 }
 
-/// Writes the file that studies read.
-/// @return  why not, or ""
-std::string write_block_file(const CutSolids& solids, const std::filesystem::path& file) {
-  std::filesystem::remove(file);
+/// How the blocks meet, or why a study would refuse them.
+struct Together {
+  std::optional<segmentation::ReadBlocks> blocks;
+  std::string refusal;
+};
+
+Together tried_together(const CutSolids& solids) {
   try {
-    write_file(file, block_file_bytes(put_together(solids)));
-    return "";
+    return {put_together(solids), ""};
   } catch (const Error& error) {
-    if (error.code() == ErrorCode::io || error.code() == ErrorCode::internal) throw;
-    return fmt::format("{} is not written, since a study would refuse the blocks: {}",
-                       file.filename().string(), error.what());
+    if (error.code() == ErrorCode::internal) throw;
+    return {std::nullopt, error.what()};
   }
+}
+
+/// Writes the file that studies read, or removes that of an earlier run.
+void write_block_file(const std::optional<segmentation::ReadBlocks>& blocks,
+                      const std::filesystem::path& file) {
+  if (blocks)
+    write_file(file, block_file_bytes(*blocks));
+  else
+    std::filesystem::remove(file);
 }
 
 std::string files_text(std::size_t blocks, const std::filesystem::path& folder) {
@@ -119,24 +132,25 @@ ExitCode segment_command(const SegmentCommand& command, const Console& console) 
   const std::vector<geometry::BrepFile> blocks = solids.blocks();
   display.progress()("writing blocks and page", 0);
   write_blocks(blocks, command.output);
-  std::string no_file;
-  if (failed)
-    std::filesystem::remove(command.output / blocks_name);
-  else
-    no_file = write_block_file(solids, command.output / blocks_name);
+  const Together together = failed ? Together{} : tried_together(solids);
+  write_block_file(together.blocks, command.output / blocks_name);
   const std::filesystem::path page = command.output / (failed ? failure_page : report_page_name);
-  write_file(page, cutting_html(solids, title_of(command)));
+  write_file(page, cutting_html(
+                       solids, title_of(command),
+                       together.blocks ? t_joint_texts(together.blocks->model) : std::vector<std::string>{}));
   std::filesystem::remove(command.output / (failed ? report_page_name : failure_page));
   display.clear();
   for (const std::string& warning : solids.warnings) console.warn(warning);
-  if (!no_file.empty()) console.warn(no_file);
+  if (!together.refusal.empty())
+    console.warn(fmt::format("{} is not written, since a study would refuse the blocks: {}", blocks_name,
+                             together.refusal));
   if (command.json)
     console.out << cutting_json_text(solids);
   else if (!console.quiet)
     console.out << cutting_text(solids) << files_text(blocks.size(), command.output)
                 << (failed ? ""
                            : fmt::format("  {}{} shows the blocks\n",
-                                         no_file.empty() ? "blocks.h5 for studies, " : "", page.string()));
+                                         together.blocks ? "blocks.h5 for studies, " : "", page.string()));
   return told_failures(solids, page, console);
 }
 

@@ -7,6 +7,7 @@
 #include "app/base/engineering_units.hpp"
 #include "app/problem/block_file.hpp"
 #include "app/problem/cut_solids.hpp"
+#include "app/problem/t_joint_text.hpp"
 #include "app/study/file_kind.hpp"
 #include "geometry/base/error.hpp"
 
@@ -39,24 +40,15 @@ std::string histogram_text(const ParameterizationReport& report) {
   return text + "\n";
 }
 
-/// "one of block 'part#2' meets part#3, part#4": the side of a T-joint and those in it.
-std::string whole_side(const segmentation::HexModel& model, const geometry::TJoint& joint) {
-  std::string parts;
-  for (const geometry::SidePart& part : joint.parts)
-    parts += (parts.empty() ? "" : ", ") + model.name(part.side.block);
-  return fmt::format("one of block '{}' meets {}", model.name(joint.whole.block), parts);
-}
-
 /// Patches that meet in parts of sides need a coupling that there is not.
 void require_side_to_side(const segmentation::HexModel& model) {
-  const auto& joints = model.topology.t_joints;
+  const std::vector<std::string> joints = t_joint_texts(model);
   if (joints.empty()) return;
-  throw Error(ErrorCode::not_conforming,
-              fmt::format("{} side{} of blocks meet{} others in parts (T-joints), {}{}; patches that do not "
-                          "meet side to side cannot be coupled yet: cut the solid with "
-                          "t_joints = \"remove\", the default",
-                          joints.size(), joints.size() == 1 ? "" : "s", joints.size() == 1 ? "s" : "",
-                          joints.size() == 1 ? "" : "the first, ", whole_side(model, joints.front())));
+  throw Error(
+      ErrorCode::not_conforming,
+      fmt::format("blocks meet in parts of sides (T-joints): {}{}; patches that do not meet side to "
+                  "side cannot be coupled yet: cut the solid with t_joints = \"remove\", the default",
+                  joints.front(), joints.size() == 1 ? "" : fmt::format(", and {} more", joints.size() - 1)));
 }
 
 bool is_block_file(const BlocksInput& input) {

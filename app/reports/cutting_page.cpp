@@ -143,7 +143,7 @@ Json body_json(const CutBody& body) {
   return json;
 }
 
-std::string html(BlockScene scene, double size, const Json& bodies, const std::string& title,
+std::string html(BlockScene scene, double size, const Json& summary, const std::string& title,
                  const std::string& study) {
   scene.length = model_length_unit(size);
   Page page;
@@ -151,7 +151,7 @@ std::string html(BlockScene scene, double size, const Json& bodies, const std::s
   page.program = fmt::format("isopatch {}", version());
   page.title = title;
   page.study = study;
-  page.summary_json = Json{{"bodies", bodies}}.dump(-1, ' ', false, Json::error_handler_t::replace);
+  page.summary_json = summary.dump(-1, ' ', false, Json::error_handler_t::replace);
   page.blocks = std::move(scene);
   return to_html(page);
 }
@@ -162,7 +162,8 @@ std::string block_file_name(std::size_t block) {
   return fmt::format("block_{}.step", block);
 }
 
-std::string cutting_html(const CutSolids& solids, const std::string& title) {
+std::string cutting_html(const CutSolids& solids, const std::string& title,
+                         const std::vector<std::string>& t_joints) {
   BlockScene scene;
   BlockStage parts{"parts after the cuts", {}, {}}, blocks{"blocks", {}, {}};
   Json bodies = Json::array();
@@ -195,7 +196,7 @@ std::string cutting_html(const CutSolids& solids, const std::string& title) {
                             : "T-joints before removal";
   if (cut) scene.stages.push_back(std::move(parts));
   scene.stages.push_back(std::move(blocks));
-  return html(std::move(scene), size, bodies, title, "");
+  return html(std::move(scene), size, {{"bodies", bodies}, {"t_joints", t_joints}}, title, "");
 }
 
 std::string cutting_fault_html(const CuttingError& error, const std::string& title,
@@ -211,7 +212,7 @@ std::string cutting_fault_html(const CuttingError& error, const std::string& tit
   add_unfinished(error, "the solid", stage);
   scene.stages.push_back(std::move(stage));
   const Json body = {{"name", "solid"}, {"volume", volume}, {"error", error.what()}};
-  return html(std::move(scene), size, Json::array({body}), title, study);
+  return html(std::move(scene), size, {{"bodies", Json::array({body})}}, title, study);
 }
 
 }  // namespace isopatch::app

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/problem/cut_solids.hpp"
 
@@ -8,10 +9,12 @@ namespace isopatch::app {
 
 /// The page of solids that were cut: their parts after the cuts, the blocks in the end, T-joints, what was
 /// done. Of a body that was given up what had been cut by then, or all of it with its faulty faces.
-/// @param title  of the page
-/// @return       HTML
+/// @param title     of the page
+/// @param t_joints  that are left, in words
+/// @return          HTML
 /// @cost  a triangulation of each part and block
-std::string cutting_html(const CutSolids& solids, const std::string& title);
+std::string cutting_html(const CutSolids& solids, const std::string& title,
+                         const std::vector<std::string>& t_joints = {});
 
 /// The page of one body that was given up in a run.
 /// @param study  text of the study file

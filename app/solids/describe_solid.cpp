@@ -285,7 +285,8 @@ std::string outlook_text(const std::optional<segmentation::Prospect>& prospect) 
   std::string text = fmt::format("will be cut: {} faces, ", prospect->sides);
   text += prospect->concave.empty() ? "all edges convex"
                                     : listed(prospect->concave, "concave edge", "concave edges");
-  if (!prospect->blunt.empty()) text += ", " + listed(prospect->blunt, "nearly flat one", "nearly flat ones");
+  if (!prospect->blunt.empty())
+    text += ", " + listed(prospect->blunt, "tangent or nearly flat one", "tangent or nearly flat ones");
   return text;
 }
 

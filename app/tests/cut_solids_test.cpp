@@ -211,6 +211,8 @@ TEST_F(CutSolidsOfStudies, MayKeepTheirTJoints) {
   }
   ASSERT_EQ(run({"info", file("blocks/blocks.h5")}), 0) << err_;
   EXPECT_THAT(out_, HasSubstr("T-joints"));
+  EXPECT_THAT(out_, HasSubstr("of block 't"));
+  EXPECT_THAT(read_file(file("blocks/report.html")), HasSubstr("\"t_joints\":["));
   const std::string rest =
       "[[material]]\nyoung = 1\npoisson = 0\n[[support]]\nfaces = [\"face 0\"]\ndisplacement = [0, 0, 0]\n";
   for (const std::string& source :

@@ -1,5 +1,6 @@
 #include "segmentation/decomposition/prospect.hpp"
 
+#include <algorithm>
 #include <variant>
 
 #include "geometry/base/error.hpp"
@@ -16,12 +17,14 @@ Prospect seen(const geometry::Brep& solid, const DecompositionOptions& options) 
   for (std::size_t e = 0; e < start.cell.graph.edges.size(); ++e) {
     const CellGraph::Edge& found = start.cell.graph.edges[e];
     if (found.kind != EdgeKind::non_convex) continue;
-    std::vector<EdgeId>& list = found.angle && found.angle->degrees() < 180 ? result.blunt : result.concave;
+    const double flat = 180 + options.cut.sides.flat.degrees();
+    std::vector<EdgeId>& list = found.angle && found.angle->degrees() < flat ? result.blunt : result.concave;
     for (const geometry::EdgeUse& use : sides.edges[e])
       if (const auto* edge =
               std::get_if<EdgeId>(&start.complex.curve(start.complex.edge(use.edge).curve).shape))
         list.push_back(*edge);
   }
+  for (std::vector<EdgeId>* list : {&result.concave, &result.blunt}) std::sort(list->begin(), list->end());
   return result;
 }
 

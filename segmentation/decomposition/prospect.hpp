@@ -13,7 +13,7 @@ struct Prospect {
   int sides = 0;  ///< plane neighbours of one name and colour count as one
   std::vector<EdgeId>
       concave;                ///< edges of the solid with more than 180 degrees inside: cuts go through them
-  std::vector<EdgeId> blunt;  ///< likewise those with nearly as much
+  std::vector<EdgeId> blunt;  ///< likewise those with about as much: tangent, nearly flat
   std::optional<geometry::SolidError> refusal = {};  ///< why it will not be tried; all else is empty then
 };
 

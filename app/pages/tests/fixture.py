@@ -314,7 +314,7 @@ def blocks(failed=False):
         stages = [{**parts, "name": "blocks"}]
     scene = {"length": {"unit": "mm", "factor": 1e3}, "box": {"min": [0, 0, 0], "max": [0.2, 0.2, 0.1]}, "lines_name": "T-joints",
              "stages": stages, "faces": [], "places": []}
-    return {"kind": "blocks", "program": "isopatch 0.1.0", "title": "part.step", "study": "", "summary": {"bodies": [body]},
+    return {"kind": "blocks", "program": "isopatch 0.1.0", "title": "part.step", "study": "", "summary": {"bodies": [body], "t_joints": ["face 4 of block 'part' meets <part#1>"] if failed else []},
             "plots": [], "scene": None, "faults": None, "blocks": scene}
 
 

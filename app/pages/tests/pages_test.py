@@ -495,6 +495,7 @@ class OtherPages(Pages):
         self.expect_sound()
         self.assertIn("could not be <cut>", self.browser.run("return document.querySelector('.warnings').textContent"))
         self.assertIn("given up", self.browser.run("return document.querySelector('tbody').textContent"))
+        self.assertEqual(self.browser.run("return document.getElementById('t-joints').textContent"), "face 4 of block 'part' meets <part#1>")
         self.assertGreater(self.counted(self.RED), 0.05)
         self.open("blocks")
         self.assertLess(self.counted(self.RED), 1e-3)
@@ -603,7 +604,7 @@ class Program(Pages):
         self.assertEqual(run.returncode, 0, run.stderr)
         self.browser.open(output / "report.html")
         self.expect_sound()
-        self.expect_drawn()
+        self.assertGreater(self.browser.pixels()["drawn"], 0.1)  # of few colours: plane faces
         rows = self.browser.run("return [...document.querySelectorAll('tbody tr')].map((row) => [...row.children].map((cell) => cell.textContent))")
         self.assertEqual(rows[0][:8], ["l", "3 cm^3", "1", "2", "0", "", "2", "below 1e-12"])
         self.assertEqual([row[:2] for row in rows[1:]], [["l", "block_0.step"], ["l#1", "block_1.step"]])

@@ -56,7 +56,7 @@ globalThis.isopatch = globalThis.isopatch || {};
   isopatch.blockPanel = function (viewer, scene) {
     const lines = scene.stages.some((stage) => stage.lines.length > 0);
     return element("div", {class: "panel"},
-      group("Explode", apartSlider(viewer)),
+      scene.stages.some((stage) => stage.pieces.length > 1) ? group("Explode", apartSlider(viewer)) : null,
       scene.stages.length > 1 ? group("Show", stageChoice(viewer, scene)) : null,
       group("Lines", check(viewer, "edges", "edges"), lines ? check(viewer, scene.lines_name, "lines", viewer.lineColour) : null),
       group("Block", chosenBlock(viewer, scene)));

@@ -43,6 +43,11 @@ globalThis.isopatch = globalThis.isopatch || {};
     ["body", "volume", "cuts", "parts", "T-joints", "closed by", "blocks", "volume of the blocks is off by", "time"],
     summary.bodies.map(bodyRow)));
 
+  function jointList(summary) {
+    if (!summary.t_joints || summary.t_joints.length === 0) return null;
+    return isopatch.section("T-joints that are left", element("ol", {id: "t-joints"}, summary.t_joints.map((text) => element("li", {}, text))));
+  }
+
   function blockTable(scene) {
     const {viewer} = isopatch;
     const last = scene.stages.length - 1;
@@ -72,7 +77,7 @@ globalThis.isopatch = globalThis.isopatch || {};
 
   isopatch.buildBlocks = function (main, data) {
     const scene = isopatch.readBlocks(data.blocks);
-    main.append(...[failures(data.summary, scene), stage(scene), summaryTable(data.summary), blockTable(scene),
+    main.append(...[failures(data.summary, scene), stage(scene), summaryTable(data.summary), jointList(data.summary), blockTable(scene),
                     isopatch.studySection(data)].filter(Boolean));
   };
 })(globalThis.isopatch);
