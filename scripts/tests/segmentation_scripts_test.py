@@ -151,6 +151,7 @@ class Verdicts(unittest.TestCase):
     def test_tells_faults_apart(self):
         self.assertEqual(self.verdict(1, "this is a bug: face 3"), "internal error")
         self.assertEqual(self.verdict(-11, ""), "crash")
+        self.assertEqual(self.verdict(2, "face a#1:face 5 is only a part of face a#2:face 2"), "blocks do not fit")
         self.assertEqual(self.verdict(None, ""), "too slow")
         self.assertEqual(self.verdict(2, "patch 3 is folded, block 3"), "not certified")
 

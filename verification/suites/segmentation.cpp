@@ -118,7 +118,7 @@ TEST(Segmentation, Bipyramid) {
 
 TEST(FullSegmentation, DoublePyramid) {
   ISOPATCH_NEEDS_DATA("solids/ffoTriDoublePyramid.xml");
-  expect_segmented("solids/ffoTriDoublePyramid.xml", 0);
+  expect_segmented("solids/ffoTriDoublePyramid.xml", 1);  // its concave edges show their order later
 }
 
 TEST(Segmentation, RoundedBlock) {
