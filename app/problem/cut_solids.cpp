@@ -70,7 +70,7 @@ std::string report_text(const segmentation::DecompositionReport& report) {
   if (report.t_joints_kept && report.t_joints > 0)
     text += " (kept)";
   else if (report.by_tetrahedra)
-    text += "; all parts divided into tetrahedra, since cuts did not end in sides that meet";
+    text += "; every part divided into tetrahedra around a point, for want of a way with fewer hexahedra";
   else if (report.further_cuts > 0)
     text += fmt::format(", closed by {}", number_of(report.further_cuts, "further cut", "further cuts"));
   return text + fmt::format("; {} ({:.1f} s)", number_of(report.hexahedra, "hexahedron", "hexahedra"),

@@ -66,8 +66,9 @@ const Keys<SegmentationKeys>& segmentation_keys() {
       number_key(
           "time_limit", dimensions::none, {0, 1e7, false, true},
           [](DecompositionOptions& o) -> double& { return o.time_limit; },
-          "Seconds that a body may take to be cut, after which the best way found is taken, or the body given up; once "
-          "a way is known, a twelfth of it is left for better ones."),
+          "Seconds that a body may take to be cut, after which the best way found is taken, or the body "
+          "given up; once "
+          "a way is known, a sixth of it is left for better ones."),
       count_key(
           "max_cells", 1000000, [](DecompositionOptions& o) -> int& { return o.max_cells; },
           "Most hexahedra that a body may become while its parts are made to meet side to side."),

@@ -121,6 +121,26 @@ TEST_F(BadSolids, WithAnEdgeShorterThanTheToleranceAreRefusedWithItsVertices) {
                               "1, 0) m; merge them"));
 }
 
+/// An L of which one corner of the top is cut off, over a length along all three edges.
+std::string l_without_a_corner(const std::string& less_than_2, const std::string& less_than_1) {
+  return off_file("0 0 0\n2 0 0\n2 1 0\n1 1 0\n1 2 0\n0 2 0\n0 0 1\n2 0 1\n" + less_than_2 +
+                      " 1 1\n1 1 1\n1 2 1\n0 2 1\n2 " + less_than_1 + " 1\n2 1 " + less_than_1 + "\n",
+                  "6 5 4 3 2 1 0\n7 6 7 12 8 9 10 11\n4 0 1 7 6\n5 1 2 13 12 7\n5 2 3 9 8 13\n4 3 4 10 "
+                  "9\n4 4 5 11 10\n4 5 0 6 11\n3 8 12 13\n");
+}
+
+TEST_F(BadSolids, WithEdgesShorterThanWhatCountsAsContactOfBodiesAreCut) {
+  // 1e-3 m where sides of other bodies within 2e-3 m would be one.
+  EXPECT_EQ(segment(l_without_a_corner("1.999", "0.999")), 0) << err_;
+  expect_certified(3 - 1e-9 / 6);
+}
+
+TEST_F(BadSolids, WithEdgesAsShortAsAPointAreRefusedWithTheEdge) {
+  EXPECT_EQ(segment(l_without_a_corner("1.9999999", "0.9999999")), 2);
+  EXPECT_THAT(err_,
+              ContainsRegex("edge [0-9]+ from .*is only 1.41e-07 m long.*remove it in the CAD program"));
+}
+
 TEST_F(BadSolids, WithFacesThatTheCutsDoNotKnowAreRefusedWithTheFace) {
   for (const char* name : {"cylinder", "cone", "torus"}) {
     EXPECT_EQ(segment_made(name), 2);

@@ -133,7 +133,7 @@ class Decomposer {
     CellComplex stars = star_cells(solid_, way.parts);
     way.report.by_tetrahedra = stars.cells.size() > way.parts.cells.size();
     finish(std::move(way), std::move(stars));
-    leave(options_.time_limit / 2);
+    leave(options_.time_limit / 4);
   }
 
   /// Sides that meet others in parts stay so.
@@ -163,7 +163,7 @@ class Decomposer {
     Decomposition way = ways[cells.start];
     way.report.further_cuts = cells.further_cuts;
     finish(std::move(way), std::move(cells.complex));
-    leave(options_.time_limit / 12);
+    leave(options_.time_limit / 6);
   }
 
   Decomposition cut(const CutTree& tree) const {

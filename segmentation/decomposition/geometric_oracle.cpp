@@ -47,7 +47,9 @@ SearchOracle geometric_oracle(CellStore& store) {
         return loops;
       };
   oracle.accepts = [&store](const SearchCell& cell, const BaseSolid& base) {
-    if (base.kind == BaseKind::convex) return store.entry(cell.handle).polyhedral;
+    // Tetrahedra around a point do not mind edges that are nearly flat.
+    const CellStore::Entry& entry = store.entry(cell.handle);
+    if (base.kind == BaseKind::convex) return entry.polyhedral && non_convex_count(entry.sides.graph) == 0;
     return is_finished(base) && non_convex_count(cell.graph) == 0;
   };
   return oracle;

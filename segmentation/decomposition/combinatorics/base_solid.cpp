@@ -90,12 +90,11 @@ std::optional<BaseSolid> simple_solid(const CellGraph& graph) {
   return BaseSolid{BaseKind::simple, graph.vertex_count, {}, {}};
 }
 
-std::optional<BaseSolid> convex_solid(const CellGraph& graph) {
-  if (non_convex_count(graph) > 0) return std::nullopt;
+BaseSolid convex_solid(const CellGraph& graph) {
   int tetrahedra = 0;
   for (const CellGraph::Corners& face : graph.faces)
     tetrahedra += face.size() == 3 ? 1 : static_cast<int>(face.size());
-  return BaseSolid{BaseKind::convex, tetrahedra, {}, {}};
+  return {BaseKind::convex, tetrahedra, {}, {}};
 }
 
 int template_hexahedra(BaseKind kind, int sides) {

@@ -31,8 +31,8 @@ std::optional<BaseSolid> base_solid(const CellGraph& graph);
 /// A graph with three edges at every vertex as a simple solid; its corners are not listed.
 std::optional<BaseSolid> simple_solid(const CellGraph& graph);
 
-/// A graph without non-convex edges as a convex solid; its corners are not listed.
-std::optional<BaseSolid> convex_solid(const CellGraph& graph);
+/// Any graph as a convex solid, whatever the kinds of edges; its corners are not listed.
+BaseSolid convex_solid(const CellGraph& graph);
 
 /// How many hexahedra the templates make of a base solid: hexahedron 1, tetrahedron 4, pyramid over n corners
 /// 4 (n - 2), prism over n corners (n - 2) / 2 if n is even, else (n - 3) / 2 and three more; a simple solid

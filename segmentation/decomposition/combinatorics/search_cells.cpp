@@ -40,8 +40,8 @@ std::optional<BaseSolid> SearchCells::other_solid(const SearchCell& cell) const 
   if (const auto simple = simple_solid(cell.graph); simple && is_accepted(oracle_, cell, *simple))
     return simple;
   if (options_.finish != Finish::convex_solids) return std::nullopt;
-  const auto convex = convex_solid(cell.graph);
-  return convex && is_accepted(oracle_, cell, *convex) ? convex : std::nullopt;
+  const BaseSolid convex = convex_solid(cell.graph);
+  return is_accepted(oracle_, cell, convex) ? std::optional(convex) : std::nullopt;
 }
 
 const std::vector<CutOption>& SearchCells::options(int number, int wanted) {

@@ -81,6 +81,22 @@ TEST_F(SeveralBlocks, GeometryFindsThePairsOfTheList) {
   EXPECT_TRUE(found().topology.t_joints.empty());
 }
 
+TEST_F(SeveralBlocks, OfOneGroupMeetInThePairsOfTheListAlone) {
+  const std::vector<geometry::BrepFile> blocks = found().solids;
+  const ListedPair known = pairs_[0];
+  std::vector<int> groups(4, -1);
+  // What is known is not looked for again, the rest is found.
+  EXPECT_EQ(named_pairs(hex_model(blocks, {}, groups)), named_pairs(listed()));
+  groups[static_cast<std::size_t>(known.first_block)] = groups[static_cast<std::size_t>(known.second_block)] =
+      7;
+  EXPECT_EQ(named_pairs(hex_model(blocks, {known}, groups)), named_pairs(listed()));
+  // Two that touch though they are of one group and in no pair stay apart.
+  EXPECT_EQ(named_pairs(hex_model(blocks, {}, groups)).size(), 3u);
+  EXPECT_EQ(named_pairs(hex_model(blocks, {}, std::vector<int>(4, 0))).size(), 0u);
+  EXPECT_THAT([&] { hex_model(blocks, {}, std::vector<int>{0}); },
+              test::ThrowsError(ErrorCode::invalid_argument, {"4 solids", "groups of 1"}));
+}
+
 TEST_F(SeveralBlocks, BecomeCertifiedWatertightPatches) {
   const Parameterization made = parameterize(listed());
   EXPECT_TRUE(made.report.usable()) << testing::PrintToString(made.report.complaints());
