@@ -215,7 +215,7 @@ TEST_F(CutSolidsOfStudies, MayKeepTheirTJoints) {
   EXPECT_THAT(read_file(file("blocks/report.html")), HasSubstr("\"t_joints\":["));
   const std::string rest =
       "[[material]]\nyoung = 1\npoisson = 0\n[[support]]\nfaces = [\"face 0\"]\ndisplacement = [0, 0, 0]\n";
-  for (const std::string& source :
+  for (const std::string source :
        {"file = \"blocks/blocks.h5\"\n", "file = \"t.off\"\n[segmentation]\nt_joints = \"keep\"\n"}) {
     EXPECT_EQ(run_text("[model]\n" + source + rest), 2);
     EXPECT_THAT(err_, HasSubstr("T-joints"));

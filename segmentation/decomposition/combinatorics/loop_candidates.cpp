@@ -157,7 +157,12 @@ std::vector<LoopCandidate> loop_candidates(const SearchCell& cell, const std::ve
   keep_batch(graph, incidence, extending, 3 * options.considered, batch, options.cost);
   keep_batch(graph, incidence, loops, options.considered, batch, options.cost);
   CandidateList list(cell, incidence, count, options);
-  for (const CuttingLoop& loop : proposed) list.add(loop);
+  // Of a solid with hundreds of sides there may be a hundred thousand.
+  std::vector<CuttingLoop> first = proposed;
+  const int most_proposed = 20 * options.considered;
+  if (static_cast<int>(first.size()) > most_proposed)
+    keep_batch(graph, incidence, first, most_proposed, 0, options.cost);
+  for (const CuttingLoop& loop : first) list.add(loop);
   for (const CuttingLoop& loop : extending) list.add(loop);
   for (const CuttingLoop& loop : loops) list.add(loop);
   return std::move(list).sorted();
