@@ -108,9 +108,11 @@ segmentation::ReadBlocks put_together(const CutSolids& solids, const segmentatio
     const bool known = body.cutting && !body.cutting->report.t_joints_kept;
     groups.insert(groups.end(), body.blocks.size(), known ? first : -1);
     if (!known) continue;
-    for (const segmentation::BlockContact& contact : segmentation::block_contacts(*body.cutting))
-      pairs.push_back({first + contact.first_block, contact.first_face, first + contact.second_block,
-                       contact.second_face});
+    for (segmentation::ListedPair pair : segmentation::block_pairs(*body.cutting)) {
+      pair.first_block += first;
+      pair.second_block += first;
+      pairs.push_back(pair);
+    }
   }
   segmentation::ReadBlocks result{segmentation::hex_model(solids.blocks(), pairs, groups, options),
                                   solids.warnings};

@@ -1,9 +1,8 @@
 #include "app/problem/cutting_json.hpp"
 
-#include "app/base/internal/json_values.hpp"
+#include "app/problem/internal/body_json.hpp"
 
 namespace isopatch::app {
-namespace {
 
 Json body_json(const CutBody& body) {
   segmentation::DecompositionReport report;
@@ -18,11 +17,9 @@ Json body_json(const CutBody& body) {
                {"by_tetrahedra", report.by_tetrahedra},
                {"evaluations", report.evaluations},
                {"seconds", report.seconds}};
-  if (body.failure) json["failure"] = body.failure->what();
+  if (body.failure) json["error"] = body.failure->what();
   return json;
 }
-
-}  // namespace
 
 std::string cutting_json_text(const CutSolids& solids) {
   Json bodies = Json::array();

@@ -9,10 +9,11 @@
 #include <vector>
 
 #include "app/base/engineering_units.hpp"
-#include "app/base/internal/json_values.hpp"
 #include "app/base/provenance.hpp"
 #include "app/pages/page.hpp"
+#include "app/problem/internal/body_json.hpp"
 #include "geometry/brep/cell_solids.hpp"
+#include "geometry/brep/require_solid.hpp"
 #include "segmentation/decomposition/unfinished_parts.hpp"
 
 namespace isopatch::app {
@@ -58,13 +59,8 @@ BlockPiece piece_of(const Brep& brep, const std::string& name, const std::string
     add_mesh(*mesh, piece);
     return piece;
   }
-  for (std::size_t e = 0; e < brep.edges().size(); ++e) {
-    constexpr int pieces = 16;
-    Eigen::Matrix3Xd line(3, pieces + 1);
-    for (int i = 0; i <= pieces; ++i)
-      line.col(i) = brep.point(EdgeId(static_cast<int>(e)), double(i) / pieces);
-    piece.edges.push_back(std::move(line));
-  }
+  for (std::size_t e = 0; e < brep.edges().size(); ++e)
+    piece.edges.push_back(drawn(brep, EdgeId(static_cast<int>(e))).points);
   return piece;
 }
 
@@ -77,9 +73,7 @@ void add_piece(BlockStage& stage, BlockPiece piece, const std::vector<Eigen::Mat
 /// The parts of a body after the cuts, with T-joints.
 void add_parts(const CutBody& body, BlockStage& stage) {
   const segmentation::Decomposition& cutting = *body.cutting;
-  std::vector<geometry::CellId> all;
-  for (std::size_t c = 0; c < cutting.parts.cells.size(); ++c) all.emplace_back(static_cast<int>(c));
-  const std::vector<Brep> parts = geometry::cell_solids(body.solid.brep, cutting.parts, all);
+  const std::vector<Brep> parts = geometry::cell_solids(body.solid.brep, cutting.parts);
   const segmentation::CellShapes shapes(body.solid.brep, cutting.parts);
   std::vector<std::vector<Eigen::Matrix3Xd>> lines(parts.size());
   for (const segmentation::PartedSide& side : cutting.t_joints)
@@ -124,22 +118,12 @@ void mark_faults(const CutBody& body, BlockScene& scene) {
   for (const auto& point : fault.points) scene.places.push_back({point.name, point.point});
 }
 
-Json body_json(const CutBody& body) {
-  const auto report = body.cutting ? body.cutting->report : segmentation::DecompositionReport{};
+Json body_with_volumes(const CutBody& body) {
   double volume = 0;
   for (const geometry::BrepFile& block : body.blocks) volume += block.brep.volume();
-  Json json = {{"name", body.solid.name},
-               {"volume", std::abs(body.solid.brep.volume())},
-               {"block_volume", volume},
-               {"cuts", report.cuts},
-               {"parts", report.cells},
-               {"t_joints", report.t_joints},
-               {"t_joints_kept", report.t_joints_kept},
-               {"further_cuts", report.further_cuts},
-               {"by_tetrahedra", report.by_tetrahedra},
-               {"hexahedra", body.blocks.size()},
-               {"seconds", report.seconds}};
-  if (body.failure) json["error"] = body.failure->what();
+  Json json = body_json(body);
+  json["volume"] = std::abs(body.solid.brep.volume());
+  json["block_volume"] = volume;
   return json;
 }
 
@@ -171,7 +155,7 @@ std::string cutting_html(const CutSolids& solids, const std::string& title,
   double size = 0;
   bool cut = false, failed = false, kept = false;
   for (const CutBody& body : solids.bodies) {
-    bodies.push_back(body_json(body));
+    bodies.push_back(body_with_volumes(body));
     size = std::max(size, body.solid.brep.size());
     if (body.failure) {
       failed = true;

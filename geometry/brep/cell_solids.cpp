@@ -64,4 +64,10 @@ std::vector<Brep> cell_solids(const Brep& source, const CellComplex& complex,
   return result;
 }
 
+std::vector<Brep> cell_solids(const Brep& source, const CellComplex& complex) {
+  std::vector<CellId> all;
+  for (std::size_t c = 0; c < complex.cells.size(); ++c) all.emplace_back(static_cast<int>(c));
+  return cell_solids(source, complex, all);
+}
+
 }  // namespace isopatch::geometry

@@ -19,5 +19,7 @@ CellComplex one_cell(const Brep& source);
 /// @throws Error not_manifold  a cell that is not closed
 std::vector<Brep> cell_solids(const Brep& source, const CellComplex& complex,
                               const std::vector<CellId>& cells);
+/// All cells.
+std::vector<Brep> cell_solids(const Brep& source, const CellComplex& complex);
 
 }  // namespace isopatch::geometry

@@ -21,14 +21,6 @@ std::string place(const Eigen::Vector3d& p) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g}) m", p.x(), p.y(), p.z());
 }
 
-/// The drawing of an edge in a fault.
-SolidFault::Edge drawn(const Brep& brep, EdgeId edge) {
-  constexpr int pieces = 24;
-  SolidFault::Edge result{fmt::format("edge {}", edge.value), Eigen::Matrix3Xd(3, pieces + 1)};
-  for (int i = 0; i <= pieces; ++i) result.points.col(i) = brep.point(edge, double(i) / pieces);
-  return result;
-}
-
 class Search {
  public:
   Search(const Brep& brep, const BoundaryReport& boundary, const SoundnessOptions& options)

@@ -64,14 +64,18 @@ std::string boundary_problem(const Brep& brep, const BoundaryReport& report) {
   return "";
 }
 
+SolidFault::Edge drawn(const Brep& brep, EdgeId edge) {
+  constexpr int pieces = 24;
+  SolidFault::Edge result{fmt::format("edge {}", edge.value), Eigen::Matrix3Xd(3, pieces + 1)};
+  for (int i = 0; i <= pieces; ++i) result.points.col(i) = brep.point(edge, double(i) / pieces);
+  return result;
+}
+
 SolidFault boundary_fault(const Brep& brep, const BoundaryReport& report) {
   SolidFault fault;
   for (const auto* edges : {&report.overused_edges, &report.free_edges, &report.misoriented_edges})
     for (const EdgeId edge : *edges) {
-      constexpr int pieces = 24;
-      SolidFault::Edge found{fmt::format("edge {}", edge.value), Eigen::Matrix3Xd(3, pieces + 1)};
-      for (int i = 0; i <= pieces; ++i) found.points.col(i) = brep.point(edge, double(i) / pieces);
-      fault.edges.push_back(std::move(found));
+      fault.edges.push_back(drawn(brep, edge));
       for (const FaceId face : brep.edge(edge).faces) fault.faces.push_back({face.value});
     }
   for (const VertexId vertex : report.pinched_vertices)

@@ -14,6 +14,9 @@ std::string describe(const Brep& brep, VertexId vertex);
 /// With its name, if it has one.
 std::string describe(const Brep& brep, FaceId face);
 
+/// An edge as a fault shows it: its number and 25 points.
+SolidFault::Edge drawn(const Brep& brep, EdgeId edge);
+
 /// What keeps faces from bounding a solid, the first few entities named; "" if nothing does.
 std::string boundary_problem(const Brep& brep, const BoundaryReport& report);
 

@@ -10,19 +10,17 @@
 namespace isopatch::segmentation {
 
 std::vector<geometry::BrepFile> blocks(const geometry::BrepFile& solid, const Decomposition& decomposition) {
-  std::vector<geometry::CellId> all;
-  for (std::size_t c = 0; c < decomposition.complex.cells.size(); ++c) all.emplace_back(static_cast<int>(c));
   std::vector<geometry::BrepFile> result;
-  for (geometry::Brep& cell : cell_solids(solid.brep, decomposition.complex, all)) {
+  for (geometry::Brep& cell : cell_solids(solid.brep, decomposition.complex)) {
     const std::string name = result.empty() ? solid.name : fmt::format("{}#{}", solid.name, result.size());
     result.push_back({std::move(cell), name, 0});
   }
   return result;
 }
 
-std::vector<BlockContact> block_contacts(const Decomposition& decomposition) {
+std::vector<geometry::ListedPair> block_pairs(const Decomposition& decomposition) {
   std::map<FaceId, std::pair<int, int>> first;
-  std::vector<BlockContact> result;
+  std::vector<geometry::ListedPair> result;
   for (std::size_t c = 0; c < decomposition.complex.cells.size(); ++c) {
     const auto& faces = decomposition.complex.cells[c].faces;
     for (std::size_t f = 0; f < faces.size(); ++f) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "geometry/brep/read_brep.hpp"
+#include "geometry/hex/listed_pair.hpp"
 #include "segmentation/decomposition/decompose.hpp"
 
 namespace isopatch::segmentation {
@@ -12,12 +13,7 @@ namespace isopatch::segmentation {
 /// names.
 std::vector<geometry::BrepFile> blocks(const geometry::BrepFile& solid, const Decomposition& decomposition);
 
-/// A face between two of these blocks: which of them, and its number in each.
-struct BlockContact {
-  int first_block = 0, first_face = 0, second_block = 0, second_face = 0;
-};
-
-/// All of them, where blocks meet side to side.
-std::vector<BlockContact> block_contacts(const Decomposition& decomposition);
+/// The faces between two of these blocks each, where they meet side to side.
+std::vector<geometry::ListedPair> block_pairs(const Decomposition& decomposition);
 
 }  // namespace isopatch::segmentation

@@ -5,33 +5,21 @@
 #include <set>
 #include <utility>
 
+#include "segmentation/decomposition/cutting/side_inside.hpp"
+
 namespace isopatch::segmentation {
 
 using geometry::CellComplex;
-using geometry::CellFaceUse;
 using geometry::EdgeUse;
 
 namespace {
 
-/// The edges inside a side that is several faces, and the vertices on its outline.
-struct InsideOfSide {
-  std::set<VertexId> outline;
-  std::map<VertexId, std::vector<EdgeUse>> edges;  ///< by the vertex that they leave
-};
-
-InsideOfSide inside_of(const CellComplex& complex, const std::vector<CellFaceUse>& side) {
-  std::map<EdgeId, int> uses;
-  for (const CellFaceUse& face : side)
-    for (const EdgeUse& use : complex.face(face.face).loop) ++uses[use.edge];
-  InsideOfSide result;
-  for (const auto& [edge, count] : uses) {
-    const VertexId start = complex.edge(edge).start, end = complex.edge(edge).end;
-    if (count == 1) {
-      result.outline.insert({start, end});
-    } else {
-      result.edges[start].push_back({edge, false});
-      result.edges[end].push_back({edge, true});
-    }
+/// The edges inside a side by the vertex that they leave.
+std::map<VertexId, std::vector<EdgeUse>> leaving(const CellComplex& complex, const SideInside& inside) {
+  std::map<VertexId, std::vector<EdgeUse>> result;
+  for (const EdgeId edge : inside.edges) {
+    result[complex.edge(edge).start].push_back({edge, false});
+    result[complex.edge(edge).end].push_back({edge, true});
   }
   return result;
 }
@@ -43,11 +31,12 @@ Eigen::Vector3d direction(const CellShapes& shapes, EdgeUse use, double share) {
 }
 
 /// How far the edges inside a side go straight on from one of them.
-VertexId end_of(const CellShapes& shapes, const InsideOfSide& inside, EdgeUse use) {
+VertexId end_of(const CellShapes& shapes, const std::set<VertexId>& outline,
+                const std::map<VertexId, std::vector<EdgeUse>>& edges, EdgeUse use) {
   const CellComplex& complex = shapes.complex();
-  for (std::size_t steps = 0; !inside.outline.contains(complex.to(use)) && steps < 100; ++steps) {
+  for (std::size_t steps = 0; !outline.contains(complex.to(use)) && steps < 100; ++steps) {
     const Eigen::Vector3d ahead = direction(shapes, use, 1);
-    const std::vector<EdgeUse>& next = inside.edges.at(complex.to(use));
+    const std::vector<EdgeUse>& next = edges.at(complex.to(use));
     const auto straight = [&](const EdgeUse& edge) { return direction(shapes, edge, 0).dot(ahead); };
     const auto best = std::max_element(next.begin(), next.end(), [&](const EdgeUse& a, const EdgeUse& b) {
       return straight(a) < straight(b);
@@ -64,11 +53,12 @@ std::vector<Chord> chords_of(const CellShapes& shapes, const CellSides& sides) {
   std::vector<Chord> result;
   for (std::size_t s = 0; s < sides.faces.size(); ++s) {
     if (sides.faces[s].size() < 2) continue;
-    const InsideOfSide inside = inside_of(shapes.complex(), sides.faces[s]);
-    for (const auto& [vertex, out] : inside.edges) {
+    const SideInside inside = side_inside(shapes.complex(), sides.faces[s]);
+    const auto edges = leaving(shapes.complex(), inside);
+    for (const auto& [vertex, out] : edges) {
       if (!inside.outline.contains(vertex)) continue;
       for (const EdgeUse& use : out) {
-        const VertexId end = end_of(shapes, inside, use);
+        const VertexId end = end_of(shapes, inside.outline, edges, use);
         const bool across = inside.outline.contains(end);
         if (!across || vertex < end) result.push_back({static_cast<int>(s), vertex, end, use.edge, across});
       }

@@ -14,7 +14,6 @@
 #include "segmentation/decomposition/combinatorics/base_solid.hpp"
 #include "segmentation/decomposition/combinatorics/cell_incidence.hpp"
 #include "segmentation/decomposition/hexahedra_to_come.hpp"
-#include "segmentation/decomposition/simple_cell.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -53,10 +52,8 @@ class ConformingSearch {
     keep_best(beam_);
     while (!beam_.empty() && watch_.seconds() < options_.time_limit) advance();
     ConformingAttempt result;
-    if (best_)
-      result.best.push_back(std::move(*best_));
-    else
-      result.refusal = refusal_;
+    result.best = std::move(best_);
+    if (!result.best) result.refusal = refusal_;
     return result;
   }
 
@@ -136,7 +133,7 @@ class ConformingSearch {
       if (!is_polyhedral(shapes, CellId(static_cast<int>(c)))) ++curved;
       std::vector<Chord> chords = chords_of(shapes, all.back());
       for (const Chord& chord : chords) chords_cost += cost_of_chord(complex, all.back(), chord);
-      const bool closed = chords.empty() && is_simple(all.back().graph);
+      const bool closed = chords.empty() && simple_solid(all.back().graph);
       if (closed || (state.open >= 0 && (!state.chords.empty() || chords.empty()))) continue;
       state.open = static_cast<int>(c);
       state.chords = std::move(chords);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,8 @@ struct ConformingCells {
 
 /// What came of it: the best, or why there is none.
 struct ConformingAttempt {
-  std::vector<ConformingCells> best;  ///< one or none
-  std::string refusal = {};           ///< in words
+  std::optional<ConformingCells> best;
+  std::string refusal = {};  ///< in words
 };
 
 /// Makes all cells meet side to side: a chord on a side is carried on by a cut through the cell, and so on

@@ -105,8 +105,9 @@ class Decomposer {
   /// One search; of its ways the one that takes the fewest hexahedra, if it takes fewer than those known.
   void look(const SearchOptions& search) {
     std::vector<Decomposition> ways;
-    for (const CutTree& tree : search_several(start_.cell, oracle_, search)) {
-      evaluations_ = std::max(evaluations_, tree.evaluations);
+    const std::vector<CutTree> trees = search_several(start_.cell, oracle_, search);
+    evaluations_ += trees.front().evaluations;
+    for (const CutTree& tree : trees) {
       if (!tree.complete()) {
         if (!unfinished_) unfinished_ = tree;
         continue;
@@ -155,11 +156,11 @@ class Decomposer {
     std::vector<CellComplex> starts;
     for (const Decomposition& way : ways) starts.push_back(way.parts);
     ConformingAttempt attempt = conforming(solid_, starts, conforming_options(width), progress_);
-    if (attempt.best.empty()) {
+    if (!attempt.best) {
       why_not_ = attempt.refusal;
       return;
     }
-    ConformingCells& cells = attempt.best.front();
+    ConformingCells& cells = *attempt.best;
     Decomposition way = ways[cells.start];
     way.report.further_cuts = cells.further_cuts;
     finish(std::move(way), std::move(cells.complex));

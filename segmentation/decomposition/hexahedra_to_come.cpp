@@ -2,67 +2,36 @@
 
 #include <cstddef>
 #include <optional>
-#include <set>
 
-#include "geometry/base/union_find.hpp"
 #include "segmentation/decomposition/combinatorics/base_solid.hpp"
-#include "segmentation/decomposition/simple_cell.hpp"
+#include "segmentation/decomposition/divided_edges.hpp"
 
 namespace isopatch::segmentation {
 namespace {
 
-using geometry::EdgeUse;
+/// As many as the vertices, and more where it must be cut at vertices before.
+double of_other(const CellGraph& graph) {
+  // Every edge has two ends; three of them at each vertex cost nothing more.
+  const double too_many = 2.0 * static_cast<double>(graph.edges.size()) - 3.0 * graph.vertex_count;
+  return graph.vertex_count + 6 * too_many;
+}
 
-/// Which edges of a complex are divided together, and which are.
-class DividedEdges {
- public:
-  DividedEdges(const geometry::CellComplex& complex, const std::vector<CellSides>& cells)
-      : together_(static_cast<int>(complex.edges.size())) {
-    for (const CellSides& cell : cells)
-      for (const auto& chain : cell.edges)
-        for (const EdgeUse& use : chain) together_.unite(chain.front().edge.value, use.edge.value);
-    for (const CellSides& cell : cells)
-      for (const CellGraph::Corners& corners : cell.graph.faces)
-        if (corners.size() == 4)
-          for (const std::size_t k : {0U, 1U})
-            together_.unite(edge(cell, corners[k], corners[k + 1]),
-                            edge(cell, corners[k + 2], corners[(k + 3) % 4]));
-    for (const CellSides& cell : cells)
-      for (const CellGraph::Corners& corners : cell.graph.faces)
-        if (corners.size() != 4)
-          for (std::size_t k = 0; k < corners.size(); ++k)
-            divided_.insert(together_.find(edge(cell, corners[k], corners[(k + 1) % corners.size()])));
-  }
-
-  bool contains(const CellSides& cell, VertexId a, VertexId b) {
-    return divided_.contains(together_.find(edge(cell, a, b)));
-  }
-
- private:
-  static int edge(const CellSides& cell, VertexId a, VertexId b) {
-    return cell.edges[static_cast<std::size_t>(edge_between(cell.graph, a, b)->value)].front().edge.value;
-  }
-
-  UnionFind together_;
-  std::set<int> divided_;
-};
-
-double of_one(const CellSides& cell, DividedEdges& divided) {
+double of_one(const CellSides& cell, const DividedEdges& divided) {
   const std::optional<BaseSolid> base = base_solid(cell.graph);
   if (!base || (base->kind != BaseKind::hexahedron && base->kind != BaseKind::prism))
-    return hexahedra_of(cell.graph);
-  const std::vector<VertexId>& at = base->corners;
-  const auto sides = static_cast<std::size_t>(base->sides);
-  const double levels = divided.contains(cell, at[0], at[sides]) ? 2 : 1;
-  if (base->kind == BaseKind::prism) return levels * base->sides;
-  return levels * (divided.contains(cell, at[0], at[1]) ? 2 : 1) *
-         (divided.contains(cell, at[1], at[2]) ? 2 : 1);
+    return of_other(cell.graph);
+  const auto parts = [&](std::size_t a, std::size_t b) {
+    const EdgeId row = *edge_between(cell.graph, base->corners[a], base->corners[b]);
+    return divided.contains(cell.edges[static_cast<std::size_t>(row.value)].front().edge) ? 2.0 : 1.0;
+  };
+  const double levels = parts(0, static_cast<std::size_t>(base->sides));
+  return base->kind == BaseKind::prism ? levels * base->sides : levels * parts(0, 1) * parts(1, 2);
 }
 
 }  // namespace
 
 double hexahedra_to_come(const geometry::CellComplex& complex, const std::vector<CellSides>& cells) {
-  DividedEdges divided(complex, cells);
+  const DividedEdges divided(complex, cells);
   double sum = 0;
   for (const CellSides& cell : cells) sum += of_one(cell, divided);
   return sum;

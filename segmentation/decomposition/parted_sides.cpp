@@ -1,6 +1,6 @@
 #include "segmentation/decomposition/parted_sides.hpp"
 
-#include <map>
+#include "segmentation/decomposition/cutting/side_inside.hpp"
 
 namespace isopatch::segmentation {
 
@@ -11,13 +11,7 @@ std::vector<PartedSide> parted_sides(const CellShapes& shapes, const SideOptions
     const geometry::CellId cell(static_cast<int>(c));
     for (const auto& side : cell_sides(shapes, cell, options).faces) {
       if (side.size() < 2) continue;
-      std::map<EdgeId, int> uses;
-      for (const geometry::CellFaceUse& face : side)
-        for (const geometry::EdgeUse& use : complex.face(face.face).loop) ++uses[use.edge];
-      PartedSide parted{cell, {}};
-      for (const auto& [edge, count] : uses)
-        if (count > 1) parted.inside.push_back(edge);
-      result.push_back(std::move(parted));
+      result.push_back({cell, side_inside(complex, side).edges});
     }
   }
   return result;

@@ -7,6 +7,7 @@
 #include "geometry/base/error.hpp"
 #include "segmentation/decomposition/combinatorics/cell_incidence.hpp"
 #include "segmentation/decomposition/cutting/inside.hpp"
+#include "segmentation/decomposition/cutting/side_inside.hpp"
 #include "segmentation/decomposition/cutting/vertex_on_chain.hpp"
 
 namespace isopatch::segmentation {
@@ -72,20 +73,13 @@ double cost_of_parts(const CellComplex& complex, const CellSides& sides) {
   double cost = 0;
   for (const auto& side : sides.faces) {
     if (side.size() < 2) continue;
-    std::map<EdgeId, int> uses;
-    for (const auto& face : side)
-      for (const geometry::EdgeUse& use : complex.face(face.face).loop) ++uses[use.edge];
-    std::map<VertexId, bool> on_outline;
-    for (const auto& [edge, count] : uses)
-      for (const VertexId end : {complex.edge(edge).start, complex.edge(edge).end})
-        on_outline[end] |= count == 1;
-    for (const auto& [edge, count] : uses) {
-      if (count == 1) continue;
+    const SideInside inside = side_inside(complex, side);
+    for (const EdgeId edge : inside.edges) {
       cost += 1;
       for (const VertexId end : {complex.edge(edge).start, complex.edge(edge).end}) {
         const bool corner =
             std::find(sides.vertices.begin(), sides.vertices.end(), end) != sides.vertices.end();
-        if (corner || !on_outline[end]) cost += 3;
+        if (corner || !inside.outline.contains(end)) cost += 3;
       }
     }
   }

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Core>
 #include <string>
 #include <utility>
 
@@ -20,27 +19,17 @@ namespace {
 /// Edges must be much longer than what counts as one point while cutting, 1e-7 of the size.
 constexpr double shortest_share = 1e-6;
 
-double length_of(const geometry::Brep& solid, EdgeId edge) {
-  constexpr int pieces = 8;
-  double sum = 0;
-  for (int i = 0; i < pieces; ++i)
-    sum += (solid.point(edge, double(i + 1) / pieces) - solid.point(edge, double(i) / pieces)).norm();
-  return sum;
-}
-
 void require_lengths(const geometry::Brep& solid) {
   for (std::size_t e = 0; e < solid.edges().size(); ++e) {
     const EdgeId edge(static_cast<int>(e));
-    const double length = length_of(solid, edge);
+    const double length = solid.edge(edge).length;
     if (length > shortest_share * solid.size()) continue;
-    Eigen::Matrix3Xd ends(3, 2);
-    ends << solid.point(edge, 0), solid.point(edge, 1);
     throw geometry::SolidError(
         ErrorCode::unsupported,
         fmt::format("{} is only {:.3g} m long, {:.1g} of the solid's size; edges must be longer than {:g} of "
                     "it: remove it in the CAD program",
                     describe(solid, edge), length, length / solid.size(), shortest_share),
-        {.edges = {{fmt::format("edge {}", e), ends}}});
+        {.edges = {drawn(solid, edge)}});
   }
 }
 

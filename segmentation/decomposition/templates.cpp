@@ -15,7 +15,7 @@
 #include "segmentation/decomposition/cutting/cell_sides.hpp"
 #include "segmentation/decomposition/cutting/cutting_surface.hpp"
 #include "segmentation/decomposition/cutting/divide.hpp"
-#include "segmentation/decomposition/simple_cell.hpp"
+#include "segmentation/decomposition/divided_edges.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -38,27 +38,6 @@ struct OldCell {
   std::set<VertexId> corners;
 };
 
-/// Edges that have to be divided: those of sides without four corners, and those that a side with four
-/// corners has across from one that is divided.
-std::set<EdgeId> edges_to_divide(const CellComplex& complex, const std::vector<CellSides>& cells) {
-  UnionFind together(static_cast<int>(complex.edges.size()));
-  std::set<EdgeId> divided;
-  for (const CellSides& cell : cells) {
-    for (const auto& face : cell.faces) {
-      const std::vector<EdgeUse>& loop = complex.face(face.front().face).loop;
-      if (loop.size() == 4)
-        for (const std::size_t k : {0U, 1U}) together.unite(loop[k].edge.value, loop[k + 2].edge.value);
-      else
-        for (const EdgeUse& use : loop) divided.insert(use.edge);
-    }
-  }
-  std::set<int> roots;
-  for (const EdgeId edge : divided) roots.insert(together.find(edge.value));
-  for (int e = 0; e < static_cast<int>(complex.edges.size()); ++e)
-    if (roots.contains(together.find(e))) divided.insert(EdgeId(e));
-  return divided;
-}
-
 class Templates {
  public:
   Templates(const Brep& source, CellComplex complex, double tolerance)
@@ -66,12 +45,12 @@ class Templates {
 
   CellComplex make() {
     const std::vector<CellSides> cells = base_cells();
-    divided_ = edges_to_divide(complex_, cells);
+    const DividedEdges divided(complex_, cells);
     remember();
     std::set<EdgeId> used;
     for (const auto& [id, face] : faces_) used.insert(face.edges.begin(), face.edges.end());
-    for (const EdgeId edge : divided_)
-      if (used.contains(edge))
+    for (const EdgeId edge : used)
+      if (divided.contains(edge))
         middle_[edge] = divide_edge(complex_, edge, middle_parameter(edge), middle_point(edge));
     for (const auto& [id, face] : faces_) divide_face(id, face);
     std::vector<Cell> result;
@@ -88,7 +67,7 @@ class Templates {
     for (std::size_t c = 0; c < complex_.cells.size(); ++c) {
       result.push_back(cell_sides(shapes(), CellId(static_cast<int>(c))));
       const CellSides& sides = result.back();
-      if (!is_simple(sides.graph))
+      if (!simple_solid(sides.graph))
         throw Error(ErrorCode::unsupported,
                     fmt::format("more than three edges meet at a vertex of cell {}", c));
       const bool whole = std::all_of(sides.faces.begin(), sides.faces.end(),
@@ -385,7 +364,6 @@ class Templates {
   const Brep& source_;
   CellComplex complex_;
   double tolerance_;
-  std::set<EdgeId> divided_;
   std::map<FaceId, OldFace> faces_;
   std::vector<OldCell> cells_;
   std::vector<std::pair<VertexId, VertexId>> ends_;     // of the old edges

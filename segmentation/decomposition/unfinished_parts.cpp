@@ -69,10 +69,8 @@ CuttingError unfinished_search(const std::string& message, const CutTree& tree, 
 
 CuttingError unfinished_meeting(const Error& error, const geometry::Brep& solid,
                                 const geometry::CellComplex& cells, const std::vector<PartedSide>& t_joints) {
-  std::vector<geometry::CellId> all;
-  for (std::size_t c = 0; c < cells.cells.size(); ++c) all.emplace_back(static_cast<int>(c));
   std::vector<UnfinishedPart> parts;
-  for (geometry::Brep& cell : cell_solids(solid, cells, all)) parts.push_back({std::move(cell), true});
+  for (geometry::Brep& cell : cell_solids(solid, cells)) parts.push_back({std::move(cell), true});
   const CellShapes shapes(solid, cells);
   for (const PartedSide& side : t_joints)
     for (const EdgeId edge : side.inside)

@@ -2,15 +2,12 @@
 
 #include <vector>
 
+#include "geometry/hex/listed_pair.hpp"
 #include "segmentation/parameterization/hex_model.hpp"
 
 namespace isopatch::segmentation {
 
-/// Two faces that are one, by the numbers that they have in their solids.
-struct ListedPair {
-  int first_block = 0, first_face = 0;
-  int second_block = 0, second_face = 0;
-};
+using geometry::ListedPair;
 
 struct AssemblyOptions {
   /// Points of two blocks closer than this share of the size are one. Range (0, 0.05).

@@ -13,6 +13,7 @@
 
 #include "geometry/base/error.hpp"
 #include "geometry/brep/brep_graph.hpp"
+#include "geometry/brep/require_solid.hpp"
 #include "geometry/brep/solid_error.hpp"
 #include "geometry/topology/graph_connectivity.hpp"
 #include "segmentation/parameterization/internal/outline.hpp"
@@ -41,10 +42,7 @@ std::string ends_of(const geometry::Brep& brep, EdgeId edge) {
 SolidFault edge_fault(const BrepFile& solid, EdgeId edge) {
   SolidFault fault;
   for (const FaceId face : solid.brep.edge(edge).faces) fault.faces.push_back({face.value, solid.name});
-  constexpr int pieces = 24;
-  Eigen::Matrix3Xd points(3, pieces + 1);
-  for (int i = 0; i <= pieces; ++i) points.col(i) = solid.brep.point(edge, double(i) / pieces);
-  fault.edges.push_back({"edge between " + ends_of(solid.brep, edge), points});
+  fault.edges.push_back({"edge between " + ends_of(solid.brep, edge), drawn(solid.brep, edge).points});
   return fault;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/base/error.hpp"
+#include "geometry/brep/require_solid.hpp"
 #include "geometry/brep/solid_error.hpp"
 
 namespace isopatch::segmentation {
@@ -36,12 +37,7 @@ geometry::SolidFault fault_at(const geometry::BrepFile& solid, FaceId face, cons
                               const std::vector<geometry::EdgeUse>& edges) {
   const Brep& brep = solid.brep;
   geometry::SolidFault fault{.faces = {{face.value, solid.name, remark}}};
-  for (const geometry::EdgeUse& use : edges) {
-    constexpr int pieces = 24;
-    Eigen::Matrix3Xd points(3, pieces + 1);
-    for (int i = 0; i <= pieces; ++i) points.col(i) = brep.point(use.edge, double(i) / pieces);
-    fault.edges.push_back({fmt::format("edge {}", use.edge.value), points});
-  }
+  for (const geometry::EdgeUse& use : edges) fault.edges.push_back(drawn(brep, use.edge));
   return fault;
 }
 

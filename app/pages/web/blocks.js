@@ -34,7 +34,7 @@ globalThis.isopatch = globalThis.isopatch || {};
   function bodyRow(body) {
     if (body.error) return [body.name, isopatch.withUnit(body.volume, "m^3"), element("strong", {}, "given up"), "", "", "", "", "", ""];
     const difference = Math.abs(body.block_volume - body.volume) / body.volume;
-    return [body.name, isopatch.withUnit(body.volume, "m^3"), String(body.cuts), body.cuts ? String(body.parts) : "as it is",
+    return [body.name, isopatch.withUnit(body.volume, "m^3"), String(body.cuts), body.cuts || body.by_tetrahedra ? String(body.parts) : "as it is",
             String(body.t_joints), closing(body), isopatch.withSeparators(body.hexahedra),
             difference < 1e-12 ? "below 1e-12" : isopatch.general(difference, 2), isopatch.secondsText(body.seconds)];
   }

@@ -76,10 +76,10 @@ TEST(Chords, AreWhereASideMeetsOthersInParts) {
 TEST(Conforming, CarriesBothChordsThroughTheBar) {
   const geometry::Brep solid = t_shape();
   const ConformingAttempt attempt = conforming(solid, {bar_and_stem(solid)});
-  ASSERT_EQ(attempt.best.size(), 1U) << attempt.refusal;
-  EXPECT_EQ(attempt.best[0].further_cuts, 2);
-  EXPECT_EQ(attempt.best[0].hexahedra, 4);  // the bar in three, and the stem
-  for (const CellSides& sides : all_sides(solid, attempt.best[0].complex))
+  ASSERT_TRUE(attempt.best) << attempt.refusal;
+  EXPECT_EQ(attempt.best->further_cuts, 2);
+  EXPECT_EQ(attempt.best->hexahedra, 4);  // the bar in three, and the stem
+  for (const CellSides& sides : all_sides(solid, attempt.best->complex))
     for (const auto& side : sides.faces) EXPECT_EQ(side.size(), 1U);
 }
 
@@ -100,18 +100,18 @@ TEST(Conforming, TakesTheBetterOfTwoStarts) {
                {loop_through(sides.graph, incidence, {at(0, 0, 0), at(2, 1, 0), at(2, 1, 1), at(0, 0, 1)})});
   ASSERT_TRUE(halves.cut) << halves.refusal;
   const ConformingAttempt attempt = conforming(wedge, {halves.cut->complex, box});
-  ASSERT_EQ(attempt.best.size(), 1U);
-  EXPECT_EQ(attempt.best[0].start, 1U);
-  EXPECT_EQ(attempt.best[0].hexahedra, 1);
+  ASSERT_TRUE(attempt.best);
+  EXPECT_EQ(attempt.best->start, 1U);
+  EXPECT_EQ(attempt.best->hexahedra, 1);
   const ConformingAttempt prisms = conforming(wedge, {halves.cut->complex});
-  ASSERT_EQ(prisms.best.size(), 1U);
-  EXPECT_EQ(prisms.best[0].hexahedra, 6);
+  ASSERT_TRUE(prisms.best);
+  EXPECT_EQ(prisms.best->hexahedra, 6);
 }
 
 TEST(Conforming, SaysWhyThereIsNone) {
   const geometry::Brep solid = t_shape();
   const ConformingAttempt attempt = conforming(solid, {bar_and_stem(solid)}, {.max_hexahedra = 3});
-  EXPECT_TRUE(attempt.best.empty());
+  EXPECT_FALSE(attempt.best);
   EXPECT_EQ(attempt.refusal, "more than 3 hexahedra would come of it");
 }
 
@@ -128,8 +128,8 @@ TEST(HexahedraToCome, IsWhatTemplatesMake) {
   // A prism divides the edges of a hexahedron beside it, but not those along itself.
   const geometry::Brep solid = t_shape();
   const ConformingAttempt attempt = conforming(solid, {bar_and_stem(solid)});
-  ASSERT_EQ(attempt.best.size(), 1U);
-  EXPECT_EQ(attempt.best[0].hexahedra, double(hexahedral(solid, attempt.best[0].complex, 1e-9).cells.size()));
+  ASSERT_TRUE(attempt.best);
+  EXPECT_EQ(attempt.best->hexahedra, double(hexahedral(solid, attempt.best->complex, 1e-9).cells.size()));
 }
 
 }  // namespace
