@@ -64,6 +64,9 @@ CutSolids each_cut(const BlocksInput& input, const Progress& progress, Cut cut) 
 }
 
 std::string report_text(const segmentation::DecompositionReport& report) {
+  if (!report.seen_as.empty())
+    return fmt::format("{}; {} ({:.1f} s)", report.seen_as,
+                       number_of(report.hexahedra, "hexahedron", "hexahedra"), report.seconds);
   std::string text =
       fmt::format("{} into {}, {} where sides meet in parts", number_of(report.cuts, "cut", "cuts"),
                   number_of(report.cells, "part", "parts"), number_of(report.t_joints, "place", "places"));

@@ -68,6 +68,9 @@ class BrepModule {
   /// As `cell_solids`.
   virtual std::vector<KernelSolid> cells(const BrepKernel& source, const CellComplex& complex,
                                          const std::vector<CellId>& cells) const = 0;
+  /// As `overlay`.
+  virtual KernelSolid overlay(const BrepKernel& source, const std::vector<FaceId>& faces,
+                              const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const = 0;
 };
 
 /// The module, loaded at the first call and for good.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/stopwatch.hpp"
 #include "geometry/brep/solid_error.hpp"
 #include "segmentation/decomposition/conforming.hpp"
 #include "segmentation/decomposition/cut_tree.hpp"
@@ -18,6 +19,7 @@
 #include "segmentation/decomposition/starting_cell.hpp"
 #include "segmentation/decomposition/templates.hpp"
 #include "segmentation/decomposition/unfinished_parts.hpp"
+#include "segmentation/sweeps/swept_cells.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -67,15 +69,18 @@ constexpr Width narrow = {3, 3, false}, wide = {12, 6, true};
 /// hexahedra come once its parts meet side to side.
 class Decomposer {
  public:
+  /// @param known  another way, which a better one has to beat
   Decomposer(const Brep& solid, const std::string& name, const DecompositionOptions& options,
-             const Progress& progress)
+             const Progress& progress, std::optional<Decomposition> known)
       : solid_(solid),
         name_(name),
         options_(options),
         progress_(progress),
         store_(solid, options.cut, options.time_limit),
         start_(starting_cell(store_)),
-        oracle_(geometric_oracle(store_)) {
+        oracle_(geometric_oracle(store_)),
+        best_(std::move(known)) {
+    if (best_) leave(options_.time_limit / 8);
     oracle_.goes_on = [this](const SearchRound& round) { return tell(round); };
   }
 
@@ -251,6 +256,43 @@ class Decomposer {
   std::string why_not_;  // the last way did not end
 };
 
+/// Of a solid whose hexahedra follow from what it is, whatever its graph.
+std::optional<Decomposition> seen_through(const Brep& solid, std::string& why_not) {
+  try {
+    std::optional<SweptCells> swept = swept_cells(solid);
+    if (!swept) return std::nullopt;
+    Decomposition result{swept->complex, swept->complex, {}, {}};
+    result.report.cells = result.report.hexahedra = static_cast<int>(result.complex.cells.size());
+    const Eigen::Vector3d along = swept->along;
+    result.report.seen_as =
+        fmt::format("swept along ({:.3g}, {:.3g}, {:.3g}): a profile of {} quadrilateral{} between {} levels",
+                    along.x() + 0.0, along.y() + 0.0, along.z() + 0.0, swept->quadrilaterals,
+                    swept->quadrilaterals == 1 ? "" : "s", swept->levels);
+    return result;
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::internal) throw;
+    why_not = error.what();
+    return std::nullopt;
+  }
+}
+
+/// What is known of it without a search, or by one.
+Decomposition decomposed(const Brep& solid, const std::string& name, const DecompositionOptions& options,
+                         const Progress& progress) {
+  const Stopwatch watch;
+  std::string why_not;
+  std::optional<Decomposition> seen = seen_through(solid, why_not);
+  if (seen) seen->report.seconds = watch.seconds();
+  std::optional<Decomposer> decomposer;
+  try {
+    decomposer.emplace(solid, name, options, progress, seen);
+  } catch (const Error&) {
+    if (seen) return std::move(*seen);
+    throw;
+  }
+  return decomposer->make();
+}
+
 }  // namespace
 
 Decomposition decompose(const geometry::Brep& solid, const std::string& name,
@@ -259,7 +301,7 @@ Decomposition decompose(const geometry::Brep& solid, const std::string& name,
   progress(fmt::format("cutting '{}'", name), 0);
   const auto named = [&](const Error& error) { return fmt::format("solid '{}': {}", name, error.what()); };
   try {
-    return Decomposer(solid, name, options, progress).make();
+    return decomposed(solid, name, options, progress);
   } catch (const CuttingError& error) {
     throw CuttingError(error.code(), named(error), of_solid(error.fault(), name), error.parts());
   } catch (const geometry::SolidError& error) {

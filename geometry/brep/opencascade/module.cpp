@@ -89,6 +89,13 @@ class OpenCascade final : public BrepModule {
                    [&] { return solids_of_cells(dynamic_cast<const ShapeKernel&>(source), complex, cells); });
   }
 
+  KernelSolid overlay(const BrepKernel& source, const std::vector<FaceId>& faces,
+                      const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const override {
+    return guarded("laying faces over each other", [&] {
+      return overlay_of(dynamic_cast<const ShapeKernel&>(source), faces, origin, direction);
+    });
+  }
+
  private:
   static FileShapes shapes_of(const KernelSource& source) {
     switch (source.format) {

@@ -22,5 +22,8 @@ std::vector<TrimmedSurface> surfaces_of(const ShapeKernel& kernel);
 KernelSolid polyhedral_solid(const Polyhedron& polyhedron, const SewOptions& options);
 std::vector<KernelSolid> solids_of_cells(const ShapeKernel& source, const CellComplex& complex,
                                          const std::vector<CellId>& cells);
+/// As `overlay`.
+KernelSolid overlay_of(const ShapeKernel& source, const std::vector<FaceId>& faces,
+                       const Eigen::Vector3d& origin, const Eigen::Vector3d& direction);
 
 }  // namespace isopatch::geometry

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "geometry/brep/cell_complex.hpp"
+#include "segmentation/sweeps/internal/layers.hpp"
+
+namespace isopatch::segmentation {
+
+/// The hexahedra of columns, with all that they share stored once. Faces on the solid's refer to them and look outwards.
+/// @throws Error unsupported  a curve that cannot be cut so, a wall that no face of the solid has
+geometry::CellComplex column_complex(const geometry::Brep& solid, const SweepFrame& frame,
+                                     const SweptDrawing& drawing, const Quadrangulation& quads,
+                                     const Layers& layers);
+
+}  // namespace isopatch::segmentation

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "segmentation/profiles/quadrangulation.hpp"
+#include "segmentation/sweeps/internal/swept_drawing.hpp"
+
+namespace isopatch::segmentation {
+
+/// A hexahedron of a column over a quadrilateral.
+struct Layer {
+  int low, high;  ///< numbers of levels
+  std::optional<FaceId> bottom, top;  ///< of the solid, where it ends there
+};
+
+/// Columns of hexahedra over quadrilaterals.
+struct Layers {
+  std::vector<double> levels;               ///< heights, ascending, m
+  std::vector<std::vector<Layer>> columns;  ///< by quadrilateral, from low to high
+};
+
+/// Divides what stands over each quadrilateral so that columns side by side meet in whole sides: at the heights
+/// where a neighbour ends or is divided, no others.
+Layers layers(const Quadrangulation& drawing, const std::vector<std::vector<Slab>>& slabs);
+
+}  // namespace isopatch::segmentation

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "segmentation/profiles/profile.hpp"
+#include "segmentation/sweeps/internal/sweep_frame.hpp"
+
+namespace isopatch::segmentation {
+
+/// Material between two floors.
+struct Slab {
+  double low, high;    ///< heights along the sweep, m
+  FaceId bottom, top;  ///< of the solid
+};
+
+/// A stack of prisms as seen along its direction: the outlines of all its floors over each other.
+struct SweptDrawing {
+  geometry::Brep sheet;  ///< edges and faces by the numbers of the profile's edges and regions
+  Profile profile;       ///< in the frame's x and y, m
+  std::vector<std::vector<Slab>> slabs;  ///< by region, from low to high
+};
+
+/// @throws Error unsupported  floors that do not bound material by turns: the solid is no such stack
+SweptDrawing swept_drawing(const geometry::Brep& solid, const SweepFrame& frame);
+
+}  // namespace isopatch::segmentation

@@ -1,0 +1,39 @@
+#include "segmentation/sweeps/swept_cells.hpp"
+
+#include <utility>
+
+#include "geometry/base/error.hpp"
+#include "segmentation/profiles/quadrangulate.hpp"
+#include "segmentation/sweeps/internal/column_complex.hpp"
+
+namespace isopatch::segmentation {
+namespace {
+
+SweptCells swept_along(const geometry::Brep& solid, const SweepFrame& frame,
+                       const QuadrangulationOptions& options) {
+  const SweptDrawing drawing = swept_drawing(solid, frame);
+  const Quadrangulation quads = quadrangulate(drawing.profile, options);
+  const Layers columns = layers(quads, drawing.slabs);
+  return {column_complex(solid, frame, drawing, quads, columns), frame.along,
+          static_cast<int>(quads.quads.size()), static_cast<int>(columns.levels.size())};
+}
+
+}  // namespace
+
+std::optional<SweptCells> swept_cells(const geometry::Brep& solid, const QuadrangulationOptions& options) {
+  std::optional<SweptCells> best;
+  std::optional<Error> refusal;
+  for (const SweepFrame& frame : sweep_frames(solid)) {
+    try {
+      SweptCells made = swept_along(solid, frame, options);
+      if (!best || made.complex.cells.size() < best->complex.cells.size()) best = std::move(made);
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::internal) throw;
+      refusal = error;
+    }
+  }
+  if (!best && refusal) throw *refusal;
+  return best;
+}
+
+}  // namespace isopatch::segmentation
