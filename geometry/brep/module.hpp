@@ -9,6 +9,7 @@
 
 #include "geometry/brep/cell_complex.hpp"
 #include "geometry/brep/kernel.hpp"
+#include "geometry/brep/redrawn.hpp"
 #include "geometry/brep/sew_options.hpp"
 #include "geometry/polyhedron.hpp"
 #include "geometry/trimmed_surface.hpp"
@@ -48,6 +49,12 @@ struct KernelSource {
       1e-3;  ///< that a unit of the shapes measures: a millimetre of STEP and IGES, a unit of a .brep file
 };
 
+/// As `Overlay`.
+struct KernelOverlay {
+  std::shared_ptr<const BrepKernel> sheet;
+  std::vector<std::vector<int>> covered_by;
+};
+
 /// What the module of the CAD library offers besides the solids themselves. Lengths in m.
 class BrepModule {
  public:
@@ -69,8 +76,9 @@ class BrepModule {
   virtual std::vector<KernelSolid> cells(const BrepKernel& source, const CellComplex& complex,
                                          const std::vector<CellId>& cells) const = 0;
   /// As `overlay`.
-  virtual KernelSolid overlay(const BrepKernel& source, const std::vector<FaceId>& faces,
-                              const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const = 0;
+  virtual KernelOverlay overlay(const BrepKernel& source, const std::vector<FaceId>& faces,
+                                const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
+                                const Redrawn& redrawn) const = 0;
 };
 
 /// The module, loaded at the first call and for good.

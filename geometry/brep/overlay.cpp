@@ -1,13 +1,17 @@
 #include "geometry/brep/overlay.hpp"
 
+#include <utility>
+
 #include "geometry/brep/module.hpp"
 
 namespace isopatch::geometry {
 
-Brep overlay(const Brep& solid, const std::vector<FaceId>& faces, const Eigen::Vector3d& origin,
-             const Eigen::Vector3d& direction) {
+Overlay overlay(const Brep& solid, const std::vector<FaceId>& faces, const Eigen::Vector3d& origin,
+                const Eigen::Vector3d& direction,
+                const Redrawn& redrawn) {
   for (const FaceId face : faces) (void)solid.face(face);  // checks the id
-  return Brep(brep_module().overlay(solid.kernel(), faces, origin, direction).kernel);
+  KernelOverlay made = brep_module().overlay(solid.kernel(), faces, origin, direction, redrawn);
+  return {Brep(std::move(made.sheet)), std::move(made.covered_by)};
 }
 
 }  // namespace isopatch::geometry

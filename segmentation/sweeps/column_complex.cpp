@@ -1,7 +1,9 @@
 #include "segmentation/sweeps/internal/column_complex.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -12,7 +14,6 @@
 #include "geometry/splines/arc.hpp"
 #include "geometry/splines/refine.hpp"
 #include "geometry/splines/sweep.hpp"
-#include "segmentation/sweeps/internal/piece_of_curve.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -30,10 +31,6 @@ using Upright = std::tuple<int, int, int>;  // number, low, high
 /// Something in a level.
 using Flat = std::pair<int, int>;  // number, level
 
-NurbsCurve moved(const NurbsCurve& curve, const Eigen::Vector3d& by) {
-  return NurbsCurve(curve.knots(), curve.control_points().colwise() + by, curve.weights());
-}
-
 NurbsCurve line_in_domain(double u0, double v0, double u1, double v1) {
   return geometry::segment({u0, v0, 0}, {u1, v1, 0});
 }
@@ -41,10 +38,9 @@ NurbsCurve line_in_domain(double u0, double v0, double u1, double v1) {
 /// Makes every vertex, edge and face once, by its number in the drawing and its levels.
 class ColumnComplex {
  public:
-  ColumnComplex(const Brep& solid, const SweepFrame& frame, const SweptDrawing& drawing,
-                const Quadrangulation& quads, const Layers& layers)
-      : solid_(solid), frame_(frame), quads_(quads), layers_(layers), places_(quads.vertices) {
-    draw_curves(drawing.sheet);
+  ColumnComplex(const Brep& solid, const SweepFrame& frame, const Quadrangulation& quads,
+                const MovingDrawing& moving, const Layers& layers)
+      : solid_(solid), frame_(frame), quads_(quads), moving_(moving), layers_(layers) {
     for (std::size_t q = 0; q < quads.quads.size(); ++q)
       for (const Layer& layer : layers.columns[q])
         for (const EdgeUse& side : quads.quads[q].sides) ++cells_at_[{side.edge.value, layer.low, layer.high}];
@@ -57,31 +53,13 @@ class ColumnComplex {
   }
 
  private:
-  /// At height 0. Vertices on curves are where these end.
-  void draw_curves(const Brep& sheet) {
-    curves_.resize(quads_.edges.size());
-    for (std::size_t e = 0; e < quads_.edges.size(); ++e) {
-      const QuadEdge& edge = quads_.edges[e];
-      if (edge.profile_edge < 0) continue;
-      curves_[e] = piece_of_curve(sheet, EdgeId(edge.profile_edge), edge.low, edge.high);
-      place(edge.start) = frame_.flat(curves_[e].point(curves_[e].low()));
-      place(edge.end) = frame_.flat(curves_[e].point(curves_[e].high()));
-    }
-    for (std::size_t e = 0; e < quads_.edges.size(); ++e)
-      if (const QuadEdge& edge = quads_.edges[e]; edge.profile_edge < 0)
-        curves_[e] =
-            geometry::segment(frame_.point(place(edge.start), 0), frame_.point(place(edge.end), 0));
-  }
-
-  Eigen::Vector2d& place(int vertex) { return places_[static_cast<std::size_t>(vertex)]; }
   const QuadEdge& drawn(int edge) const { return quads_.edges[static_cast<std::size_t>(edge)]; }
-  const NurbsCurve& curve(int edge) const { return curves_[static_cast<std::size_t>(edge)]; }
   double height(int level) const { return layers_.levels[static_cast<std::size_t>(level)]; }
 
   VertexId vertex(int number, int level) {
     const auto [found, fresh] =
         vertices_.try_emplace({number, level}, static_cast<int>(complex_.vertices.size()));
-    if (fresh) complex_.vertices.push_back(frame_.point(place(number), height(level)));
+    if (fresh) complex_.vertices.push_back(moving_.place(number, height(level)));
     return found->second;
   }
 
@@ -95,7 +73,7 @@ class ColumnComplex {
     const auto known = level_edges_.find({number, level});
     if (known != level_edges_.end()) return known->second;
     const VertexId from = vertex(drawn(number).start, level), to = vertex(drawn(number).end, level);
-    const EdgeId made = add_edge(moved(curve(number), height(level) * frame_.along), from, to);
+    const EdgeId made = add_edge(moving_.curve(number, height(level)), from, to);
     return level_edges_[{number, level}] = made;
   }
 
@@ -149,16 +127,13 @@ class ColumnComplex {
     const EdgeId bottom = level_edge(number, low), top = level_edge(number, high);
     const EdgeId at_start = upright_edge(drawn(number).start, low, high);
     const EdgeId at_end = upright_edge(drawn(number).end, low, high);
-    const NurbsCurve along =
-        moved(turned ? reversed(curve(number), 0) : curve(number), height(low) * frame_.along);
-    const Eigen::Vector3d up = (height(high) - height(low)) * frame_.along;
+    NurbsCurve below = moving_.curve(number, height(low)), above = moving_.curve(number, height(high));
+    if (turned) below = reversed(below, 0), above = reversed(above, 0);
     geometry::CellFace face;
-    if (along.degree(0) == 1 && along.size() == 2) {
-      const Eigen::Vector3d from = along.point(along.low());
-      face.surface = add_surface(
-          PlaneSurface{from, (along.point(along.high()) - from).normalized(), frame_.along});
+    if (const std::optional<PlaneSurface> plane = plane_through(below, above)) {
+      face.surface = add_surface(*plane);
     } else {
-      face.surface = add_surface(extruded(along, up));
+      face.surface = add_surface(geometry::ruled(below, above));
       const double start = turned ? 1 : 0, end = 1 - start;
       trace(bottom, face.surface, line_in_domain(start, 0, end, 0));
       trace(top, face.surface, line_in_domain(start, 1, end, 1));
@@ -167,7 +142,7 @@ class ColumnComplex {
     }
     face.loop = {{bottom, false}, {at_end, false}, {top, true}, {at_start, true}};
     if (turned) turn(face.loop);
-    if (outer) face.origin = wall_of_solid(along.point(Eigen::Matrix<double, 1, 1>(0.5)) + up / 2);
+    if (outer) face.origin = wall_of_solid(below, above);
     return walls_[{number, low, high}] = add_face(std::move(face));
   }
 
@@ -176,13 +151,37 @@ class ColumnComplex {
         {surface, std::move(domain)});
   }
 
-  FaceId wall_of_solid(const Eigen::Vector3d& point) const {
+  /// Of straight edges with their ends in one plane; its x runs along the lower one.
+  std::optional<PlaneSurface> plane_through(const NurbsCurve& below, const NurbsCurve& above) const {
+    for (const NurbsCurve& curve : {below, above})
+      if (curve.degree(0) != 1 || curve.size() != 2) return std::nullopt;
+    const Eigen::Vector3d a = below.control_points().col(0), b = below.control_points().col(1);
+    const Eigen::Vector3d x = (b - a).normalized();
+    const Eigen::Vector3d up = above.control_points().col(0) - a;
+    const Eigen::Vector3d y = (up - up.dot(x) * x).normalized();
+    if (std::abs((above.control_points().col(1) - a).dot(x.cross(y))) > 1e-9 * solid_.size()) return std::nullopt;
+    return PlaneSurface{a, x, y};
+  }
+
+  /// The face of the solid on which all of a wall lies.
+  FaceId wall_of_solid(const NurbsCurve& below, const NurbsCurve& above) const {
+    const auto point = [&](double u, double v) -> Eigen::Vector3d {
+      const Eigen::Matrix<double, 1, 1> t(u);
+      return (1 - v) * below.point(t) + v * above.point(t);
+    };
+    const Eigen::Vector3d middle = point(0.5, 0.5);
     for (const FaceId face : frame_.walls) {
-      const geometry::FaceProjection nearest = solid_.project(face, point);
-      if (nearest.distance < 1e-6 * solid_.size() && solid_.contains(face, nearest.uv)) return face;
+      const geometry::FaceProjection nearest = solid_.project(face, middle);
+      if (nearest.distance > 1e-6 * solid_.size() || !solid_.contains(face, nearest.uv)) continue;
+      for (const double u : {0.1, 0.3, 0.7, 0.9})
+        for (const double v : {0.2, 0.8})
+          if (solid_.project(face, point(u, v), nearest.uv).distance > 1e-6 * solid_.size())
+            throw Error(ErrorCode::unsupported,
+                        fmt::format("{} is not straight from floor to floor", describe(solid_, face)));
+      return face;
     }
     throw Error(ErrorCode::unsupported, fmt::format("no wall of the solid is at ({:.6g}, {:.6g}, {:.6g}) m",
-                                                    point.x(), point.y(), point.z()));
+                                                    middle.x(), middle.y(), middle.z()));
   }
 
   void add_cell(int quad, const Layer& layer) {
@@ -203,9 +202,8 @@ class ColumnComplex {
   const Brep& solid_;
   const SweepFrame& frame_;
   const Quadrangulation& quads_;
+  const MovingDrawing& moving_;
   const Layers& layers_;
-  std::vector<Eigen::Vector2d> places_;  // of the drawing's vertices
-  std::vector<NurbsCurve> curves_;       // of its edges, at height 0
   std::map<Upright, int> cells_at_;      // walls
   CellComplex complex_;
   std::map<Flat, VertexId> vertices_;
@@ -218,9 +216,9 @@ class ColumnComplex {
 
 }  // namespace
 
-CellComplex column_complex(const Brep& solid, const SweepFrame& frame, const SweptDrawing& drawing,
-                           const Quadrangulation& quads, const Layers& layers) {
-  return ColumnComplex(solid, frame, drawing, quads, layers).make();
+CellComplex column_complex(const Brep& solid, const SweepFrame& frame, const Quadrangulation& quads,
+                           const MovingDrawing& moving, const Layers& layers) {
+  return ColumnComplex(solid, frame, quads, moving, layers).make();
 }
 
 }  // namespace isopatch::segmentation

@@ -41,23 +41,43 @@ bool divide(Column& column, const Column& by) {
   return changed;
 }
 
+/// Ascending; those that differ by less than a tolerance are one.
+std::vector<double> levels(const Quadrangulation& drawing, const std::vector<std::vector<Slab>>& slabs,
+                           const MovingDrawing& moving, double tolerance) {
+  std::vector<double> all;
+  for (const auto& at : slabs)
+    for (const Slab& slab : at) all.insert(all.end(), {slab.low, slab.high});
+  for (int e = 0; e < static_cast<int>(drawing.edges.size()); ++e) {
+    const std::vector<double> kinks = moving.kinks(e);
+    all.insert(all.end(), kinks.begin(), kinks.end());
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end(), [&](double a, double b) { return b - a < tolerance; }),
+            all.end());
+  return all;
+}
+
 }  // namespace
 
-Layers layers(const Quadrangulation& drawing, const std::vector<std::vector<Slab>>& slabs) {
+Layers layers(const Quadrangulation& drawing, const std::vector<std::vector<Slab>>& slabs,
+              const MovingDrawing& moving, double tolerance) {
   Layers result;
-  for (const auto& at : slabs)
-    for (const Slab& slab : at) result.levels.insert(result.levels.end(), {slab.low, slab.high});
-  std::sort(result.levels.begin(), result.levels.end());
-  result.levels.erase(std::unique(result.levels.begin(), result.levels.end()), result.levels.end());
+  result.levels = levels(drawing, slabs, moving, tolerance);
   const auto level = [&](double height) {
-    return static_cast<int>(std::lower_bound(result.levels.begin(), result.levels.end(), height) -
-                            result.levels.begin());
+    return static_cast<int>(
+        std::lower_bound(result.levels.begin(), result.levels.end(), height - tolerance) -
+        result.levels.begin());
   };
   std::vector<Column> columns;
   for (const Quad& quad : drawing.quads) {
     Column& column = columns.emplace_back();
-    for (const Slab& slab : slabs[static_cast<std::size_t>(quad.region)])
-      column.push_back({slab, {level(slab.low), level(slab.high)}});
+    for (const Slab& slab : slabs[static_cast<std::size_t>(quad.region)]) {
+      Stretch stretch{slab, {level(slab.low), level(slab.high)}};
+      for (const geometry::EdgeUse& side : quad.sides)
+        for (const double kink : moving.kinks(side.edge.value))
+          if (kink > slab.low + tolerance && kink < slab.high - tolerance) stretch.cuts.insert(level(kink));
+      column.push_back(std::move(stretch));
+    }
   }
   const auto pairs = neighbours(drawing);
   for (bool changed = true; changed;) {

@@ -33,7 +33,17 @@ bool is_floor(const std::optional<Carrier>& carrier, const Eigen::Vector3d& alon
   return carrier && carrier->kind == SurfaceKind::plane && carrier->axis.cross(along).norm() < straight;
 }
 
-bool is_wall(const Brep& solid, FaceId face, const std::optional<Carrier>& carrier,
+/// Walls may lean over by so much: the corners of blocks between them and floors are then 20 degrees at least.
+constexpr double largest_slope = 0.94;
+
+bool is_inclined(const std::optional<Carrier>& carrier, const Eigen::Vector3d& along) {
+  if (!carrier) return false;
+  if (carrier->kind == SurfaceKind::plane) return std::abs(carrier->axis.dot(along)) < largest_slope;
+  return carrier->kind == SurfaceKind::cone && carrier->axis.cross(along).norm() < straight &&
+         std::abs(std::sin(carrier->half_angle.radians())) < largest_slope;
+}
+
+bool is_upright(const Brep& solid, FaceId face, const std::optional<Carrier>& carrier,
              const Eigen::Vector3d& along) {
   if (carrier && carrier->kind == SurfaceKind::plane) return std::abs(carrier->axis.dot(along)) < straight;
   if (carrier && carrier->kind == SurfaceKind::cylinder)
@@ -64,10 +74,11 @@ std::optional<SweepFrame> frame_along(const Brep& solid, const Eigen::Vector3d& 
     const std::optional<Carrier> carrier = solid.carrier(face);
     if (is_floor(carrier, along))
       frame.floors.push_back(face);
-    else if (is_wall(solid, face, carrier, along))
-      frame.walls.push_back(face);
     else
-      return std::nullopt;
+      frame.walls.push_back(face);
+    if (is_floor(carrier, along) || is_upright(solid, face, carrier, along)) continue;
+    if (!is_inclined(carrier, along)) return std::nullopt;
+    frame.inclined.push_back(face);
   }
   if (frame.floors.size() < 2) return std::nullopt;
   frame.origin = solid.carrier(frame.floors.front())->origin;

@@ -13,8 +13,9 @@ SweptCells swept_along(const geometry::Brep& solid, const SweepFrame& frame,
                        const QuadrangulationOptions& options) {
   const SweptDrawing drawing = swept_drawing(solid, frame);
   const Quadrangulation quads = quadrangulate(drawing.profile, options);
-  const Layers columns = layers(quads, drawing.slabs);
-  return {column_complex(solid, frame, drawing, quads, columns), frame.along,
+  const MovingDrawing moving(solid, frame, drawing, quads);
+  const Layers columns = layers(quads, drawing.slabs, moving, 1e-7 * solid.size());
+  return {column_complex(solid, frame, quads, moving, columns), frame.along,
           static_cast<int>(quads.quads.size()), static_cast<int>(columns.levels.size())};
 }
 

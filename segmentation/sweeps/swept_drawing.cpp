@@ -1,7 +1,6 @@
 #include "segmentation/sweeps/internal/swept_drawing.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "geometry/base/error.hpp"
@@ -58,43 +57,6 @@ double twice_area(const Profile& profile, const std::vector<EdgeUse>& loop) {
   return result;
 }
 
-/// A point well inside a region: in the middle of the widest gap that some horizontal lines find.
-Eigen::Vector2d point_inside(const Profile& profile, const ProfileRegion& region) {
-  std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> chords;
-  double low = 0, high = 0;
-  for (const auto& loop : region.loops)
-    for (const EdgeUse& use : loop) {
-      const auto& points = profile.edges[static_cast<std::size_t>(use.edge.value)].points;
-      for (std::size_t i = 1; i < points.size(); ++i) {
-        chords.emplace_back(points[i - 1], points[i]);
-        const double bottom = std::min(points[i - 1].y(), points[i].y());
-        const double top = std::max(points[i - 1].y(), points[i].y());
-        low = chords.size() == 1 ? bottom : std::min(low, bottom);
-        high = chords.size() == 1 ? top : std::max(high, top);
-      }
-    }
-  Eigen::Vector2d best = Eigen::Vector2d::Zero();
-  double widest = -1;
-  constexpr int lines = 29;
-  for (int i = 0; i < lines; ++i) {
-    const double y = low + (high - low) * (i + 0.4837) / lines;  // hardly through vertices
-    std::vector<double> crossings;
-    for (const auto& [a, b] : chords)
-      if ((a.y() < y) != (b.y() < y))
-        crossings.push_back(a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
-    std::sort(crossings.begin(), crossings.end());
-    for (std::size_t k = 1; k < crossings.size(); k += 2) {
-      // A thin strip is judged by what is above and below it too.
-      const double width = std::min(crossings[k] - crossings[k - 1], 10 * (high - low));
-      if (width > widest) {
-        widest = width;
-        best = {(crossings[k] + crossings[k - 1]) / 2, y};
-      }
-    }
-  }
-  return best;
-}
-
 struct Floor {
   FaceId face;
   double height;
@@ -117,17 +79,16 @@ std::vector<Floor> floors_by_height(const Brep& solid, const SweepFrame& frame) 
   return result;
 }
 
-bool covers(const Brep& solid, FaceId face, const Eigen::Vector3d& point) {
-  const geometry::FaceProjection nearest = solid.project(face, point);
-  return nearest.distance < 1e-7 * solid.size() && solid.contains(face, nearest.uv);
-}
-
-std::vector<Slab> slabs_at(const Brep& solid, const SweepFrame& frame, const std::vector<Floor>& floors,
-                           const Eigen::Vector2d& place) {
+/// @param covering  numbers of the frame's floors that are over a region
+std::vector<Slab> slabs_at(const SweepFrame& frame, const std::vector<Floor>& floors,
+                           const std::vector<int>& covering) {
   std::vector<Slab> result;
   bool open = false;
   for (const Floor& floor : floors) {
-    if (!covers(solid, floor.face, frame.point(place, floor.height))) continue;
+    if (std::none_of(covering.begin(), covering.end(), [&](int number) {
+          return frame.floors[static_cast<std::size_t>(number)] == floor.face;
+        }))
+      continue;
     if (floor.looks_up != open)
       throw Error(ErrorCode::unsupported, "its floors do not bound material by turns");
     if (open) {
@@ -145,15 +106,17 @@ std::vector<Slab> slabs_at(const Brep& solid, const SweepFrame& frame, const std
 }  // namespace
 
 SweptDrawing swept_drawing(const Brep& solid, const SweepFrame& frame) {
-  SweptDrawing result{geometry::overlay(solid, frame.floors, frame.origin, frame.along), {}, {}};
+  Tracks moving = tracks(solid, frame);
+  geometry::Overlay laid = geometry::overlay(solid, frame.floors, frame.origin, frame.along, moving.redrawn);
+  SweptDrawing result{std::move(moving), std::move(laid.sheet), {}, {}};
   draw_edges(result.sheet, frame, result.profile);
   const std::vector<Floor> floors = floors_by_height(solid, frame);
-  for (const geometry::BrepFace& face : result.sheet.faces()) {
-    ProfileRegion region{face.loops, true};
+  for (std::size_t r = 0; r < result.sheet.faces().size(); ++r) {
+    ProfileRegion region{result.sheet.faces()[r].loops, true};
     std::stable_sort(region.loops.begin(), region.loops.end(), [&](const auto& a, const auto& b) {
       return twice_area(result.profile, a) > twice_area(result.profile, b);
     });
-    result.slabs.push_back(slabs_at(solid, frame, floors, point_inside(result.profile, region)));
+    result.slabs.push_back(slabs_at(frame, floors, laid.covered_by[r]));
     region.wanted = !result.slabs.back().empty();
     result.profile.regions.push_back(std::move(region));
   }

@@ -89,10 +89,11 @@ class OpenCascade final : public BrepModule {
                    [&] { return solids_of_cells(dynamic_cast<const ShapeKernel&>(source), complex, cells); });
   }
 
-  KernelSolid overlay(const BrepKernel& source, const std::vector<FaceId>& faces,
-                      const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const override {
+  KernelOverlay overlay(const BrepKernel& source, const std::vector<FaceId>& faces,
+                        const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
+                        const Redrawn& redrawn) const override {
     return guarded("laying faces over each other", [&] {
-      return overlay_of(dynamic_cast<const ShapeKernel&>(source), faces, origin, direction);
+      return overlay_of(dynamic_cast<const ShapeKernel&>(source), faces, origin, direction, redrawn);
     });
   }
 

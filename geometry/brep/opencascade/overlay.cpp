@@ -1,11 +1,15 @@
 #include <BOPAlgo_Builder.hxx>
-#include <BRepBuilderAPI_Transform.hxx>
-#include <BRepGProp_Face.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRep_Builder.hxx>
+#include <Geom_Curve.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Shell.hxx>
+#include <algorithm>
+#include <gp_Pln.hxx>
 
 #include "geometry/base/error.hpp"
 #include "geometry/brep/opencascade/internal/conversions.hpp"
@@ -14,69 +18,126 @@
 namespace isopatch::geometry {
 namespace {
 
-TopoDS_Shape pushed(const TopoDS_Face& face, const Eigen::Vector3d& to, const Eigen::Vector3d& along) {
-  double low_u = 0, high_u = 0, low_v = 0, high_v = 0;
-  const BRepGProp_Face shape(face);
-  shape.Bounds(low_u, high_u, low_v, high_v);
-  gp_Pnt at;
-  gp_Vec normal;
-  shape.Normal(low_u, low_v, at, normal);
-  const Eigen::Vector3d by = (to - to_eigen(at)).dot(along) * along;
-  gp_Trsf push;
-  push.SetTranslation(gp_Vec(by.x(), by.y(), by.z()));
-  return BRepBuilderAPI_Transform(face, push, true).Shape();
-}
+class Overlayer {
+ public:
+  Overlayer(const ShapeKernel& source, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
+            const Redrawn& redrawn)
+      : source_(source),
+        metres_(source.input().metres),
+        origin_(origin / metres_),
+        direction_(direction),
+        redrawn_(redrawn),
+        plane_(to_point(origin_), gp_Dir(direction.x(), direction.y(), direction.z())) {}
 
-bool looks_along(const TopoDS_Face& face, const Eigen::Vector3d& along) {
-  double low_u = 0, high_u = 0, low_v = 0, high_v = 0;
-  const BRepGProp_Face shape(face);
-  shape.Bounds(low_u, high_u, low_v, high_v);
-  gp_Pnt at;
-  gp_Vec normal;
-  shape.Normal(low_u, low_v, at, normal);
-  return to_eigen(normal).dot(along) > 0;
-}
+  KernelOverlay make(const std::vector<FaceId>& faces) {
+    std::vector<TopoDS_Shape> flat;
+    flat.reserve(faces.size());
+    for (const FaceId face : faces) flat.push_back(pushed(face));
+    BOPAlgo_Builder builder;
+    for (const TopoDS_Shape& face : flat) builder.AddArgument(face);
+    const auto& box = source_.tables().box;
+    builder.SetFuzzyValue(1e-7 * (box[1] - box[0]).norm() / metres_);
+    builder.SetRunParallel(false);
+    builder.Perform();
+    if (builder.HasErrors()) fail();
+    return sheet_of(builder, flat);
+  }
 
-/// Faces that the same loops bound as one, however many of them cover it.
-std::vector<TopoDS_Face> fused(const TopTools_ListOfShape& faces, double fuzzy) {
-  BOPAlgo_Builder builder;
-  for (const TopoDS_Shape& face : faces) builder.AddArgument(face);
-  builder.SetFuzzyValue(fuzzy);
-  builder.SetRunParallel(false);
-  builder.Perform();
-  if (builder.HasErrors())
+ private:
+  [[noreturn]] static void fail() {
     throw Error(ErrorCode::unsupported, "outlines cannot be laid over each other by the CAD library");
-  TopTools_IndexedMapOfShape found;
-  std::vector<TopoDS_Face> result;
-  for (TopExp_Explorer it(builder.Shape(), TopAbs_FACE); it.More(); it.Next())
-    if (!found.Contains(it.Current())) {
-      found.Add(it.Current());
-      result.push_back(TopoDS::Face(it.Current()));
+  }
+
+  TopoDS_Edge edge(EdgeId id) {
+    if (const auto known = edges_.find(id); known != edges_.end()) return known->second;
+    if (const auto other = redrawn_.find(id); other != redrawn_.end()) return edges_[id] = redrawn(other->second);
+    const EdgeGeometry& source = source_.of(id);
+    const Eigen::Vector3d at = to_eigen(source.curve->Value(source.first));
+    const Eigen::Vector3d by = (origin_ - at).dot(direction_) * direction_;
+    const Handle(Geom_Curve) curve =
+        Handle(Geom_Curve)::DownCast(source.curve->Translated(gp_Vec(by.x(), by.y(), by.z())));
+    const BRepBuilderAPI_MakeEdge maker(curve, std::min(source.first, source.last),
+                                        std::max(source.first, source.last));
+    if (!maker.IsDone()) fail();
+    return edges_[id] = TopoDS::Edge(source.first < source.last ? maker.Shape() : maker.Shape().Reversed());
+  }
+
+  TopoDS_Edge redrawn(const Redrawn::mapped_type& as) {
+    if (const auto* use = std::get_if<EdgeUse>(&as)) {
+      const TopoDS_Edge other = edge(use->edge);
+      return use->reversed ? TopoDS::Edge(other.Reversed()) : other;
     }
-  return result;
-}
+    const auto& ends = std::get<std::array<Eigen::Vector3d, 2>>(as);
+    const BRepBuilderAPI_MakeEdge maker(to_point(ends[0] / metres_), to_point(ends[1] / metres_));
+    if (!maker.IsDone()) fail();
+    return maker.Edge();
+  }
+
+  TopoDS_Wire wire(std::vector<EdgeUse> loop, bool turned) {
+    if (turned) std::reverse(loop.begin(), loop.end());
+    BRepBuilderAPI_MakeWire maker;
+    for (const EdgeUse& use : loop) {
+      const TopoDS_Edge made = edge(use.edge);
+      maker.Add(use.reversed == turned ? made : TopoDS::Edge(made.Reversed()));
+    }
+    if (!maker.IsDone()) fail();
+    return maker.Wire();
+  }
+
+  /// Into the plane, looking along the direction.
+  TopoDS_Face pushed(FaceId id) {
+    const BrepFace& face = source_.tables().faces[static_cast<std::size_t>(id.value)];
+    const DomainBox domain = source_.domain(id);
+    const Eigen::Matrix<double, 3, 2> tangents = source_.derivatives(id, domain.low);
+    const bool along = tangents.col(0).cross(tangents.col(1)).dot(direction_) > 0;
+    const bool turned = along == face.reversed;  // its outside looks against the direction
+    BRepBuilderAPI_MakeFace maker(plane_, wire(face.loops.front(), turned));
+    for (std::size_t i = 1; i < face.loops.size(); ++i) maker.Add(wire(face.loops[i], turned));
+    if (!maker.IsDone()) fail();
+    return maker.Face();
+  }
+
+  KernelOverlay sheet_of(BOPAlgo_Builder& builder, const std::vector<TopoDS_Shape>& flat) const {
+    TopTools_IndexedMapOfShape found;
+    ShapeInput input;
+    input.metres = metres_;
+    const BRep_Builder shapes;
+    TopoDS_Shell shell;
+    shapes.MakeShell(shell);
+    for (TopExp_Explorer it(builder.Shape(), TopAbs_FACE); it.More(); it.Next()) {
+      if (found.Contains(it.Current())) continue;
+      found.Add(it.Current());
+      const TopoDS_Face face = TopoDS::Face(it.Current().Oriented(TopAbs_FORWARD));
+      shapes.Add(shell, face);
+      input.faces.push_back(face);
+    }
+    input.shape = shell;
+    KernelOverlay result{nullptr, std::vector<std::vector<int>>(input.faces.size())};
+    for (std::size_t i = 0; i < flat.size(); ++i) {
+      TopTools_ListOfShape images = builder.Modified(flat[i]);
+      if (images.IsEmpty()) images.Append(flat[i]);
+      for (const TopoDS_Shape& image : images)
+        if (const int number = found.FindIndex(image); number > 0)
+          result.covered_by[static_cast<std::size_t>(number - 1)].push_back(static_cast<int>(i));
+    }
+    result.sheet = std::make_shared<ShapeKernel>(std::move(input));
+    return result;
+  }
+
+  const ShapeKernel& source_;
+  double metres_;
+  Eigen::Vector3d origin_, direction_;
+  const Redrawn& redrawn_;
+  gp_Pln plane_;
+  std::map<EdgeId, TopoDS_Edge> edges_;
+};
 
 }  // namespace
 
-KernelSolid overlay_of(const ShapeKernel& source, const std::vector<FaceId>& faces,
-                       const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
-  const double metres = source.input().metres;
-  const auto& box = source.tables().box;
-  TopTools_ListOfShape flat;
-  for (const FaceId face : faces)
-    flat.Append(pushed(source.input().faces[static_cast<std::size_t>(face.value)], origin / metres, direction));
-  ShapeInput input;
-  input.metres = metres;
-  const BRep_Builder builder;
-  TopoDS_Shell shell;
-  builder.MakeShell(shell);
-  for (TopoDS_Face& face : fused(flat, 1e-7 * (box[1] - box[0]).norm() / metres)) {
-    if (!looks_along(face, direction)) face.Reverse();
-    builder.Add(shell, face);
-    input.faces.push_back(face);
-  }
-  input.shape = shell;
-  return {std::make_shared<ShapeKernel>(std::move(input)), "", 0};
+KernelOverlay overlay_of(const ShapeKernel& source, const std::vector<FaceId>& faces,
+                         const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
+                         const Redrawn& redrawn) {
+  return Overlayer(source, origin, direction, redrawn).make(faces);
 }
 
 }  // namespace isopatch::geometry

@@ -3,8 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "segmentation/profiles/quadrangulation.hpp"
-#include "segmentation/sweeps/internal/swept_drawing.hpp"
+#include "segmentation/sweeps/internal/moving_drawing.hpp"
 
 namespace isopatch::segmentation {
 
@@ -21,7 +20,9 @@ struct Layers {
 };
 
 /// Divides what stands over each quadrilateral so that columns side by side meet in whole sides: at the heights
-/// where a neighbour ends or is divided, no others.
-Layers layers(const Quadrangulation& drawing, const std::vector<std::vector<Slab>>& slabs);
+/// where a neighbour ends or is divided or a wall beside it changes its slope, no others.
+/// @param tolerance  m, of heights that are one
+Layers layers(const Quadrangulation& drawing, const std::vector<std::vector<Slab>>& slabs,
+              const MovingDrawing& moving, double tolerance);
 
 }  // namespace isopatch::segmentation

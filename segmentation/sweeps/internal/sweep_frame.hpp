@@ -6,10 +6,11 @@
 
 namespace isopatch::segmentation {
 
-/// A direction along which a solid is a stack of prisms: each face is a floor across it or a wall along it.
+/// A direction along which a solid is a stack: each face is a floor across it, or a wall along it, upright or inclined.
 struct SweepFrame {
   Eigen::Vector3d origin, x, y, along;  ///< m; unit, right-handed: `along` is x cross y
   std::vector<FaceId> floors, walls;
+  std::vector<FaceId> inclined;  ///< of the walls: drafts, chamfers, cones about the direction
 
   Eigen::Vector3d point(const Eigen::Vector2d& flat, double height) const {
     return origin + flat[0] * x + flat[1] * y + height * along;

@@ -4,6 +4,7 @@
 
 #include "segmentation/profiles/profile.hpp"
 #include "segmentation/sweeps/internal/sweep_frame.hpp"
+#include "segmentation/sweeps/internal/tracks.hpp"
 
 namespace isopatch::segmentation {
 
@@ -13,8 +14,10 @@ struct Slab {
   FaceId bottom, top;  ///< of the solid
 };
 
-/// A stack of prisms as seen along its direction: the outlines of all its floors over each other.
+/// A stack as seen along its direction: the outlines of all its floors over each other, inclined walls where they are
+/// lowest.
 struct SweptDrawing {
+  Tracks tracks;
   geometry::Brep sheet;  ///< edges and faces by the numbers of the profile's edges and regions
   Profile profile;       ///< in the frame's x and y, m
   std::vector<std::vector<Slab>> slabs;  ///< by region, from low to high

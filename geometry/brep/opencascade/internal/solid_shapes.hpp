@@ -23,7 +23,8 @@ KernelSolid polyhedral_solid(const Polyhedron& polyhedron, const SewOptions& opt
 std::vector<KernelSolid> solids_of_cells(const ShapeKernel& source, const CellComplex& complex,
                                          const std::vector<CellId>& cells);
 /// As `overlay`.
-KernelSolid overlay_of(const ShapeKernel& source, const std::vector<FaceId>& faces,
-                       const Eigen::Vector3d& origin, const Eigen::Vector3d& direction);
+KernelOverlay overlay_of(const ShapeKernel& source, const std::vector<FaceId>& faces,
+                         const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
+                         const Redrawn& redrawn);
 
 }  // namespace isopatch::geometry

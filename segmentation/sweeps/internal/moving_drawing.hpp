@@ -1,0 +1,58 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "segmentation/profiles/quadrangulation.hpp"
+#include "segmentation/sweeps/internal/swept_drawing.hpp"
+
+namespace isopatch::segmentation {
+
+/// A divided drawing at any height: vertices and edges on inclined walls move along them, all others stay.
+class MovingDrawing {
+ public:
+  /// All must outlive it.
+  /// @throws Error unsupported  a curve that cannot be cut so
+  MovingDrawing(const geometry::Brep& solid, const SweepFrame& frame, const SweptDrawing& drawing,
+                const Quadrangulation& quads);
+
+  Eigen::Vector3d place(int vertex, double height) const;
+  /// Exact, over [0, 1] from start to end, in space.
+  geometry::NurbsCurve curve(int edge, double height) const;
+  bool moves(int edge) const;
+  /// Heights where walls beside an edge of the drawing begin, end or change their slope.
+  std::vector<double> kinks(int edge) const;
+
+ private:
+  /// A piece of a track, in the t of its first edge.
+  struct Piece {
+    const EdgeTrack* track;
+    double low, high;
+  };
+  struct Between {
+    const EdgeTrack::At *below, *above;
+    double share;
+  };
+
+  void find_vertex_tracks();
+  std::optional<Piece> piece_on(const EdgeTrack& track, int edge) const;
+  double parameter_on(const EdgeTrack& track, const Eigen::Vector3d& point) const;
+  Eigen::Vector3d sheet_point(const QuadEdge& edge, double share) const;
+  static Between between(const EdgeTrack& track, double height);
+  Eigen::Vector2d track_place(const EdgeTrack& track, double t, double height) const;
+  geometry::NurbsCurve member_curve(const EdgeTrack::At& at, const Piece& piece, double height) const;
+  const QuadEdge& edge(int number) const { return quads_.edges[static_cast<std::size_t>(number)]; }
+
+  const geometry::Brep& solid_;
+  const SweepFrame& frame_;
+  const SweptDrawing& drawing_;
+  const Quadrangulation& quads_;
+  std::vector<Eigen::Vector2d> places_;              // where nothing moves
+  std::vector<geometry::NurbsCurve> curves_;         // of edges, at height 0
+  std::vector<std::optional<Piece>> pieces_;         // of edges
+  std::map<int, const VertexTrack*> vertex_tracks_;  // by vertex
+  std::map<int, std::pair<const EdgeTrack*, double>> on_track_;  // vertices inside edges that move
+};
+
+}  // namespace isopatch::segmentation

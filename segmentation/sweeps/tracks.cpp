@@ -1,0 +1,227 @@
+#include "segmentation/sweeps/internal/tracks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "geometry/base/error.hpp"
+#include "geometry/base/union_find.hpp"
+#include "geometry/brep/require_solid.hpp"
+
+namespace isopatch::segmentation {
+namespace {
+
+using geometry::Brep;
+using geometry::EdgeUse;
+
+class Tracker {
+ public:
+  Tracker(const Brep& solid, const SweepFrame& frame)
+      : solid_(solid),
+        frame_(frame),
+        tolerance_(1e-7 * solid.size()),
+        vertex_sets_(static_cast<int>(solid.vertices().cols())) {
+    for (std::size_t e = 0; e < solid.edges().size(); ++e) level_.push_back(level_of(EdgeId(static_cast<int>(e))));
+  }
+
+  Tracks make() {
+    if (frame_.inclined.empty()) return {};
+    for (std::size_t e = 0; e < solid_.edges().size(); ++e)
+      if (const geometry::BrepEdge& edge = solid_.edges()[e]; !level_[e])
+        vertex_sets_.unite(edge.start.value, edge.end.value);
+    find_strips();
+    collect_vertices();
+    collect_edges();
+    redraw();
+    return std::move(result_);
+  }
+
+ private:
+  struct Strip {
+    EdgeId low, high;
+    bool reversed;  // they run against each other
+  };
+
+  double height(const Eigen::Vector3d& point) const { return frame_.height(point); }
+
+  /// The height of an edge across the direction; nothing for one that rises.
+  std::optional<double> level_of(EdgeId edge) const {
+    const double first = height(solid_.point(edge, 0));
+    constexpr int samples = 8;
+    for (int i = 1; i <= samples; ++i)
+      if (std::abs(height(solid_.point(edge, static_cast<double>(i) / samples)) - first) > tolerance_)
+        return std::nullopt;
+    return first;
+  }
+  const std::optional<double>& level(EdgeId edge) const { return level_[static_cast<std::size_t>(edge.value)]; }
+
+  std::optional<Strip> strip_of(FaceId face) const {
+    const auto& loops = solid_.face(face).loops;
+    if (loops.size() != 1) return std::nullopt;
+    std::vector<EdgeUse> across;
+    for (const EdgeUse& use : loops.front())
+      if (level(use.edge)) across.push_back(use);
+    if (across.size() != 2 || loops.front().size() != 4) return std::nullopt;
+    if (*level(across[0].edge) > *level(across[1].edge)) std::swap(across[0], across[1]);
+    if (*level(across[1].edge) - *level(across[0].edge) < tolerance_) return std::nullopt;
+    return Strip{across[0].edge, across[1].edge, across[0].reversed == across[1].reversed};
+  }
+
+  void find_strips() {
+    const std::set<FaceId> inclined(frame_.inclined.begin(), frame_.inclined.end());
+    for (const FaceId face : frame_.walls) {
+      if (const auto strip = strip_of(face))
+        strips_.push_back(*strip);
+      else if (inclined.contains(face))
+        throw Error(ErrorCode::unsupported,
+                    fmt::format("{} is inclined and not a strip between two edges across the direction",
+                                describe(solid_, face)));
+    }
+  }
+
+  Eigen::Vector2d flat(VertexId vertex) const { return frame_.flat(solid_.vertex(vertex)); }
+
+  void collect_vertices() {
+    std::map<int, std::vector<VertexId>> sets;
+    for (int v = 0; v < static_cast<int>(solid_.vertices().cols()); ++v)
+      sets[vertex_sets_.find(v)].emplace_back(v);
+    for (auto& [root, members] : sets) {
+      std::sort(members.begin(), members.end(), [&](VertexId a, VertexId b) {
+        return height(solid_.vertex(a)) < height(solid_.vertex(b));
+      });
+      drawn_at_[root] = flat(members.front());
+      VertexTrack track;
+      double moved = 0;
+      for (const VertexId vertex : members) {
+        const double at = height(solid_.vertex(vertex));
+        if (!track.at.empty() && at - track.at.back().first < tolerance_) {
+          if ((flat(vertex) - track.at.back().second).norm() > tolerance_)
+            throw Error(ErrorCode::unsupported,
+                        fmt::format("walls meet in a way that is no stack at {}", describe(solid_, vertex)));
+          continue;
+        }
+        track.at.emplace_back(at, flat(vertex));
+        moved = std::max(moved, (flat(vertex) - flat(members.front())).norm());
+      }
+      if (moved > tolerance_) result_.vertices.push_back(std::move(track));
+    }
+  }
+
+  Eigen::Vector2d drawn_at(VertexId vertex) { return drawn_at_.at(vertex_sets_.find(vertex.value)); }
+
+  /// Edges joined by strips, each with whether it runs against the first.
+  std::vector<std::map<EdgeId, bool>> joined_edges() const {
+    std::map<EdgeId, std::vector<std::pair<EdgeId, bool>>> beside;
+    for (const Strip& strip : strips_) {
+      beside[strip.low].emplace_back(strip.high, strip.reversed);
+      beside[strip.high].emplace_back(strip.low, strip.reversed);
+    }
+    std::vector<std::map<EdgeId, bool>> result;
+    std::set<EdgeId> done;
+    for (const auto& [first, others] : beside) {
+      if (done.contains(first)) continue;
+      std::map<EdgeId, bool>& set = result.emplace_back();
+      set[first] = false;
+      std::vector<EdgeId> open = {first};
+      while (!open.empty()) {
+        const EdgeId edge = open.back();
+        open.pop_back();
+        done.insert(edge);
+        for (const auto& [other, reversed] : beside.at(edge))
+          if (set.try_emplace(other, set.at(edge) != reversed).second) open.push_back(other);
+      }
+    }
+    return result;
+  }
+
+  bool moves(const EdgeTrack& track) const {
+    for (const double t : {0.0, 0.31, 1.0})
+      for (const EdgeTrack::At& at : track.at) {
+        const Eigen::Vector2d first = frame_.flat(solid_.point(track.at.front().edge, t));
+        if ((frame_.flat(solid_.point(at.edge, at.reversed ? 1 - t : t)) - first).norm() > tolerance_) return true;
+      }
+    return false;
+  }
+
+  void collect_edges() {
+    for (const auto& set : joined_edges()) {
+      EdgeTrack track;
+      for (const auto& [edge, reversed] : set) track.at.push_back({*level(edge), edge, reversed});
+      std::sort(track.at.begin(), track.at.end(),
+                [](const EdgeTrack::At& a, const EdgeTrack::At& b) { return a.height < b.height; });
+      if (track.at.front().reversed)
+        for (EdgeTrack::At& at : track.at) at.reversed = !at.reversed;
+      if (moves(track)) result_.edges.push_back(std::move(track));
+    }
+  }
+
+  bool is_line(EdgeId edge) const { return solid_.edge(edge).kind == geometry::CurveKind::line; }
+
+  std::array<Eigen::Vector2d, 2> drawn_ends(EdgeId edge) {
+    return {drawn_at(solid_.edge(edge).start), drawn_at(solid_.edge(edge).end)};
+  }
+
+  std::array<Eigen::Vector3d, 2> line_between(const std::array<Eigen::Vector2d, 2>& ends) const {
+    return {frame_.point(ends[0], 0), frame_.point(ends[1], 0)};
+  }
+
+  void redraw() {
+    std::set<EdgeId> known;
+    for (EdgeTrack& track : result_.edges) {
+      const EdgeId lowest = track.at.front().edge;
+      if (std::all_of(track.at.begin(), track.at.end(), [&](const auto& at) { return is_line(at.edge); }))
+        track.line = drawn_ends(lowest);
+      for (const EdgeTrack::At& at : track.at) {
+        known.insert(at.edge);
+        if (track.line)
+          result_.redrawn[at.edge] = line_between(drawn_ends(at.edge));
+        else if (at.edge != lowest)
+          result_.redrawn[at.edge] = EdgeUse{lowest, at.reversed};
+      }
+    }
+    for (std::size_t e = 0; e < solid_.edges().size(); ++e) {
+      const EdgeId edge(static_cast<int>(e));
+      if (!level(edge) || known.contains(edge)) continue;
+      const std::array<Eigen::Vector2d, 2> ends = drawn_ends(edge);
+      const double moved = std::max((ends[0] - flat(solid_.edge(edge).start)).norm(),
+                                    (ends[1] - flat(solid_.edge(edge).end)).norm());
+      if (moved < tolerance_) continue;
+      if (!is_line(edge))
+        throw Error(ErrorCode::unsupported,
+                    fmt::format("{} is curved and ends at inclined walls", describe(solid_, edge)));
+      result_.redrawn[edge] = line_between(ends);
+    }
+  }
+
+  const Brep& solid_;
+  const SweepFrame& frame_;
+  double tolerance_;
+  std::vector<std::optional<double>> level_;
+  UnionFind vertex_sets_;
+  std::map<int, Eigen::Vector2d> drawn_at_;
+  std::vector<Strip> strips_;
+  Tracks result_;
+};
+
+}  // namespace
+
+Tracks tracks(const Brep& solid, const SweepFrame& frame) {
+  return Tracker(solid, frame).make();
+}
+
+Eigen::Vector2d place(const VertexTrack& track, double height) {
+  const auto above = std::find_if(track.at.begin(), track.at.end(),
+                                  [&](const auto& known) { return known.first >= height; });
+  if (above == track.at.begin()) return above->second;
+  if (above == track.at.end()) return track.at.back().second;
+  const auto below = std::prev(above);
+  const double share = (height - below->first) / (above->first - below->first);
+  return below->second + share * (above->second - below->second);
+}
+
+}  // namespace isopatch::segmentation
