@@ -66,6 +66,10 @@ class CheckLayers(unittest.TestCase):
                 self.rejects({other + "/a.hpp": "", path: f'#include "{other}/a.hpp"\n'}, path + ":1",
                              f"{room} may not include {other}")
 
+    def test_rejects_solids_in_the_profiles(self):
+        self.rejects({"geometry/brep/a.hpp": "", "segmentation/profiles/b.cpp": '#include "geometry/brep/a.hpp"\n'},
+                     "segmentation/profiles/b.cpp:1", "segmentation/profiles may not include geometry/brep")
+
     def test_rejects_decompositions_in_the_parameterization(self):
         self.rejects({"segmentation/decomposition/a.hpp": "",
                       "segmentation/parameterization/b.cpp": '#include "segmentation/decomposition/a.hpp"\n'},

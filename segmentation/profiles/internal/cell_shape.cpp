@@ -1,0 +1,181 @@
+#include "segmentation/profiles/internal/cell_shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace isopatch::segmentation::planar {
+
+using Eigen::Vector2d;
+using std::numbers::pi;
+
+namespace {
+
+double cross2(const Vector2d& a, const Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+double direction_of(const Vector2d& v) {
+  return std::atan2(v.y(), v.x());
+}
+
+/// Least of determinant over mean determinant: below it a quadrilateral is too thin somewhere.
+constexpr double thinnest = 0.04;
+
+double corner_angle(const std::array<const SideShape*, 4>& sides, int corner, int count) {
+  const SideShape& arriving = *sides[(corner + count - 1) % count];
+  return angle_between(sides[corner]->start_direction, arriving.end_direction + pi);
+}
+
+/// The triangle's three quadrilaterals around its middle.
+bool triangle_stands(const std::array<const SideShape*, 4>& sides) {
+  const Vector2d middle =
+      (sides[0]->points.front() + sides[1]->points.front() + sides[2]->points.front()) / 3;
+  const auto half = [](const SideShape& side, bool second) {
+    SideShape result = side;
+    constexpr int last = SideShape::samples - 1;
+    const Vector2d centre = side.point(last / 2);
+    (second ? result.points.front() : result.points.back()) = centre;
+    if (side.straight) return result;
+    for (int s = 0; s <= last; ++s) {  // linear between samples is enough for a sign
+      const double at = (second ? 0.5 : 0.0) * last + s * 0.5;
+      const int i = std::min(static_cast<int>(at), last - 1);
+      result.points[s] = side.points[i] + (at - i) * (side.points[i + 1] - side.points[i]);
+      result.derivatives[s] =
+          0.5 * (side.derivatives[i] + (at - i) * (side.derivatives[i + 1] - side.derivatives[i]));
+    }
+    return result;
+  };
+  const auto line = [](const Vector2d& a, const Vector2d& b) {
+    SideShape result;
+    result.points.front() = a;
+    result.points.back() = b;
+    return result;
+  };
+  for (int k = 0; k < 3; ++k) {
+    const SideShape &out = *sides[k], &in = *sides[(k + 2) % 3];
+    const SideShape a = half(out, false), d = half(in, true);
+    const SideShape b = line(a.points.back(), middle), c = line(middle, d.points.front());
+    if (least_jacobian({&a, &b, &c, &d}) < 0.03) return false;
+  }
+  return true;
+}
+
+double triangle_cost(const ShapeRules& rules, const std::array<const SideShape*, 4>& sides) {
+  double sum = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double angle = corner_angle(sides, k, 3);
+    if (angle < rules.smallest_in_triangle || angle > rules.largest_in_triangle) return refused;
+    sum += std::pow((angle - pi / 3) / (pi / 2), 2);
+  }
+  return triangle_stands(sides) ? rules.triangle + rules.angle_weight * sum : refused;
+}
+
+}  // namespace
+
+Vector2d SideShape::point(int sample) const {
+  if (!straight) return points[sample];
+  const double at = static_cast<double>(sample) / (samples - 1);
+  return (1 - at) * points.front() + at * points.back();
+}
+
+SideShape side_shape(const std::vector<Curve>& curves, const std::vector<Node>& nodes, const Side& side) {
+  SideShape result;
+  const Vector2d &from = nodes[side.from].point, &to = nodes[side.to].point;
+  result.points.front() = from;
+  result.points.back() = to;
+  result.length = (to - from).norm();
+  result.straight = side.curve < 0 || curves[side.curve].straight();
+  if (result.straight) {
+    result.start_direction = result.end_direction = direction_of(to - from);
+    return result;
+  }
+  const Curve& curve = curves[side.curve];
+  const double span = side.high - side.low;
+  constexpr int last = SideShape::samples - 1;
+  result.length = 0;
+  for (int s = 0; s <= last; ++s) {
+    const double share = static_cast<double>(s) / last;
+    const double at = side.reversed ? side.high - share * span : side.low + share * span;
+    if (s != 0 && s != last) result.points[s] = curve.at(at);
+    result.derivatives[s] = (side.reversed ? -span : span) * curve.derivative(at);
+    if (s > 0) result.length += (result.points[s] - result.points[s - 1]).norm();
+  }
+  result.start_direction = direction_of(result.derivatives.front());
+  result.end_direction = direction_of(result.derivatives.back());
+  return result;
+}
+
+SideShape turned(const SideShape& shape) {
+  SideShape result = shape;
+  std::reverse(result.points.begin(), result.points.end());
+  for (int s = 0; s < SideShape::samples; ++s)
+    result.derivatives[s] = -shape.derivatives[SideShape::samples - 1 - s];
+  result.start_direction = shape.end_direction + pi;
+  result.end_direction = shape.start_direction + pi;
+  return result;
+}
+
+ShapeRules::ShapeRules(const QuadrangulationOptions& options)
+    : smallest(options.smallest_angle.radians()),
+      largest(options.largest_angle.radians()),
+      smallest_jacobian(options.smallest_jacobian),
+      angle_weight(options.angle_weight),
+      length_weight(options.length_weight) {}
+
+double angle_between(double leaving, double arriving) {
+  const double angle = std::fmod(arriving - leaving, 2 * pi);
+  return angle < 0 ? angle + 2 * pi : angle;
+}
+
+double corner_cost(const ShapeRules& rules, double angle) {
+  if (angle < rules.smallest || angle > rules.largest) return refused;
+  const double off = (angle - pi / 2) / (pi / 2);
+  return rules.angle_weight * off * off;
+}
+
+double length_cost(const ShapeRules& rules, double a, double b, double c, double d) {
+  const double one = std::log(a / c), two = std::log(b / d);
+  return rules.length_weight * (one * one + two * two);
+}
+
+double least_jacobian(const std::array<const SideShape*, 4>& sides) {
+  constexpr int last = SideShape::samples - 1;
+  const SideShape &bottom = *sides[0], &right = *sides[1], &top = *sides[2], &left = *sides[3];
+  const Vector2d a = bottom.points.front(), b = right.points.front(), c = top.points.front(),
+                 d = left.points.front();
+  double least = refused, least_determinant = refused, sum = 0;
+  for (int i = 0; i <= last; ++i)
+    for (int j = 0; j <= last; ++j) {
+      const double u = static_cast<double>(i) / last, v = static_cast<double>(j) / last;
+      const Vector2d along_u = (1 - v) * bottom.derivative(i) - v * top.derivative(last - i) +
+                               right.point(j) - left.point(last - j) - ((1 - v) * (b - a) + v * (c - d));
+      const Vector2d along_v = (1 - u) * -left.derivative(last - j) + u * right.derivative(j) +
+                               top.point(last - i) - bottom.point(i) - ((1 - u) * (d - a) + u * (c - b));
+      const double determinant = cross2(along_u, along_v), scale = along_u.norm() * along_v.norm();
+      sum += determinant;
+      least_determinant = std::min(least_determinant, determinant);
+      least = std::min(least, scale > 0 ? determinant / scale : -1.0);
+    }
+  return least_determinant < thinnest * sum / ((last + 1) * (last + 1)) ? std::min(least, -1e-3) : least;
+}
+
+double cost_of(const ShapeRules& rules, const std::array<const SideShape*, 4>& sides, int count) {
+  if (count == 3) return triangle_cost(rules, sides);
+  double sum = 1 + length_cost(rules, sides[0]->length, sides[1]->length, sides[2]->length, sides[3]->length);
+  for (int k = 0; k < 4; ++k) sum += corner_cost(rules, corner_angle(sides, k, 4));
+  if (!(sum < refused)) return refused;
+  return least_jacobian(sides) < rules.smallest_jacobian ? refused : sum;
+}
+
+double cost_of(const ShapeRules& rules, const std::vector<Curve>& curves, const CellMesh& mesh,
+               const Cell& cell) {
+  std::array<SideShape, 4> shapes;
+  std::array<const SideShape*, 4> sides = {};
+  for (int k = 0; k < cell.count; ++k) {
+    shapes[k] = side_shape(curves, mesh.nodes, cell.sides[k]);
+    sides[k] = &shapes[k];
+  }
+  return std::min(cost_of(rules, sides, cell.count), rules.invalid);
+}
+
+}  // namespace isopatch::segmentation::planar

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "segmentation/profiles/internal/cell_mesh.hpp"
+#include "segmentation/profiles/internal/curve.hpp"
+
+namespace isopatch::segmentation::planar {
+
+/// Places on each curve, increasing and inside (0, 1) or [0, 1) if closed, at which it may well be cut.
+using CutPlaces = std::vector<std::vector<double>>;
+
+/// Curves cut into pieces that turn by at most an angle (radians); more where outlines come close to others.
+CutPlaces even_places(const Profile& profile, const std::vector<Curve>& curves, double turn);
+
+/// Triangles with cuts at the given places, one at least on each closed curve.
+/// @throws Error unsupported naming a region whose loops cross or touch
+CellMesh triangles_of(const Profile& profile, const std::vector<Curve>& curves, const CutPlaces& places);
+
+}  // namespace isopatch::segmentation::planar
