@@ -286,9 +286,11 @@ Decomposition decomposed(const Brep& solid, const std::string& name, const Decom
   std::optional<Decomposer> decomposer;
   try {
     decomposer.emplace(solid, name, options, progress, seen);
-  } catch (const Error&) {
+  } catch (const geometry::SolidError& error) {
     if (seen) return std::move(*seen);
-    throw;
+    if (why_not.empty()) throw;
+    throw geometry::SolidError(error.code(), fmt::format("{}. It is swept, but {}", error.what(), why_not),
+                               error.fault());
   }
   return decomposer->make();
 }

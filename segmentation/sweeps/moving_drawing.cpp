@@ -19,7 +19,7 @@ using geometry::Brep;
 using geometry::NurbsCurve;
 
 /// Pushed along the sweep to a height.
-NurbsCurve at_height(const NurbsCurve& curve, const SweepFrame& frame, double height) {
+NurbsCurve pushed(const NurbsCurve& curve, const SweepFrame& frame, double height) {
   const double by = height - frame.height(curve.control_points().col(0));
   return NurbsCurve(curve.knots(), curve.control_points().colwise() + by * frame.along, curve.weights());
 }
@@ -49,9 +49,10 @@ MovingDrawing::MovingDrawing(const Brep& solid, const SweepFrame& frame, const S
     places_[static_cast<std::size_t>(drawn.start)] = frame.flat(curves_[e].point(curves_[e].low()));
     places_[static_cast<std::size_t>(drawn.end)] = frame.flat(curves_[e].point(curves_[e].high()));
     for (const EdgeTrack& track : drawing.tracks.edges)
-      if (!pieces_[e]) pieces_[e] = piece_on(track, static_cast<int>(e));
+      if (const auto piece = piece_on(track, static_cast<int>(e))) pieces_[e].push_back(*piece);
   }
   find_vertex_tracks();
+  find_inner_vertices();
 }
 
 /// Vertices where a track of vertices is drawn, then those that divide an edge that moves.
@@ -59,12 +60,22 @@ void MovingDrawing::find_vertex_tracks() {
   for (int v = 0; v < static_cast<int>(places_.size()); ++v)
     for (const VertexTrack& track : drawing_.tracks.vertices)
       if ((track.at.front().second - places_[static_cast<std::size_t>(v)]).norm() < 1e-6 * solid_.size())
-        vertex_tracks_[v] = &track;
+        vertex_tracks_[v].push_back(&track);
   for (std::size_t e = 0; e < pieces_.size(); ++e) {
-    if (!pieces_[e]) continue;
-    on_track_.try_emplace(quads_.edges[e].start, pieces_[e]->track, pieces_[e]->low);
-    on_track_.try_emplace(quads_.edges[e].end, pieces_[e]->track, pieces_[e]->high);
+    for (const Piece& piece : pieces_[e]) {
+      on_track_[quads_.edges[e].start].push_back({piece.track, piece.low, piece.low});
+      on_track_[quads_.edges[e].end].push_back({piece.track, piece.high, piece.high});
+    }
   }
+}
+
+const MovingDrawing::Piece* MovingDrawing::at_height(const std::vector<Piece>& pieces, double height) {
+  const auto off = [&](const Piece& piece) {
+    return std::max({0.0, piece.track->at.front().height - height, height - piece.track->at.back().height});
+  };
+  const auto nearest = std::min_element(pieces.begin(), pieces.end(),
+                                        [&](const Piece& a, const Piece& b) { return off(a) < off(b); });
+  return nearest == pieces.end() ? nullptr : &*nearest;
 }
 
 Eigen::Vector3d MovingDrawing::sheet_point(const QuadEdge& drawn, double share) const {
@@ -120,12 +131,56 @@ Eigen::Vector2d MovingDrawing::track_place(const EdgeTrack& track, double t, dou
   return (1 - found.share) * at(*found.below) + found.share * at(*found.above);
 }
 
+std::optional<Eigen::Vector2d> MovingDrawing::tracked_place(int vertex, double height) const {
+  if (const auto known = vertex_tracks_.find(vertex); known != vertex_tracks_.end()) {
+    const auto off = [&](const VertexTrack* track) {
+      return std::max({0.0, track->at.front().first - height, height - track->at.back().first});
+    };
+    const VertexTrack* nearest =
+        *std::min_element(known->second.begin(), known->second.end(),
+                          [&](const VertexTrack* a, const VertexTrack* b) { return off(a) < off(b); });
+    return segmentation::place(*nearest, height);
+  }
+  if (const auto known = on_track_.find(vertex); known != on_track_.end()) {
+    const Piece* piece = at_height(known->second, height);
+    return track_place(*piece->track, piece->low, height);
+  }
+  return std::nullopt;
+}
+
+void MovingDrawing::find_inner_vertices() {
+  std::vector<bool> outlined(places_.size(), false);
+  std::fill_n(outlined.begin(), drawing_.profile.vertices.size(), true);
+  for (const QuadEdge& drawn : quads_.edges)
+    if (drawn.profile_edge >= 0)
+      for (const int end : {drawn.start, drawn.end}) outlined[static_cast<std::size_t>(end)] = true;
+  for (const QuadEdge& drawn : quads_.edges)
+    for (const auto& [end, other] : {std::pair(drawn.start, drawn.end), std::pair(drawn.end, drawn.start)})
+      if (!outlined[static_cast<std::size_t>(end)]) inner_[end].push_back(other);
+}
+
+const std::vector<Eigen::Vector2d>& MovingDrawing::shifts(double height) const {
+  const auto [found, fresh] = shifts_.try_emplace(height);
+  std::vector<Eigen::Vector2d>& result = found->second;
+  if (!fresh) return result;
+  result.assign(places_.size(), Eigen::Vector2d::Zero());
+  for (int v = 0; v < static_cast<int>(places_.size()); ++v)
+    if (const auto tracked = tracked_place(v, height))
+      result[static_cast<std::size_t>(v)] = *tracked - places_[static_cast<std::size_t>(v)];
+  constexpr int sweeps = 200;  // only the quality of blocks depends on how near they come to the mean
+  for (int i = 0; i < sweeps; ++i)
+    for (const auto& [vertex, neighbours] : inner_) {
+      Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+      for (const int other : neighbours) sum += result[static_cast<std::size_t>(other)];
+      result[static_cast<std::size_t>(vertex)] = sum / static_cast<double>(neighbours.size());
+    }
+  return result;
+}
+
 Eigen::Vector3d MovingDrawing::place(int vertex, double height) const {
-  if (const auto known = vertex_tracks_.find(vertex); known != vertex_tracks_.end())
-    return frame_.point(segmentation::place(*known->second, height), height);
-  if (const auto known = on_track_.find(vertex); known != on_track_.end())
-    return frame_.point(track_place(*known->second.first, known->second.second, height), height);
-  return frame_.point(places_[static_cast<std::size_t>(vertex)], height);
+  const auto v = static_cast<std::size_t>(vertex);
+  if (drawing_.tracks.vertices.empty() && drawing_.tracks.edges.empty()) return frame_.point(places_[v], height);
+  return frame_.point(places_[v] + shifts(height)[v], height);
 }
 
 NurbsCurve MovingDrawing::member_curve(const EdgeTrack::At& at, const Piece& piece, double height) const {
@@ -134,12 +189,12 @@ NurbsCurve MovingDrawing::member_curve(const EdgeTrack::At& at, const Piece& pie
   if (turned) std::swap(low, high);
   const double shift = low < -1e-12 || low >= 1 ? -std::floor(low) : 0;
   NurbsCurve curve = piece_of_curve(solid_, at.edge, std::max(0.0, low + shift), high + shift);
-  return at_height(turned ? reversed(curve, 0) : curve, frame_, height);
+  return pushed(turned ? reversed(curve, 0) : curve, frame_, height);
 }
 
 NurbsCurve MovingDrawing::curve(int number, double height) const {
   const QuadEdge& drawn = edge(number);
-  const auto& piece = pieces_[static_cast<std::size_t>(number)];
+  const Piece* piece = at_height(pieces_[static_cast<std::size_t>(number)], height);
   if (piece && !piece->track->line) {
     const Between found = between(*piece->track, height);
     const NurbsCurve below = member_curve(*found.below, *piece, height);
@@ -148,14 +203,14 @@ NurbsCurve MovingDrawing::curve(int number, double height) const {
   const NurbsCurve& still = curves_[static_cast<std::size_t>(number)];
   if (drawn.profile_edge < 0 || (still.degree(0) == 1 && still.size() == 2))
     return geometry::segment(place(drawn.start, height), place(drawn.end, height));
-  return at_height(still, frame_, height);
+  return pushed(still, frame_, height);
 }
 
 bool MovingDrawing::moves(int number) const {
   const QuadEdge& drawn = edge(number);
   for (const int vertex : {drawn.start, drawn.end})
     if (vertex_tracks_.contains(vertex) || on_track_.contains(vertex)) return true;
-  return pieces_[static_cast<std::size_t>(number)].has_value();
+  return !pieces_[static_cast<std::size_t>(number)].empty();
 }
 
 std::vector<double> MovingDrawing::kinks(int number) const {
@@ -163,9 +218,11 @@ std::vector<double> MovingDrawing::kinks(int number) const {
   const QuadEdge& drawn = edge(number);
   for (const int vertex : {drawn.start, drawn.end}) {
     if (const auto known = vertex_tracks_.find(vertex); known != vertex_tracks_.end())
-      for (const auto& at : known->second->at) result.push_back(at.first);
+      for (const VertexTrack* track : known->second)
+        for (const auto& at : track->at) result.push_back(at.first);
     if (const auto known = on_track_.find(vertex); known != on_track_.end())
-      for (const auto& at : known->second.first->at) result.push_back(at.height);
+      for (const Piece& piece : known->second)
+        for (const auto& at : piece.track->at) result.push_back(at.height);
   }
   return result;
 }

@@ -122,6 +122,8 @@ class Tracker {
       beside[strip.high].emplace_back(strip.low, strip.reversed);
     }
     std::vector<std::map<EdgeId, bool>> result;
+    for (std::size_t e = 0; e < level_.size(); ++e)
+      if (level_[e]) beside[EdgeId(static_cast<int>(e))];
     std::set<EdgeId> done;
     for (const auto& [first, others] : beside) {
       if (done.contains(first)) continue;
@@ -139,7 +141,11 @@ class Tracker {
     return result;
   }
 
-  bool moves(const EdgeTrack& track) const {
+  /// Or is drawn elsewhere, since its ends move.
+  bool moves(const EdgeTrack& track) {
+    const geometry::BrepEdge& lowest = solid_.edge(track.at.front().edge);
+    for (const VertexId end : {lowest.start, lowest.end})
+      if ((drawn_at(end) - flat(end)).norm() > tolerance_) return true;
     for (const double t : {0.0, 0.31, 1.0})
       for (const EdgeTrack::At& at : track.at) {
         const Eigen::Vector2d first = frame_.flat(solid_.point(track.at.front().edge, t));
@@ -171,30 +177,21 @@ class Tracker {
   }
 
   void redraw() {
-    std::set<EdgeId> known;
     for (EdgeTrack& track : result_.edges) {
       const EdgeId lowest = track.at.front().edge;
       if (std::all_of(track.at.begin(), track.at.end(), [&](const auto& at) { return is_line(at.edge); }))
         track.line = drawn_ends(lowest);
+      else if (const auto ends = drawn_ends(lowest);
+               (ends[0] - flat(solid_.edge(lowest).start)).norm() > tolerance_ ||
+               (ends[1] - flat(solid_.edge(lowest).end)).norm() > tolerance_)
+        throw Error(ErrorCode::unsupported,
+                    fmt::format("{} is curved and ends at inclined walls", describe(solid_, lowest)));
       for (const EdgeTrack::At& at : track.at) {
-        known.insert(at.edge);
         if (track.line)
           result_.redrawn[at.edge] = line_between(drawn_ends(at.edge));
         else if (at.edge != lowest)
           result_.redrawn[at.edge] = EdgeUse{lowest, at.reversed};
       }
-    }
-    for (std::size_t e = 0; e < solid_.edges().size(); ++e) {
-      const EdgeId edge(static_cast<int>(e));
-      if (!level(edge) || known.contains(edge)) continue;
-      const std::array<Eigen::Vector2d, 2> ends = drawn_ends(edge);
-      const double moved = std::max((ends[0] - flat(solid_.edge(edge).start)).norm(),
-                                    (ends[1] - flat(solid_.edge(edge).end)).norm());
-      if (moved < tolerance_) continue;
-      if (!is_line(edge))
-        throw Error(ErrorCode::unsupported,
-                    fmt::format("{} is curved and ends at inclined walls", describe(solid_, edge)));
-      result_.redrawn[edge] = line_between(ends);
     }
   }
 

@@ -56,7 +56,7 @@ class Overlayer {
     const Eigen::Vector3d by = (origin_ - at).dot(direction_) * direction_;
     const Handle(Geom_Curve) curve =
         Handle(Geom_Curve)::DownCast(source.curve->Translated(gp_Vec(by.x(), by.y(), by.z())));
-    const BRepBuilderAPI_MakeEdge maker(curve, std::min(source.first, source.last),
+    BRepBuilderAPI_MakeEdge maker(curve, std::min(source.first, source.last),
                                         std::max(source.first, source.last));
     if (!maker.IsDone()) fail();
     return edges_[id] = TopoDS::Edge(source.first < source.last ? maker.Shape() : maker.Shape().Reversed());
@@ -68,7 +68,7 @@ class Overlayer {
       return use->reversed ? TopoDS::Edge(other.Reversed()) : other;
     }
     const auto& ends = std::get<std::array<Eigen::Vector3d, 2>>(as);
-    const BRepBuilderAPI_MakeEdge maker(to_point(ends[0] / metres_), to_point(ends[1] / metres_));
+    BRepBuilderAPI_MakeEdge maker(to_point(ends[0] / metres_), to_point(ends[1] / metres_));
     if (!maker.IsDone()) fail();
     return maker.Edge();
   }

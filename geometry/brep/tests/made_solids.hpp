@@ -14,7 +14,8 @@ namespace isopatch::geometry::test {
 /// x 10), "cylinder", "cone", "sphere", "torus", "drilled" (the block with a bore), "grooved" (with a quarter
 /// of a cylinder taken off an edge), "notched" (with a step in the middle of an edge), "round_edge",
 /// "round_corner" (radius 3), "spring" (two turns; splines), "named" (a plate with a coloured and named top,
-/// and a pin).
+/// and a pin). Stacks along z (made_solids/stacks.cpp): "countersunk", "drafted_pocket", "drafted_boss", "shaft" (with a
+/// cone), "bored_boss", "pocketed", "wavy" (a wall is a spline).
 inline std::filesystem::path made_solid(const std::string& name) {
   return std::filesystem::path(ISOPATCH_MADE_SOLIDS) / (name + ".step");
 }

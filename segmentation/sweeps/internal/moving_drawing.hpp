@@ -9,7 +9,8 @@
 
 namespace isopatch::segmentation {
 
-/// A divided drawing at any height: vertices and edges on inclined walls move along them, all others stay.
+/// A divided drawing at any height: vertices and edges on inclined walls move along them, other outlines stay, and what
+/// lies inside follows the mean of its neighbours.
 class MovingDrawing {
  public:
   /// All must outlive it.
@@ -36,6 +37,12 @@ class MovingDrawing {
   };
 
   void find_vertex_tracks();
+  void find_inner_vertices();
+  /// Where a track has a vertex; nothing for one that no track has.
+  std::optional<Eigen::Vector2d> tracked_place(int vertex, double height) const;
+  const std::vector<Eigen::Vector2d>& shifts(double height) const;
+  /// Of several, the one that has a height.
+  static const Piece* at_height(const std::vector<Piece>& pieces, double height);
   std::optional<Piece> piece_on(const EdgeTrack& track, int edge) const;
   double parameter_on(const EdgeTrack& track, const Eigen::Vector3d& point) const;
   Eigen::Vector3d sheet_point(const QuadEdge& edge, double share) const;
@@ -50,9 +57,12 @@ class MovingDrawing {
   const Quadrangulation& quads_;
   std::vector<Eigen::Vector2d> places_;              // where nothing moves
   std::vector<geometry::NurbsCurve> curves_;         // of edges, at height 0
-  std::vector<std::optional<Piece>> pieces_;         // of edges
-  std::map<int, const VertexTrack*> vertex_tracks_;  // by vertex
-  std::map<int, std::pair<const EdgeTrack*, double>> on_track_;  // vertices inside edges that move
+  std::vector<std::vector<Piece>> pieces_;           // of edges
+  std::map<int, std::vector<const VertexTrack*>> vertex_tracks_;  // by vertex
+  /// Vertices inside the drawing with their neighbours.
+  std::map<int, std::vector<int>> inner_;
+  mutable std::map<double, std::vector<Eigen::Vector2d>> shifts_;  // of all vertices, by height
+  std::map<int, std::vector<Piece>> on_track_;       // vertices inside edges that move, as pieces of no length
 };
 
 }  // namespace isopatch::segmentation

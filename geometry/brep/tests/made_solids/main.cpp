@@ -36,6 +36,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "geometry/brep/tests/made_solids/stacks.hpp"
+
 namespace {
 
 TopoDS_Shape block(double x, double y, double z) {
@@ -148,6 +150,7 @@ void write_all(const std::string& folder) {
   write(block_with_a_round_edge(), in_folder("round_edge"));
   write(block_with_a_round_corner(), in_folder("round_corner"));
   write(spring(), in_folder("spring"));
+  for (const auto& [name, shape] : stacks()) write(shape, in_folder(name.c_str()));
   write_named(in_folder("named"));
 }
 
