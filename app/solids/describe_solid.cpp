@@ -217,6 +217,7 @@ Json outlook_json(const SolidReport& solid) {
   const auto& prospect = solid.prospect;
   const bool refused = prospect && prospect->refusal;
   Json json = {{"state", !prospect ? "hexahedron" : refused ? "refused" : "to be cut"}};
+  if (prospect && !refused) json["seen_as"] = prospect->seen_as;
   if (refused) json["reason"] = prospect->refusal->what();
   if (prospect && !refused) {
     json["faces"] = prospect->sides;
@@ -274,6 +275,8 @@ std::string gap_place(const geometry::EdgeGap& gap, double size) {
 std::string outlook_text(const std::optional<segmentation::Prospect>& prospect) {
   if (!prospect) return "a topological hexahedron, a block as it is";
   if (prospect->refusal) return fmt::format("refused: {}", prospect->refusal->what());
+  const bool known = !prospect->seen_as.empty();
+  if (known && prospect->sides == 0) return prospect->seen_as;
   const auto listed = [](const std::vector<EdgeId>& edges, const char* one, const char* several) {
     constexpr std::size_t most = 8;
     const std::size_t shown = std::min(most, edges.size());
@@ -282,7 +285,8 @@ std::string outlook_text(const std::optional<segmentation::Prospect>& prospect) 
     return fmt::format("{} {} ({}{})", edges.size(), edges.size() == 1 ? one : several,
                        fmt::join(numbers, ", "), shown < edges.size() ? ", ..." : "");
   };
-  std::string text = fmt::format("will be cut: {} faces, ", prospect->sides);
+  std::string text = known ? prospect->seen_as + ", or cut if that takes fewer hexahedra: " : "will be cut: ";
+  text += fmt::format("{} faces, ", prospect->sides);
   text += prospect->concave.empty() ? "all edges convex"
                                     : listed(prospect->concave, "concave edge", "concave edges");
   if (!prospect->blunt.empty())

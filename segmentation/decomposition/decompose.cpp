@@ -9,17 +9,16 @@
 #include <vector>
 
 #include "geometry/base/error.hpp"
-#include "geometry/base/stopwatch.hpp"
 #include "geometry/brep/solid_error.hpp"
 #include "segmentation/decomposition/conforming.hpp"
 #include "segmentation/decomposition/cut_tree.hpp"
 #include "segmentation/decomposition/geometric_oracle.hpp"
 #include "segmentation/decomposition/keep_t_joints.hpp"
+#include "segmentation/decomposition/known_shape.hpp"
 #include "segmentation/decomposition/star_cells.hpp"
 #include "segmentation/decomposition/starting_cell.hpp"
 #include "segmentation/decomposition/templates.hpp"
 #include "segmentation/decomposition/unfinished_parts.hpp"
-#include "segmentation/sweeps/swept_cells.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -256,41 +255,18 @@ class Decomposer {
   std::string why_not_;  // the last way did not end
 };
 
-/// Of a solid whose hexahedra follow from what it is, whatever its graph.
-std::optional<Decomposition> seen_through(const Brep& solid, std::string& why_not) {
-  try {
-    std::optional<SweptCells> swept = swept_cells(solid);
-    if (!swept) return std::nullopt;
-    Decomposition result{swept->complex, swept->complex, {}, {}};
-    result.report.cells = result.report.hexahedra = static_cast<int>(result.complex.cells.size());
-    const Eigen::Vector3d along = swept->along;
-    result.report.seen_as =
-        fmt::format("swept along ({:.3g}, {:.3g}, {:.3g}): a profile of {} quadrilateral{} between {} levels",
-                    along.x() + 0.0, along.y() + 0.0, along.z() + 0.0, swept->quadrilaterals,
-                    swept->quadrilaterals == 1 ? "" : "s", swept->levels);
-    return result;
-  } catch (const Error& error) {
-    if (error.code() == ErrorCode::internal) throw;
-    why_not = error.what();
-    return std::nullopt;
-  }
-}
-
 /// What is known of it without a search, or by one.
 Decomposition decomposed(const Brep& solid, const std::string& name, const DecompositionOptions& options,
                          const Progress& progress) {
-  const Stopwatch watch;
-  std::string why_not;
-  std::optional<Decomposition> seen = seen_through(solid, why_not);
-  if (seen) seen->report.seconds = watch.seconds();
+  KnownShape known = known_shape(solid);
   std::optional<Decomposer> decomposer;
   try {
-    decomposer.emplace(solid, name, options, progress, seen);
+    decomposer.emplace(solid, name, options, progress, known.decomposition);
   } catch (const geometry::SolidError& error) {
-    if (seen) return std::move(*seen);
-    if (why_not.empty()) throw;
-    throw geometry::SolidError(error.code(), fmt::format("{}. It is swept, but {}", error.what(), why_not),
-                               error.fault());
+    if (known.decomposition) return std::move(*known.decomposition);
+    if (known.why_not.empty()) throw;
+    throw geometry::SolidError(
+        error.code(), fmt::format("{}. It looks swept, but {}", error.what(), known.why_not), error.fault());
   }
   return decomposer->make();
 }

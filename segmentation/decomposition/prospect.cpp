@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "geometry/base/error.hpp"
+#include "segmentation/decomposition/known_shape.hpp"
 #include "segmentation/decomposition/starting_cell.hpp"
 
 namespace isopatch::segmentation {
@@ -13,7 +14,8 @@ Prospect seen(const geometry::Brep& solid, const DecompositionOptions& options) 
   CellStore store(solid, options.cut, options.time_limit);
   const StartingCell start = starting_cell(store);
   const CellSides& sides = store.entry(start.cell.handle).sides;
-  Prospect result{static_cast<int>(start.cell.graph.faces.size()), {}, {}};
+  Prospect result;
+  result.sides = static_cast<int>(start.cell.graph.faces.size());
   for (std::size_t e = 0; e < start.cell.graph.edges.size(); ++e) {
     const CellGraph::Edge& found = start.cell.graph.edges[e];
     if (found.kind != EdgeKind::non_convex) continue;
@@ -31,14 +33,20 @@ Prospect seen(const geometry::Brep& solid, const DecompositionOptions& options) 
 }  // namespace
 
 Prospect prospect(const geometry::Brep& solid, const DecompositionOptions& options) {
+  const KnownShape known = known_shape(solid);
+  Prospect result;
   try {
-    return seen(solid, options);
+    result = seen(solid, options);
   } catch (const geometry::SolidError& error) {
-    return {0, {}, {}, error};
+    result.refusal = error;
   } catch (const Error& error) {
     if (error.code() == ErrorCode::internal) throw;
-    return {0, {}, {}, geometry::SolidError(error.code(), error.what(), {})};
+    result.refusal = geometry::SolidError(error.code(), error.what(), {});
   }
+  if (!known.decomposition) return result;
+  result.refusal.reset();
+  result.seen_as = known.decomposition->report.seen_as;
+  return result;
 }
 
 }  // namespace isopatch::segmentation

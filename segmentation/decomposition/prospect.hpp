@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "geometry/brep/solid_error.hpp"
@@ -14,10 +15,11 @@ struct Prospect {
   std::vector<EdgeId>
       concave;                ///< edges of the solid with more than 180 degrees inside: cuts go through them
   std::vector<EdgeId> blunt;  ///< likewise those with about as much: tangent, nearly flat
+  std::string seen_as = {};  ///< as in `DecompositionReport`; all else is empty then if it could not be cut
   std::optional<geometry::SolidError> refusal = {};  ///< why it will not be tried; all else is empty then
 };
 
-/// @cost  that of one triangulation and the angles at all edges
+/// @cost  that of one triangulation, the angles at all edges, and of dividing what is swept
 Prospect prospect(const geometry::Brep& solid, const DecompositionOptions& options = {});
 
 }  // namespace isopatch::segmentation

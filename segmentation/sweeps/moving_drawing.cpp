@@ -10,6 +10,7 @@
 #include "geometry/brep/require_solid.hpp"
 #include "geometry/splines/arc.hpp"
 #include "geometry/splines/refine.hpp"
+#include "geometry/splines/sweep.hpp"
 #include "segmentation/sweeps/internal/piece_of_curve.hpp"
 
 namespace isopatch::segmentation {
@@ -24,11 +25,13 @@ NurbsCurve pushed(const NurbsCurve& curve, const SweepFrame& frame, double heigh
   return NurbsCurve(curve.knots(), curve.control_points().colwise() + by * frame.along, curve.weights());
 }
 
-/// The straight blend of two curves of one kind.
+/// The straight blend of two curves.
 NurbsCurve blend(const NurbsCurve& a, const NurbsCurve& b, double share) {
-  if (a.knots() != b.knots() || (a.weights() - b.weights()).cwiseAbs().maxCoeff() > 1e-9)
-    throw Error(ErrorCode::unsupported, "the edges of an inclined wall are of different kinds");
-  return NurbsCurve(a.knots(), (1 - share) * a.control_points() + share * b.control_points(), a.weights());
+  const geometry::NurbsSurface between = geometry::ruled(a, b);
+  const Eigen::Index count = between.size(0);
+  const Eigen::Matrix4Xd points = between.homogeneous();
+  return NurbsCurve::from_homogeneous(
+      {between.knots(0)}, (1 - share) * points.leftCols(count) + share * points.rightCols(count));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -75,6 +76,17 @@ NurbsCurve spline_piece(const NurbsCurve& whole, double low, double high) {
                     curve.weights().segment(from, count));
 }
 
+/// One curve of two that meet, the first up to a parameter.
+NurbsCurve joined(const NurbsCurve& first, const NurbsCurve& second, double at) {
+  const auto degree = static_cast<std::ptrdiff_t>(first.degree(0));
+  const KnotVector low = rescaled(first.knots(0), 0, at), high = rescaled(second.knots(0), at, 1);
+  std::vector<double> knots(low.knots().begin(), low.knots().end() - 1);
+  knots.insert(knots.end(), high.knots().begin() + degree + 1, high.knots().end());
+  Eigen::Matrix4Xd points(4, first.size() + second.size() - 1);
+  points << first.homogeneous(), second.homogeneous().rightCols(second.size() - 1);
+  return NurbsCurve::from_homogeneous({KnotVector(static_cast<int>(degree), std::move(knots))}, points);
+}
+
 }  // namespace
 
 NurbsCurve piece_of_curve(const Brep& brep, EdgeId edge, double low, double high) {
@@ -87,9 +99,9 @@ NurbsCurve piece_of_curve(const Brep& brep, EdgeId edge, double low, double high
     default:
       break;
   }
-  if (high > 1)
-    throw Error(ErrorCode::unsupported, fmt::format("the closed edge {} is cut across its seam", edge.value));
-  return spline_piece(brep.curve(edge), low, high);
+  const NurbsCurve whole = brep.curve(edge);
+  return high > 1 ? joined(spline_piece(whole, low, 1), spline_piece(whole, 0, high - 1), (1 - low) / (high - low))
+                  : spline_piece(whole, low, high);
 }
 
 }  // namespace isopatch::segmentation

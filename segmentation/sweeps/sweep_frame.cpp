@@ -37,7 +37,7 @@ bool is_floor(const std::optional<Carrier>& carrier, const Eigen::Vector3d& alon
 constexpr double largest_slope = 0.94;
 
 bool is_inclined(const std::optional<Carrier>& carrier, const Eigen::Vector3d& along) {
-  if (!carrier) return false;
+  if (!carrier) return true;  // how far, and whether it is straight, is looked at when it is cut
   if (carrier->kind == SurfaceKind::plane) return std::abs(carrier->axis.dot(along)) < largest_slope;
   return carrier->kind == SurfaceKind::cone && carrier->axis.cross(along).norm() < straight &&
          std::abs(std::sin(carrier->half_angle.radians())) < largest_slope;

@@ -1,0 +1,45 @@
+#include "segmentation/decomposition/known_shape.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "geometry/base/error.hpp"
+#include "geometry/base/stopwatch.hpp"
+#include "segmentation/sweeps/swept_cells.hpp"
+
+namespace isopatch::segmentation {
+namespace {
+
+/// "z" where it is an axis, "(0.6, 0, 0.8)" elsewhere.
+std::string direction_text(const Eigen::Vector3d& direction) {
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(direction[i]) > 1 - 1e-12) return std::string(1, "xyz"[i]);
+  return fmt::format("({:.3g}, {:.3g}, {:.3g})", direction.x(), direction.y(), direction.z());
+}
+
+std::string text_of(const SweptCells& swept) {
+  return fmt::format("swept along {}: {} quadrilateral{} between {} levels", direction_text(swept.along),
+                     swept.quadrilaterals, swept.quadrilaterals == 1 ? "" : "s", swept.levels);
+}
+
+}  // namespace
+
+KnownShape known_shape(const geometry::Brep& solid) {
+  const Stopwatch watch;
+  KnownShape result;
+  try {
+    const std::optional<SweptCells> swept = swept_cells(solid);
+    if (!swept) return result;
+    Decomposition& made = result.decomposition.emplace(Decomposition{swept->complex, swept->complex, {}, {}});
+    made.report.cells = made.report.hexahedra = static_cast<int>(made.complex.cells.size());
+    made.report.seen_as = text_of(*swept);
+    made.report.seconds = watch.seconds();
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::internal) throw;
+    result.why_not = error.what();
+  }
+  return result;
+}
+
+}  // namespace isopatch::segmentation

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "segmentation/decomposition/decompose.hpp"
+
+namespace isopatch::segmentation {
+
+/// What is known of a solid without a search.
+struct KnownShape {
+  /// Of a solid whose hexahedra follow from what it is: one that is swept, whatever its graph.
+  std::optional<Decomposition> decomposition;
+  std::string why_not;  ///< where it looks like one and could not be divided, what stopped it
+};
+
+KnownShape known_shape(const geometry::Brep& solid);
+
+}  // namespace isopatch::segmentation
