@@ -184,6 +184,16 @@ class Tables(unittest.TestCase):
         self.assertIn("refused, or not solved, because", text)
         self.assertIn("face 0 has a hole", text)
 
+    def test_parts_say_where_they_are_held_and_what_they_measure(self):
+        table = script("segmentation_table")
+        part = {"held": "base", "loaded": "bore", "volume_in_mm3": 5e8, "hexahedra_at_most": None}
+        solid = {"volume": 0.25}
+        self.assertEqual(table.held_and_loaded(solid, part), ("base", "bore"))
+        self.assertEqual(table.known_volume(solid, part), 0.5)
+        self.assertEqual(table.known_volume(solid, {**part, "volume_in_mm3": None}), 0.25)
+        self.assertEqual(table.at_most(part), "-")
+        self.assertTrue(table.table([["nut", "iii", "face 0 has a hole"]], table.PARTS_HEADER).startswith("| part"))
+
 
 if __name__ == "__main__":
     unittest.main()

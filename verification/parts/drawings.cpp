@@ -1,0 +1,47 @@
+#include "verification/parts/internal/drawings.hpp"
+
+#include "verification/parts/internal/basic_parts.hpp"
+#include "verification/parts/internal/chair_stand.hpp"
+#include "verification/parts/internal/demonstrator.hpp"
+#include "verification/parts/internal/shop_parts.hpp"
+
+namespace isopatch::parts {
+
+const std::vector<Drawing>& drawings() {
+  static const std::vector<Drawing> all = {
+      {"bored_block", "basic", "a block with a bore through it", bored_block, 4},
+      {"plate_with_2_bores", "basic", "a plate with two bores in a row", plate_with_2_bores, 7},
+      {"plate_with_3_bores", "basic", "three", plate_with_3_bores, 10},
+      {"plate_with_5_bores", "basic", "five", plate_with_5_bores, 16},
+      {"round_bar", "basic", "a round bar", round_bar, 12},
+      {"link", "basic", "the link of examples/link", link, 11},
+      {"stepped_shaft", "basic", "a shaft of three sections, with a cone", stepped_shaft, 27},
+      {"pipe_elbow", "basic", "a pipe elbow with two flanges of four bolts", pipe_elbow},
+      {"pipe_tee", "basic", "a pipe tee with a flange", pipe_tee},
+      {"shaft_with_boss", "basic", "a shaft with a boss across", shaft_with_boss},
+      {"countersunk_plate", "basic", "a plate with a countersunk bore", countersunk_plate},
+      {"nut", "basic", "a hexagon nut, sharp", nut},
+      {"chamfered_nut", "basic", "a hexagon nut as it is sold", chamfered_nut},
+      {"chamfered_block", "basic", "a block with every edge chamfered", chamfered_block},
+      {"rounded_block", "basic", "a block with every edge rounded", rounded_block},
+      {"bracket", "basic", "an L with two bores and a rib", bracket},
+      {"flange", "basic", "a flange with eight bores and a hub", flange},
+      {"bearing_block", "shop", "a bearing housing on two feet", bearing_block},
+      {"clevis", "shop", "a fork on a rod", clevis},
+      {"hinge_leaf", "shop", "a hinge leaf with three knuckles and countersunk holes", hinge_leaf},
+      {"pulley", "shop", "a V-belt pulley with web, holes and keyway", pulley},
+      {"t_slot_nut", "shop", "a nut for a T-slot", t_slot_nut},
+      {"cam", "shop", "a disk cam with keyway", cam},
+      {"motor_plate", "shop", "a motor plate with a stepped seat, eight holes and two pockets", motor_plate},
+      {"manifold_block", "shop", "a hydraulic manifold with crossing bores", manifold_block},
+      {"lever", "shop", "a lever with two hubs", lever},
+      {"key_shaft", "shop", "a stepped shaft with fillets, chamfers and a keyway", key_shaft},
+      {"heat_sink", "shop", "a heat sink with nine fins", heat_sink},
+      {"u_bracket", "shop", "a bracket bent from a sheet", u_bracket},
+      {"demonstrator", "models", "the TERRIFIC demonstrator, from its dimensions", demonstrator},
+      {"chair_stand", "models", "one fifth of a chair's base, from its dimensions", chair_stand},
+  };
+  return all;
+}
+
+}  // namespace isopatch::parts
