@@ -7,8 +7,7 @@
 namespace isopatch::geometry {
 
 Overlay overlay(const Brep& solid, const std::vector<FaceId>& faces, const Eigen::Vector3d& origin,
-                const Eigen::Vector3d& direction,
-                const Redrawn& redrawn) {
+                const Eigen::Vector3d& direction, const Redrawn& redrawn) {
   for (const FaceId face : faces) (void)solid.face(face);  // checks the id
   KernelOverlay made = brep_module().overlay(solid.kernel(), faces, origin, direction, redrawn);
   return {Brep(std::move(made.sheet)), std::move(made.covered_by)};

@@ -7,8 +7,8 @@
 
 namespace isopatch::geometry {
 
-/// Outlines of plane faces pushed along their normal into one plane and laid over each other: the drawing that one
-/// sees who looks at them from afar.
+/// Outlines of plane faces pushed along their normal into one plane and laid over each other: the drawing
+/// that one sees who looks at them from afar.
 struct Overlay {
   /// No solid but a sheet of plane faces without names, which look along the direction and share edges and
   /// vertices. Each is covered by the same outlines everywhere.
@@ -24,7 +24,6 @@ struct Overlay {
 /// @throws Error unsupported  the CAD library cannot lay them over each other
 /// @cost  that of a general fuse: some milliseconds a face
 Overlay overlay(const Brep& solid, const std::vector<FaceId>& faces, const Eigen::Vector3d& origin,
-                const Eigen::Vector3d& direction,
-                const Redrawn& redrawn = {});
+                const Eigen::Vector3d& direction, const Redrawn& redrawn = {});
 
 }  // namespace isopatch::geometry

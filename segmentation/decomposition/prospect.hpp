@@ -15,7 +15,7 @@ struct Prospect {
   std::vector<EdgeId>
       concave;                ///< edges of the solid with more than 180 degrees inside: cuts go through them
   std::vector<EdgeId> blunt;  ///< likewise those with about as much: tangent, nearly flat
-  std::string seen_as = {};  ///< as in `DecompositionReport`; all else is empty then if it could not be cut
+  std::string seen_as = {};   ///< as in `DecompositionReport`; all else is empty then if it could not be cut
   std::optional<geometry::SolidError> refusal = {};  ///< why it will not be tried; all else is empty then
 };
 

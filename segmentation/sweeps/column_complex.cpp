@@ -13,7 +13,7 @@
 #include "geometry/brep/require_solid.hpp"
 #include "geometry/splines/arc.hpp"
 #include "geometry/splines/refine.hpp"
-#include "geometry/splines/sweep.hpp"
+#include "segmentation/sweeps/internal/straight_wall.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -31,6 +31,10 @@ using Upright = std::tuple<int, int, int>;  // number, low, high
 /// Something in a level.
 using Flat = std::pair<int, int>;  // number, level
 
+/// How far a straight wall may lie off the solid's, as a share of its size: what patches keep to as well.
+/// Drafted walls of CAD programs are splines, and their edges run at paces of their own.
+constexpr double off_the_wall = 1e-4;
+
 NurbsCurve line_in_domain(double u0, double v0, double u1, double v1) {
   return geometry::segment({u0, v0, 0}, {u1, v1, 0});
 }
@@ -43,7 +47,8 @@ class ColumnComplex {
       : solid_(solid), frame_(frame), quads_(quads), moving_(moving), layers_(layers) {
     for (std::size_t q = 0; q < quads.quads.size(); ++q)
       for (const Layer& layer : layers.columns[q])
-        for (const EdgeUse& side : quads.quads[q].sides) ++cells_at_[{side.edge.value, layer.low, layer.high}];
+        for (const EdgeUse& side : quads.quads[q].sides)
+          ++cells_at_[{side.edge.value, layer.low, layer.high}];
   }
 
   CellComplex make() {
@@ -133,7 +138,7 @@ class ColumnComplex {
     if (const std::optional<PlaneSurface> plane = plane_through(below, above)) {
       face.surface = add_surface(*plane);
     } else {
-      face.surface = add_surface(geometry::ruled(below, above));
+      face.surface = add_surface(straight_wall(below, above));
       const double start = turned ? 1 : 0, end = 1 - start;
       trace(bottom, face.surface, line_in_domain(start, 0, end, 0));
       trace(top, face.surface, line_in_domain(start, 1, end, 1));
@@ -159,7 +164,8 @@ class ColumnComplex {
     const Eigen::Vector3d x = (b - a).normalized();
     const Eigen::Vector3d up = above.control_points().col(0) - a;
     const Eigen::Vector3d y = (up - up.dot(x) * x).normalized();
-    if (std::abs((above.control_points().col(1) - a).dot(x.cross(y))) > 1e-9 * solid_.size()) return std::nullopt;
+    if (std::abs((above.control_points().col(1) - a).dot(x.cross(y))) > 1e-9 * solid_.size())
+      return std::nullopt;
     return PlaneSurface{a, x, y};
   }
 
@@ -170,12 +176,13 @@ class ColumnComplex {
       return (1 - v) * below.point(t) + v * above.point(t);
     };
     const Eigen::Vector3d middle = point(0.5, 0.5);
+    const double tolerance = off_the_wall * solid_.size();
     for (const FaceId face : frame_.walls) {
       const geometry::FaceProjection nearest = solid_.project(face, middle);
-      if (nearest.distance > 1e-6 * solid_.size() || !solid_.contains(face, nearest.uv)) continue;
+      if (nearest.distance > tolerance || !solid_.contains(face, nearest.uv)) continue;
       for (const double u : {0.1, 0.3, 0.7, 0.9})
         for (const double v : {0.2, 0.8})
-          if (solid_.project(face, point(u, v), nearest.uv).distance > 1e-6 * solid_.size())
+          if (solid_.project(face, point(u, v), nearest.uv).distance > tolerance)
             throw Error(ErrorCode::unsupported,
                         fmt::format("{} is not straight from floor to floor", describe(solid_, face)));
       return face;
@@ -204,7 +211,7 @@ class ColumnComplex {
   const Quadrangulation& quads_;
   const MovingDrawing& moving_;
   const Layers& layers_;
-  std::map<Upright, int> cells_at_;      // walls
+  std::map<Upright, int> cells_at_;  // walls
   CellComplex complex_;
   std::map<Flat, VertexId> vertices_;
   std::map<Flat, EdgeId> level_edges_;

@@ -64,9 +64,8 @@ Layers layers(const Quadrangulation& drawing, const std::vector<std::vector<Slab
   Layers result;
   result.levels = levels(drawing, slabs, moving, tolerance);
   const auto level = [&](double height) {
-    return static_cast<int>(
-        std::lower_bound(result.levels.begin(), result.levels.end(), height - tolerance) -
-        result.levels.begin());
+    return static_cast<int>(std::lower_bound(result.levels.begin(), result.levels.end(), height - tolerance) -
+                            result.levels.begin());
   };
   std::vector<Column> columns;
   for (const Quad& quad : drawing.quads) {

@@ -10,8 +10,8 @@
 #include "geometry/brep/require_solid.hpp"
 #include "geometry/splines/arc.hpp"
 #include "geometry/splines/refine.hpp"
-#include "geometry/splines/sweep.hpp"
 #include "segmentation/sweeps/internal/piece_of_curve.hpp"
+#include "segmentation/sweeps/internal/straight_wall.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -27,11 +27,11 @@ NurbsCurve pushed(const NurbsCurve& curve, const SweepFrame& frame, double heigh
 
 /// The straight blend of two curves.
 NurbsCurve blend(const NurbsCurve& a, const NurbsCurve& b, double share) {
-  const geometry::NurbsSurface between = geometry::ruled(a, b);
+  const geometry::NurbsSurface between = straight_wall(a, b);
   const Eigen::Index count = between.size(0);
   const Eigen::Matrix4Xd points = between.homogeneous();
-  return NurbsCurve::from_homogeneous(
-      {between.knots(0)}, (1 - share) * points.leftCols(count) + share * points.rightCols(count));
+  return NurbsCurve::from_homogeneous({between.knots(0)},
+                                      (1 - share) * points.leftCols(count) + share * points.rightCols(count));
 }
 
 }  // namespace
@@ -90,7 +90,8 @@ Eigen::Vector3d MovingDrawing::sheet_point(const QuadEdge& drawn, double share) 
 double MovingDrawing::parameter_on(const EdgeTrack& track, const Eigen::Vector3d& point) const {
   const double tolerance = 1e-6 * solid_.size();
   if (track.line) {
-    const Eigen::Vector2d along = (*track.line)[1] - (*track.line)[0], p = frame_.flat(point) - (*track.line)[0];
+    const Eigen::Vector2d along = (*track.line)[1] - (*track.line)[0],
+                          p = frame_.flat(point) - (*track.line)[0];
     const double t = p.dot(along) / along.squaredNorm();
     const bool off = (p - t * along).norm() > tolerance || t * along.norm() < -tolerance ||
                      (t - 1) * along.norm() > tolerance;
@@ -182,7 +183,8 @@ const std::vector<Eigen::Vector2d>& MovingDrawing::shifts(double height) const {
 
 Eigen::Vector3d MovingDrawing::place(int vertex, double height) const {
   const auto v = static_cast<std::size_t>(vertex);
-  if (drawing_.tracks.vertices.empty() && drawing_.tracks.edges.empty()) return frame_.point(places_[v], height);
+  if (drawing_.tracks.vertices.empty() && drawing_.tracks.edges.empty())
+    return frame_.point(places_[v], height);
   return frame_.point(places_[v] + shifts(height)[v], height);
 }
 

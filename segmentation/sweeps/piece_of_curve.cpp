@@ -24,8 +24,8 @@ double wrapped(double t) {
   return t > 1 ? t - 1 : t;
 }
 
-/// A conic by its ends, the tangents there and the point in the middle of its parameter range: circles and their
-/// affine images, as kernels run through them.
+/// A conic by its ends, the tangents there and the point in the middle of its parameter range: circles and
+/// their affine images, as kernels run through them.
 NurbsCurve conic_piece(const Brep& brep, EdgeId edge, double low, double high) {
   const Eigen::Vector3d start = brep.point(edge, wrapped(low)), end = brep.point(edge, wrapped(high));
   const Eigen::Vector3d out = brep.tangent(edge, wrapped(low)).normalized();
@@ -34,9 +34,8 @@ NurbsCurve conic_piece(const Brep& brep, EdgeId edge, double low, double high) {
   const double turn = std::atan2(normal.norm(), out.dot(in));
   constexpr double largest_turn = 170.0 / 180.0 * 3.14159265358979323846;
   if (turn > largest_turn)
-    throw Error(ErrorCode::unsupported,
-                fmt::format("an arc of {:.0f} degrees on edge {} has to be divided", turn * 57.29577951,
-                            edge.value));
+    throw Error(ErrorCode::unsupported, fmt::format("an arc of {:.0f} degrees on edge {} has to be divided",
+                                                    turn * 57.29577951, edge.value));
   // Where the tangents meet.
   const double along = (end - start).cross(in).dot(normal) / normal.squaredNorm();
   const Eigen::Vector3d apex = start + along * out;
@@ -51,16 +50,18 @@ NurbsCurve conic_piece(const Brep& brep, EdgeId edge, double low, double high) {
 /// With knots of full multiplicity at both ends of the piece, what lies between them.
 NurbsCurve spline_piece(const NurbsCurve& whole, double low, double high) {
   const double first = whole.low()[0], length = whole.high()[0] - first;
-  const std::array<double, 2> ends = {first + low * length, first + high * length};
+  std::array<double, 2> ends = {first + low * length, first + high * length};
+  for (double& end : ends)  // one that is a knot but for round-off
+    for (const double knot : whole.knots(0).knots())
+      if (std::abs(knot - end) < 1e-10 * length) end = knot;
   NurbsCurve curve = whole;
   const int degree = whole.degree(0);
   for (std::size_t i = 0; i < 2; ++i) {
     if (i == 0 ? low <= 0 : high >= 1) continue;
     const std::vector<double>& knots = curve.knots(0).knots();
     const auto known = std::count(knots.begin(), knots.end(), ends[i]);
-    curve = insert_knots(curve, 0,
-                         std::vector<double>(static_cast<std::size_t>(std::max<long>(0, degree - known)),
-                                             ends[i]));
+    curve = insert_knots(
+        curve, 0, std::vector<double>(static_cast<std::size_t>(std::max<long>(0, degree - known)), ends[i]));
   }
   const std::vector<double>& knots = curve.knots(0).knots();
   const auto begin = std::lower_bound(knots.begin(), knots.end(), ends[0]) - knots.begin();
@@ -100,8 +101,9 @@ NurbsCurve piece_of_curve(const Brep& brep, EdgeId edge, double low, double high
       break;
   }
   const NurbsCurve whole = brep.curve(edge);
-  return high > 1 ? joined(spline_piece(whole, low, 1), spline_piece(whole, 0, high - 1), (1 - low) / (high - low))
-                  : spline_piece(whole, low, high);
+  return high > 1
+             ? joined(spline_piece(whole, low, 1), spline_piece(whole, 0, high - 1), (1 - low) / (high - low))
+             : spline_piece(whole, low, high);
 }
 
 }  // namespace isopatch::segmentation

@@ -33,7 +33,8 @@ bool is_floor(const std::optional<Carrier>& carrier, const Eigen::Vector3d& alon
   return carrier && carrier->kind == SurfaceKind::plane && carrier->axis.cross(along).norm() < straight;
 }
 
-/// Walls may lean over by so much: the corners of blocks between them and floors are then 20 degrees at least.
+/// Walls may lean over by so much: the corners of blocks between them and floors are then 20 degrees at
+/// least.
 constexpr double largest_slope = 0.94;
 
 bool is_inclined(const std::optional<Carrier>& carrier, const Eigen::Vector3d& along) {
@@ -44,10 +45,9 @@ bool is_inclined(const std::optional<Carrier>& carrier, const Eigen::Vector3d& a
 }
 
 bool is_upright(const Brep& solid, FaceId face, const std::optional<Carrier>& carrier,
-             const Eigen::Vector3d& along) {
+                const Eigen::Vector3d& along) {
   if (carrier && carrier->kind == SurfaceKind::plane) return std::abs(carrier->axis.dot(along)) < straight;
-  if (carrier && carrier->kind == SurfaceKind::cylinder)
-    return carrier->axis.cross(along).norm() < straight;
+  if (carrier && carrier->kind == SurfaceKind::cylinder) return carrier->axis.cross(along).norm() < straight;
   if (carrier) return false;
   const geometry::DomainBox domain = solid.domain(face);
   constexpr int samples = 9;

@@ -17,10 +17,9 @@ namespace {
 void require_whole(const geometry::Brep& solid, const geometry::CellComplex& complex) {
   double volume = 0;
   for (const geometry::Brep& cell : cell_solids(solid, complex)) volume += cell.volume();
-  if (std::abs(volume - solid.volume()) > 1e-6 * solid.volume())
-    throw Error(ErrorCode::unsupported,
-                fmt::format("{:.3g} of {:.3g} m^3 are no part of the stack", solid.volume() - volume,
-                            solid.volume()));
+  if (std::abs(volume - solid.volume()) > 1e-5 * solid.volume())
+    throw Error(ErrorCode::unsupported, fmt::format("{:.3g} of {:.3g} m^3 are no part of the stack",
+                                                    solid.volume() - volume, solid.volume()));
 }
 
 SweptCells swept_along(const geometry::Brep& solid, const SweepFrame& frame,

@@ -15,14 +15,17 @@ struct SweptCells {
   int quadrilaterals = 0, levels = 0;
 };
 
-/// Divides a solid that is a stack of prisms: its walls all along one direction, its floors across it. Bores,
-/// slots, pockets and bosses of that direction among them; holes through it and closed edges do not matter.
+/// Divides a solid that is a stack: floors across one direction, walls along it or inclined to it. Bores,
+/// slots, pockets, bosses, drafts, countersinks and cones of that direction among them; holes through it and
+/// closed edges do not matter.
 ///
-/// The outlines of all floors are laid over each other, that drawing is divided into quadrilaterals, and these
-/// are swept from floor to floor. Of several directions the one with the fewest hexahedra is taken. Walls are exact: planes,
-/// or a curve times a line.
-/// @return  nothing for a solid that is no such stack
-/// @throws Error unsupported  a profile that cannot be divided, naming the place
+/// The outlines of all floors are laid over each other, inclined walls where they are lowest; that drawing is
+/// divided into quadrilaterals, which are carried from floor to floor. Of several directions the one with the
+/// fewest hexahedra is taken. Upright and conical walls are exact; other inclined ones are straight from edge
+/// to edge, within 1e-4 of the solid's size of its own.
+/// @return  nothing for a solid that is no stack
+/// @throws Error unsupported  it looks like one, but an inclined wall is no strip between two edges, walls
+/// are not straight, a profile cannot be divided: names the place
 std::optional<SweptCells> swept_cells(const geometry::Brep& solid,
                                       const QuadrangulationOptions& options = {});
 

@@ -26,7 +26,8 @@ class Tracker {
         frame_(frame),
         tolerance_(1e-7 * solid.size()),
         vertex_sets_(static_cast<int>(solid.vertices().cols())) {
-    for (std::size_t e = 0; e < solid.edges().size(); ++e) level_.push_back(level_of(EdgeId(static_cast<int>(e))));
+    for (std::size_t e = 0; e < solid.edges().size(); ++e)
+      level_.push_back(level_of(EdgeId(static_cast<int>(e))));
   }
 
   Tracks make() {
@@ -58,7 +59,9 @@ class Tracker {
         return std::nullopt;
     return first;
   }
-  const std::optional<double>& level(EdgeId edge) const { return level_[static_cast<std::size_t>(edge.value)]; }
+  const std::optional<double>& level(EdgeId edge) const {
+    return level_[static_cast<std::size_t>(edge.value)];
+  }
 
   std::optional<Strip> strip_of(FaceId face) const {
     const auto& loops = solid_.face(face).loops;
@@ -91,9 +94,8 @@ class Tracker {
     for (int v = 0; v < static_cast<int>(solid_.vertices().cols()); ++v)
       sets[vertex_sets_.find(v)].emplace_back(v);
     for (auto& [root, members] : sets) {
-      std::sort(members.begin(), members.end(), [&](VertexId a, VertexId b) {
-        return height(solid_.vertex(a)) < height(solid_.vertex(b));
-      });
+      std::sort(members.begin(), members.end(),
+                [&](VertexId a, VertexId b) { return height(solid_.vertex(a)) < height(solid_.vertex(b)); });
       drawn_at_[root] = flat(members.front());
       VertexTrack track;
       double moved = 0;
@@ -149,7 +151,8 @@ class Tracker {
     for (const double t : {0.0, 0.31, 1.0})
       for (const EdgeTrack::At& at : track.at) {
         const Eigen::Vector2d first = frame_.flat(solid_.point(track.at.front().edge, t));
-        if ((frame_.flat(solid_.point(at.edge, at.reversed ? 1 - t : t)) - first).norm() > tolerance_) return true;
+        if ((frame_.flat(solid_.point(at.edge, at.reversed ? 1 - t : t)) - first).norm() > tolerance_)
+          return true;
       }
     return false;
   }

@@ -50,14 +50,15 @@ class Overlayer {
 
   TopoDS_Edge edge(EdgeId id) {
     if (const auto known = edges_.find(id); known != edges_.end()) return known->second;
-    if (const auto other = redrawn_.find(id); other != redrawn_.end()) return edges_[id] = redrawn(other->second);
+    if (const auto other = redrawn_.find(id); other != redrawn_.end())
+      return edges_[id] = redrawn(other->second);
     const EdgeGeometry& source = source_.of(id);
     const Eigen::Vector3d at = to_eigen(source.curve->Value(source.first));
     const Eigen::Vector3d by = (origin_ - at).dot(direction_) * direction_;
     const Handle(Geom_Curve) curve =
         Handle(Geom_Curve)::DownCast(source.curve->Translated(gp_Vec(by.x(), by.y(), by.z())));
     BRepBuilderAPI_MakeEdge maker(curve, std::min(source.first, source.last),
-                                        std::max(source.first, source.last));
+                                  std::max(source.first, source.last));
     if (!maker.IsDone()) fail();
     return edges_[id] = TopoDS::Edge(source.first < source.last ? maker.Shape() : maker.Shape().Reversed());
   }

@@ -5,7 +5,8 @@
 
 namespace isopatch::segmentation {
 
-/// The hexahedra of columns, with all that they share stored once. Faces on the solid's refer to them and look outwards.
+/// The hexahedra of columns, with all that they share stored once. Faces on the solid's refer to them and
+/// look outwards.
 /// @throws Error unsupported  a curve that cannot be cut so, a wall that no face of the solid has
 geometry::CellComplex column_complex(const geometry::Brep& solid, const SweepFrame& frame,
                                      const Quadrangulation& quads, const MovingDrawing& moving,

@@ -9,7 +9,7 @@ namespace isopatch::segmentation {
 
 /// A hexahedron of a column over a quadrilateral.
 struct Layer {
-  int low, high;  ///< numbers of levels
+  int low, high;                      ///< numbers of levels
   std::optional<FaceId> bottom, top;  ///< of the solid, where it ends there
 };
 
@@ -19,8 +19,8 @@ struct Layers {
   std::vector<std::vector<Layer>> columns;  ///< by quadrilateral, from low to high
 };
 
-/// Divides what stands over each quadrilateral so that columns side by side meet in whole sides: at the heights
-/// where a neighbour ends or is divided or a wall beside it changes its slope, no others.
+/// Divides what stands over each quadrilateral so that columns side by side meet in whole sides: at the
+/// heights where a neighbour ends or is divided or a wall beside it changes its slope, no others.
 /// @param tolerance  m, of heights that are one
 Layers layers(const Quadrangulation& drawing, const std::vector<std::vector<Slab>>& slabs,
               const MovingDrawing& moving, double tolerance);

@@ -9,8 +9,8 @@
 
 namespace isopatch::segmentation {
 
-/// A divided drawing at any height: vertices and edges on inclined walls move along them, other outlines stay, and what
-/// lies inside follows the mean of its neighbours.
+/// A divided drawing at any height: vertices and edges on inclined walls move along them, other outlines
+/// stay, and what lies inside follows the mean of its neighbours.
 class MovingDrawing {
  public:
   /// All must outlive it.
@@ -55,14 +55,14 @@ class MovingDrawing {
   const SweepFrame& frame_;
   const SweptDrawing& drawing_;
   const Quadrangulation& quads_;
-  std::vector<Eigen::Vector2d> places_;              // where nothing moves
-  std::vector<geometry::NurbsCurve> curves_;         // of edges, at height 0
-  std::vector<std::vector<Piece>> pieces_;           // of edges
+  std::vector<Eigen::Vector2d> places_;                           // where nothing moves
+  std::vector<geometry::NurbsCurve> curves_;                      // of edges, at height 0
+  std::vector<std::vector<Piece>> pieces_;                        // of edges
   std::map<int, std::vector<const VertexTrack*>> vertex_tracks_;  // by vertex
   /// Vertices inside the drawing with their neighbours.
   std::map<int, std::vector<int>> inner_;
   mutable std::map<double, std::vector<Eigen::Vector2d>> shifts_;  // of all vertices, by height
-  std::map<int, std::vector<Piece>> on_track_;       // vertices inside edges that move, as pieces of no length
+  std::map<int, std::vector<Piece>> on_track_;  // vertices inside edges that move, as pieces of no length
 };
 
 }  // namespace isopatch::segmentation

@@ -6,7 +6,8 @@
 
 namespace isopatch::segmentation {
 
-/// A direction along which a solid is a stack: each face is a floor across it, or a wall along it, upright or inclined.
+/// A direction along which a solid is a stack: each face is a floor across it, or a wall along it, upright or
+/// inclined.
 struct SweepFrame {
   Eigen::Vector3d origin, x, y, along;  ///< m; unit, right-handed: `along` is x cross y
   std::vector<FaceId> floors, walls;

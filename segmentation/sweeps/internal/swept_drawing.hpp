@@ -14,8 +14,8 @@ struct Slab {
   FaceId bottom, top;  ///< of the solid
 };
 
-/// A stack as seen along its direction: the outlines of all its floors over each other, inclined walls where they are
-/// lowest.
+/// A stack as seen along its direction: the outlines of all its floors over each other, inclined walls where
+/// they are lowest.
 struct SweptDrawing {
   Tracks tracks;
   geometry::Brep sheet;  ///< edges and faces by the numbers of the profile's edges and regions

@@ -35,7 +35,8 @@ struct Tracks {
 };
 
 /// Nothing for a solid whose walls are all upright.
-/// @throws Error unsupported  an inclined wall that is no strip between two edges across the direction, naming it
+/// @throws Error unsupported  an inclined wall that is no strip between two edges across the direction,
+/// naming it
 Tracks tracks(const geometry::Brep& solid, const SweepFrame& frame);
 
 /// Between the heights known on straight lines, above and below as the nearest.
