@@ -19,7 +19,7 @@ find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel FiltersCore 
 # By hand: the package file of Debian asks for libraries of OpenCASCADE's viewer, too.
 find_path(OPENCASCADE_INCLUDE_DIR Standard_Version.hxx PATH_SUFFIXES opencascade REQUIRED)
 set(OPENCASCADE_LIBRARIES)
-foreach(library TKXDESTEP TKXDEIGES TKSTEP TKIGES TKXSBase TKXCAF TKLCAF TKCDF TKMesh TKShHealing TKTopAlgo TKGeomAlgo
+foreach(library TKXDESTEP TKXDEIGES TKSTEP TKIGES TKXSBase TKXCAF TKLCAF TKCDF TKMesh TKBO TKShHealing TKTopAlgo TKGeomAlgo
         TKBRep TKGeomBase TKG3d TKG2d TKMath TKernel)
   find_library(OPENCASCADE_${library} ${library} REQUIRED)
   list(APPEND OPENCASCADE_LIBRARIES "${OPENCASCADE_${library}}")

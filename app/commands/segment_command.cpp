@@ -46,6 +46,7 @@ BlocksInput input_of(const SegmentCommand& command) {
   input.decomposition = segmentation::DecompositionOptions{};
   input.decomposition->time_limit = command.time_limit;
   input.decomposition->t_joints = *find_choice(t_joint_choices(), command.t_joints);
+  input.decomposition->blends = *find_choice(blend_choices(), command.blends);
   if (!command.length_unit.empty())
     input.files.length_unit = length_unit(InputFile{{}, {}, command.length_unit});
   set_reading(command.reading, input.files);
@@ -176,6 +177,11 @@ void add_segment_command(CLI::App& app, CommandLine& line) {
       .add_option("--t-joints", command->t_joints,
                   "Sides that meet others in parts: remove them by further cuts, or keep them")
       ->check(CLI::IsMember(names(t_joint_choices())))
+      ->capture_default_str();
+  segment
+      .add_option("--blends", command->blends,
+                  "Rounds that keep a body from being swept: keep them, or remove them")
+      ->check(CLI::IsMember(names(blend_choices())))
       ->capture_default_str();
   segment.add_flag("--json", command->json, "JSON instead of text");
 }

@@ -18,6 +18,7 @@ struct SegmentCommand {
   std::string length_unit;       ///< as of InputFile
   CadReading reading;
   std::string t_joints = "remove";                                      ///< or "keep"
+  std::string blends = "keep";
   double time_limit = segmentation::DecompositionOptions{}.time_limit;  ///< s
   bool json = false;
 };

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "segmentation/decomposition/blocks.hpp"
+#include "segmentation/decomposition/without_blends.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -21,6 +22,11 @@ CutBody cut_body(geometry::BrepFile solid, const segmentation::DecompositionOpti
   if (segmentation::is_hexahedron(body.solid.brep)) {
     body.blocks = {body.solid};
     return body;
+  }
+  const segmentation::WithoutBlends removal = segmentation::without_blends(body.solid.brep, options);
+  if (removal.removed > 0) {
+    body.blends = text_of(removal);
+    body.solid.brep = removal.brep;
   }
   body.cutting = segmentation::decompose(body.solid.brep, body.solid.name, options, progress);
   body.blocks = segmentation::blocks(body.solid, *body.cutting);
@@ -60,6 +66,9 @@ CutSolids each_cut(const BlocksInput& input, const Progress& progress, Cut cut) 
   for (std::size_t i = 0; i < read.solids.size(); ++i)
     result.bodies.push_back(
         cut(read.solids[i], *input.decomposition, of_body(progress, i, read.solids.size())));
+  for (const CutBody& body : result.bodies)
+    if (!body.blends.empty())
+      result.warnings.push_back(fmt::format("solid '{}': {}", body.solid.name, body.blends));
   return result;
 }
 
@@ -126,7 +135,7 @@ segmentation::ReadBlocks put_together(const CutSolids& solids, const segmentatio
 std::string cutting_text(const CutSolids& solids) {
   std::string text;
   for (const CutBody& body : solids.bodies)
-    text += fmt::format("  {}: {}\n", body.solid.name,
+    text += fmt::format("  {}: {}{}\n", body.solid.name, body.blends.empty() ? "" : body.blends + "; ",
                         body.cutting   ? report_text(body.cutting->report)
                         : body.failure ? "given up"
                                        : "a topological hexahedron as it is");

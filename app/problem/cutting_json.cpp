@@ -15,6 +15,7 @@ Json body_json(const CutBody& body) {
                {"t_joints_kept", report.t_joints_kept},
                {"further_cuts", report.further_cuts},
                {"by_tetrahedra", report.by_tetrahedra},
+               {"blends", body.blends},
                {"seen_as", report.seen_as},
                {"evaluations", report.evaluations},
                {"seconds", report.seconds}};

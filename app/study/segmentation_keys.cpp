@@ -53,6 +53,12 @@ const Choices<segmentation::TJoints>& t_joint_choices() {
   return choices;
 }
 
+const Choices<segmentation::Blends>& blend_choices() {
+  static const Choices<segmentation::Blends> choices = {{"keep", segmentation::Blends::keep},
+                                                        {"remove", segmentation::Blends::remove}};
+  return choices;
+}
+
 const Keys<SegmentationKeys>& segmentation_keys() {
   static const Keys<S> keys = {
       custom_key<S>("t_joints", quoted_list(names(t_joint_choices())),
@@ -63,6 +69,18 @@ const Keys<SegmentationKeys>& segmentation_keys() {
                       target.options.t_joints = read_choice(value, "t_joints", t_joint_choices());
                     })
           .with_default("\"remove\""),
+      custom_key<S>("blends", quoted_list(names(blend_choices())),
+                    "What becomes of rounds that keep a body from being swept: nothing, or they are taken off "
+                    "and the faces around them extended until they meet. A warning says how many, how large, and "
+                    "what that does to the volume.",
+                    [](S& target, const ConfigValue& value) {
+                      target.options.blends = read_choice(value, "blends", blend_choices());
+                    })
+          .with_default("\"keep\""),
+      number_key(
+          "largest_blend", dimensions::none, {0, 1, false, true},
+          [](DecompositionOptions& o) -> double& { return o.largest_blend; },
+          "Largest radius of rounds that may be removed, as a share of the body's size."),
       number_key(
           "time_limit", dimensions::none, {0, 1e7, false, true},
           [](DecompositionOptions& o) -> double& { return o.time_limit; },

@@ -15,4 +15,7 @@ const Keys<SegmentationKeys>& segmentation_keys();
 /// "remove" or "keep".
 const Choices<segmentation::TJoints>& t_joint_choices();
 
+/// "keep" or "remove".
+const Choices<segmentation::Blends>& blend_choices();
+
 }  // namespace isopatch::app

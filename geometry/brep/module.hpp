@@ -79,6 +79,8 @@ class BrepModule {
   virtual KernelOverlay overlay(const BrepKernel& source, const std::vector<FaceId>& faces,
                                 const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
                                 const Redrawn& redrawn) const = 0;
+  /// As `without_faces`; what comes of it is to be checked.
+  virtual KernelSolid without_faces(const BrepKernel& source, const std::vector<FaceId>& faces) const = 0;
 };
 
 /// The module, loaded at the first call and for good.

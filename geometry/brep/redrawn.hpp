@@ -9,8 +9,14 @@
 
 namespace isopatch::geometry {
 
-/// Edges that are drawn otherwise: as lines between two points of the plane, m, or as another edge, turned
-/// round if it is reversed.
-using Redrawn = std::map<EdgeId, std::variant<std::array<Eigen::Vector3d, 2>, EdgeUse>>;
+/// Larger or smaller about a point of the plane, m.
+struct Scaled {
+  Eigen::Vector3d centre;
+  double factor;
+};
+
+/// Edges that are drawn otherwise: as lines between two points of the plane, m, as another edge, turned round
+/// if it is reversed, or in another size.
+using Redrawn = std::map<EdgeId, std::variant<std::array<Eigen::Vector3d, 2>, EdgeUse, Scaled>>;
 
 }  // namespace isopatch::geometry

@@ -11,6 +11,12 @@ enum class TJoints {
   keep,    ///< left as they are
 };
 
+/// What becomes of rounds along edges.
+enum class Blends {
+  keep,    ///< they are faces as others are
+  remove,  ///< those in the way are taken off, and their neighbours extended until they meet
+};
+
 struct DecompositionOptions {
   SearchOptions search = {.beam = 6,
                           .branches = 16,
@@ -22,6 +28,8 @@ struct DecompositionOptions {
   CutOptions cut = {};
   double time_limit = 60;  ///< seconds, after which the best way known is taken, or none; above 0
   TJoints t_joints = TJoints::remove;
+  Blends blends = Blends::keep;
+  double largest_blend = 0.1;  ///< radius up to which rounds may be removed, as a share of the size; above 0
   int max_cells = 2000;  ///< at most so many hexahedra when sides are made to meet; range 1 ..
   bool operator==(const DecompositionOptions&) const = default;
 };

@@ -3,7 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "segmentation/decomposition/decompose.hpp"
+#include "geometry/brep/brep.hpp"
+#include "segmentation/decomposition/decomposition.hpp"
 
 namespace isopatch::segmentation {
 

@@ -55,6 +55,7 @@ MovingDrawing::MovingDrawing(const Brep& solid, const SweepFrame& frame, const S
       if (const auto piece = piece_on(track, static_cast<int>(e))) pieces_[e].push_back(*piece);
   }
   find_vertex_tracks();
+  find_rings();
   find_inner_vertices();
 }
 
@@ -79,6 +80,22 @@ const MovingDrawing::Piece* MovingDrawing::at_height(const std::vector<Piece>& p
   const auto nearest = std::min_element(pieces.begin(), pieces.end(),
                                         [&](const Piece& a, const Piece& b) { return off(a) < off(b); });
   return nearest == pieces.end() ? nullptr : &*nearest;
+}
+
+void MovingDrawing::find_rings() {
+  for (std::size_t e = 0; e < quads_.edges.size(); ++e) {
+    const QuadEdge& drawn = quads_.edges[e];
+    if (drawn.profile_edge < 0) continue;
+    for (const RingTrack& ring : drawing_.tracks.rings) {
+      const auto is_on = [&](double share) {
+        const double radius = (frame_.flat(sheet_point(drawn, share)) - ring.centre).norm();
+        return std::abs(radius - ring.at.front().second) < 1e-6 * solid_.size();
+      };
+      if (!is_on(0) || !is_on(0.5) || !is_on(1)) continue;
+      edge_rings_[static_cast<int>(e)] = &ring;
+      vertex_rings_[drawn.start] = vertex_rings_[drawn.end] = &ring;
+    }
+  }
 }
 
 Eigen::Vector3d MovingDrawing::sheet_point(const QuadEdge& drawn, double share) const {
@@ -136,6 +153,10 @@ Eigen::Vector2d MovingDrawing::track_place(const EdgeTrack& track, double t, dou
 }
 
 std::optional<Eigen::Vector2d> MovingDrawing::tracked_place(int vertex, double height) const {
+  if (const auto known = vertex_rings_.find(vertex); known != vertex_rings_.end()) {
+    const Eigen::Vector2d centre = known->second->centre;
+    return centre + growth(*known->second, height) * (places_[static_cast<std::size_t>(vertex)] - centre);
+  }
   if (const auto known = vertex_tracks_.find(vertex); known != vertex_tracks_.end()) {
     const auto off = [&](const VertexTrack* track) {
       return std::max({0.0, track->at.front().first - height, height - track->at.back().first});
@@ -183,7 +204,8 @@ const std::vector<Eigen::Vector2d>& MovingDrawing::shifts(double height) const {
 
 Eigen::Vector3d MovingDrawing::place(int vertex, double height) const {
   const auto v = static_cast<std::size_t>(vertex);
-  if (drawing_.tracks.vertices.empty() && drawing_.tracks.edges.empty())
+  const Tracks& tracks = drawing_.tracks;
+  if (tracks.vertices.empty() && tracks.edges.empty() && tracks.rings.empty())
     return frame_.point(places_[v], height);
   return frame_.point(places_[v] + shifts(height)[v], height);
 }
@@ -206,6 +228,14 @@ NurbsCurve MovingDrawing::curve(int number, double height) const {
     return found.share == 0 ? below : blend(below, member_curve(*found.above, *piece, height), found.share);
   }
   const NurbsCurve& still = curves_[static_cast<std::size_t>(number)];
+  if (const auto ring = edge_rings_.find(number); ring != edge_rings_.end()) {
+    const Eigen::Vector3d centre = frame_.point(ring->second->centre, 0);
+    const double factor = growth(*ring->second, height);
+    const NurbsCurve scaled(still.knots(),
+                            (factor * (still.control_points().colwise() - centre)).colwise() + centre,
+                            still.weights());
+    return pushed(scaled, frame_, height);
+  }
   if (drawn.profile_edge < 0 || (still.degree(0) == 1 && still.size() == 2))
     return geometry::segment(place(drawn.start, height), place(drawn.end, height));
   return pushed(still, frame_, height);
@@ -214,7 +244,8 @@ NurbsCurve MovingDrawing::curve(int number, double height) const {
 bool MovingDrawing::moves(int number) const {
   const QuadEdge& drawn = edge(number);
   for (const int vertex : {drawn.start, drawn.end})
-    if (vertex_tracks_.contains(vertex) || on_track_.contains(vertex)) return true;
+    if (vertex_tracks_.contains(vertex) || on_track_.contains(vertex) || vertex_rings_.contains(vertex))
+      return true;
   return !pieces_[static_cast<std::size_t>(number)].empty();
 }
 
@@ -225,6 +256,8 @@ std::vector<double> MovingDrawing::kinks(int number) const {
     if (const auto known = vertex_tracks_.find(vertex); known != vertex_tracks_.end())
       for (const VertexTrack* track : known->second)
         for (const auto& at : track->at) result.push_back(at.first);
+    if (const auto known = vertex_rings_.find(vertex); known != vertex_rings_.end())
+      for (const auto& at : known->second->at) result.push_back(at.first);
     if (const auto known = on_track_.find(vertex); known != on_track_.end())
       for (const Piece& piece : known->second)
         for (const auto& at : piece.track->at) result.push_back(at.height);

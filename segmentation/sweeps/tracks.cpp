@@ -32,8 +32,10 @@ class Tracker {
 
   Tracks make() {
     if (frame_.inclined.empty()) return {};
+    find_rings();
     for (std::size_t e = 0; e < solid_.edges().size(); ++e)
-      if (const geometry::BrepEdge& edge = solid_.edges()[e]; !level_[e])
+      if (const geometry::BrepEdge& edge = solid_.edges()[e];
+          !level_[e] && !on_rings_.contains(EdgeId(static_cast<int>(e))))
         vertex_sets_.unite(edge.start.value, edge.end.value);
     find_strips();
     collect_vertices();
@@ -63,6 +65,82 @@ class Tracker {
     return level_[static_cast<std::size_t>(edge.value)];
   }
 
+  /// A wall all around its axis, from one circle to another.
+  struct Ring {
+    FaceId face;
+    Eigen::Vector2d centre;
+    std::array<std::pair<double, double>, 2> ends;  // height and radius
+  };
+
+  std::optional<Ring> ring_of(FaceId face) const {
+    const auto carrier = solid_.carrier(face);
+    if (!carrier ||
+        (carrier->kind != geometry::SurfaceKind::cone && carrier->kind != geometry::SurfaceKind::cylinder))
+      return std::nullopt;
+    const Eigen::Vector2d centre = frame_.flat(carrier->origin);
+    std::map<double, double> lengths;  // of the level edges at each height
+    std::map<double, double> radii;
+    for (const auto& loop : solid_.face(face).loops)
+      for (const EdgeUse& use : loop) {
+        if (!level(use.edge)) continue;
+        const auto known = std::find_if(lengths.begin(), lengths.end(), [&](const auto& at) {
+          return std::abs(at.first - *level(use.edge)) < tolerance_;
+        });
+        const double height = known == lengths.end() ? *level(use.edge) : known->first;
+        lengths[height] += solid_.edge(use.edge).length;
+        radii[height] = (frame_.flat(solid_.point(use.edge, 0.3)) - centre).norm();
+      }
+    if (lengths.size() != 2) return std::nullopt;
+    for (const auto& [height, length] : lengths)
+      if (std::abs(length - 2 * 3.14159265358979323846 * radii[height]) > 1e-6 * length) return std::nullopt;
+    return Ring{face, centre, {*radii.begin(), *radii.rbegin()}};
+  }
+
+  /// Rings that go on in one another are one track, if cones are among them.
+  void find_rings() {
+    std::vector<Ring> rings;
+    for (const FaceId face : frame_.walls)
+      if (const auto ring = ring_of(face)) rings.push_back(*ring);
+    UnionFind sets(static_cast<int>(rings.size()));
+    const auto near = [&](double a, double b) { return std::abs(a - b) < tolerance_; };
+    for (std::size_t i = 0; i < rings.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        for (const auto& a : rings[i].ends)
+          for (const auto& b : rings[j].ends)
+            if (near(a.first, b.first) && near(a.second, b.second) &&
+                (rings[i].centre - rings[j].centre).norm() < tolerance_)
+              sets.unite(static_cast<int>(i), static_cast<int>(j));
+    std::map<int, std::vector<const Ring*>> tracks;
+    for (std::size_t i = 0; i < rings.size(); ++i) tracks[sets.find(static_cast<int>(i))].push_back(&rings[i]);
+    for (const auto& [root, members] : tracks) add_ring_track(members);
+  }
+
+  void add_ring_track(const std::vector<const Ring*>& members) {
+    RingTrack track{members.front()->centre, {}};
+    for (const Ring* ring : members) track.at.insert(track.at.end(), ring->ends.begin(), ring->ends.end());
+    std::sort(track.at.begin(), track.at.end());
+    track.at.erase(std::unique(track.at.begin(), track.at.end(),
+                               [&](const auto& a, const auto& b) { return b.first - a.first < tolerance_; }),
+                   track.at.end());
+    const double drawn = track.at.front().second;
+    if (std::all_of(track.at.begin(), track.at.end(),
+                    [&](const auto& at) { return std::abs(at.second - drawn) < tolerance_; }))
+      return;
+    for (const Ring* ring : members) {
+      around_.insert(ring->face);
+      for (const auto& loop : solid_.face(ring->face).loops)
+        for (const EdgeUse& use : loop) {
+          on_rings_.insert(use.edge);
+          if (!level(use.edge)) continue;
+          const double radius = (frame_.flat(solid_.point(use.edge, 0.3)) - track.centre).norm();
+          if (std::abs(radius - drawn) > tolerance_)
+            result_.redrawn[use.edge] =
+                geometry::Scaled{frame_.point(track.centre, 0), drawn / radius};
+        }
+    }
+    result_.rings.push_back(std::move(track));
+  }
+
   std::optional<Strip> strip_of(FaceId face) const {
     const auto& loops = solid_.face(face).loops;
     if (loops.size() != 1) return std::nullopt;
@@ -78,6 +156,7 @@ class Tracker {
   void find_strips() {
     const std::set<FaceId> inclined(frame_.inclined.begin(), frame_.inclined.end());
     for (const FaceId face : frame_.walls) {
+      if (around_.contains(face)) continue;
       if (const auto strip = strip_of(face))
         strips_.push_back(*strip);
       else if (inclined.contains(face))
@@ -125,7 +204,7 @@ class Tracker {
     }
     std::vector<std::map<EdgeId, bool>> result;
     for (std::size_t e = 0; e < level_.size(); ++e)
-      if (level_[e]) beside[EdgeId(static_cast<int>(e))];
+      if (const EdgeId edge(static_cast<int>(e)); level_[e] && !on_rings_.contains(edge)) beside[edge];
     std::set<EdgeId> done;
     for (const auto& [first, others] : beside) {
       if (done.contains(first)) continue;
@@ -205,6 +284,8 @@ class Tracker {
   UnionFind vertex_sets_;
   std::map<int, Eigen::Vector2d> drawn_at_;
   std::vector<Strip> strips_;
+  std::set<FaceId> around_;    // walls of rings that move
+  std::set<EdgeId> on_rings_;  // and their edges
   Tracks result_;
 };
 
@@ -212,6 +293,17 @@ class Tracker {
 
 Tracks tracks(const Brep& solid, const SweepFrame& frame) {
   return Tracker(solid, frame).make();
+}
+
+double growth(const RingTrack& track, double height) {
+  const auto above = std::find_if(track.at.begin(), track.at.end(),
+                                  [&](const auto& known) { return known.first >= height; });
+  const double drawn = track.at.front().second;
+  if (above == track.at.begin()) return 1;
+  if (above == track.at.end()) return track.at.back().second / drawn;
+  const auto below = std::prev(above);
+  const double share = (height - below->first) / (above->first - below->first);
+  return (below->second + share * (above->second - below->second)) / drawn;
 }
 
 Eigen::Vector2d place(const VertexTrack& track, double height) {

@@ -97,6 +97,11 @@ class OpenCascade final : public BrepModule {
     });
   }
 
+  KernelSolid without_faces(const BrepKernel& source, const std::vector<FaceId>& faces) const override {
+    return guarded("removing faces",
+                   [&] { return solid_without_faces(dynamic_cast<const ShapeKernel&>(source), faces); });
+  }
+
  private:
   static FileShapes shapes_of(const KernelSource& source) {
     switch (source.format) {

@@ -50,20 +50,26 @@ class Overlayer {
 
   TopoDS_Edge edge(EdgeId id) {
     if (const auto known = edges_.find(id); known != edges_.end()) return known->second;
-    if (const auto other = redrawn_.find(id); other != redrawn_.end())
-      return edges_[id] = redrawn(other->second);
+    const auto other = redrawn_.find(id);
+    return edges_[id] = other == redrawn_.end() ? pushed_edge(id, {Eigen::Vector3d::Zero(), 1})
+                                                : redrawn(id, other->second);
+  }
+
+  TopoDS_Edge pushed_edge(EdgeId id, const Scaled& scaled) const {
     const EdgeGeometry& source = source_.of(id);
     const Eigen::Vector3d at = to_eigen(source.curve->Value(source.first));
     const Eigen::Vector3d by = (origin_ - at).dot(direction_) * direction_;
-    const Handle(Geom_Curve) curve =
+    Handle(Geom_Curve) curve =
         Handle(Geom_Curve)::DownCast(source.curve->Translated(gp_Vec(by.x(), by.y(), by.z())));
+    if (scaled.factor != 1) curve->Scale(to_point(scaled.centre / metres_), scaled.factor);
     BRepBuilderAPI_MakeEdge maker(curve, std::min(source.first, source.last),
                                   std::max(source.first, source.last));
     if (!maker.IsDone()) fail();
-    return edges_[id] = TopoDS::Edge(source.first < source.last ? maker.Shape() : maker.Shape().Reversed());
+    return TopoDS::Edge(source.first < source.last ? maker.Shape() : maker.Shape().Reversed());
   }
 
-  TopoDS_Edge redrawn(const Redrawn::mapped_type& as) {
+  TopoDS_Edge redrawn(EdgeId id, const Redrawn::mapped_type& as) {
+    if (const auto* scaled = std::get_if<Scaled>(&as)) return pushed_edge(id, *scaled);
     if (const auto* use = std::get_if<EdgeUse>(&as)) {
       const TopoDS_Edge other = edge(use->edge);
       return use->reversed ? TopoDS::Edge(other.Reversed()) : other;

@@ -37,6 +37,7 @@ class MovingDrawing {
   };
 
   void find_vertex_tracks();
+  void find_rings();
   void find_inner_vertices();
   /// Where a track has a vertex; nothing for one that no track has.
   std::optional<Eigen::Vector2d> tracked_place(int vertex, double height) const;
@@ -59,6 +60,7 @@ class MovingDrawing {
   std::vector<geometry::NurbsCurve> curves_;                      // of edges, at height 0
   std::vector<std::vector<Piece>> pieces_;                        // of edges
   std::map<int, std::vector<const VertexTrack*>> vertex_tracks_;  // by vertex
+  std::map<int, const RingTrack*> edge_rings_, vertex_rings_;
   /// Vertices inside the drawing with their neighbours.
   std::map<int, std::vector<int>> inner_;
   mutable std::map<double, std::vector<Eigen::Vector2d>> shifts_;  // of all vertices, by height

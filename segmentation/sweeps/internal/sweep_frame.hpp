@@ -22,6 +22,12 @@ struct SweepFrame {
   double height(const Eigen::Vector3d& point) const { return (point - origin).dot(along); }
 };
 
+/// Normals of plane faces, none twice in opposite directions.
+std::vector<Eigen::Vector3d> floor_directions(const geometry::Brep& solid);
+
+/// What keeps a solid from being a stack along a direction.
+std::vector<FaceId> neither_floor_nor_wall(const geometry::Brep& solid, const Eigen::Vector3d& along);
+
 /// All of them, none twice in opposite directions; empty for most solids.
 /// @cost  a few evaluations of each face
 std::vector<SweepFrame> sweep_frames(const geometry::Brep& solid);

@@ -27,10 +27,17 @@ struct EdgeTrack {
   std::optional<std::array<Eigen::Vector2d, 2>> line = {};
 };
 
+/// A circle of the drawing that has other radii at other heights: cones about the direction, all around.
+struct RingTrack {
+  Eigen::Vector2d centre;
+  std::vector<std::pair<double, double>> at;  ///< height and radius, by height, m; it is drawn with the first
+};
+
 /// What does not stay in its place from floor to floor. A drawing has what is inclined where it is lowest.
 struct Tracks {
   std::vector<VertexTrack> vertices;
   std::vector<EdgeTrack> edges;
+  std::vector<RingTrack> rings;
   geometry::Redrawn redrawn;  ///< edges of floors that are not drawn where they are
 };
 
@@ -38,6 +45,9 @@ struct Tracks {
 /// @throws Error unsupported  an inclined wall that is no strip between two edges across the direction,
 /// naming it
 Tracks tracks(const geometry::Brep& solid, const SweepFrame& frame);
+
+/// By which a ring is larger than drawn.
+double growth(const RingTrack& track, double height);
 
 /// Between the heights known on straight lines, above and below as the nearest.
 Eigen::Vector2d place(const VertexTrack& track, double height);

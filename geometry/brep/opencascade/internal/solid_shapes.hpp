@@ -26,5 +26,7 @@ std::vector<KernelSolid> solids_of_cells(const ShapeKernel& source, const CellCo
 KernelOverlay overlay_of(const ShapeKernel& source, const std::vector<FaceId>& faces,
                          const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
                          const Redrawn& redrawn);
+/// As `without_faces`; what comes of it is to be checked.
+KernelSolid solid_without_faces(const ShapeKernel& source, const std::vector<FaceId>& faces);
 
 }  // namespace isopatch::geometry
