@@ -1,19 +1,32 @@
 #include "segmentation/profiles/quadrangulate.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <map>
-#include <numbers>
 
-#include "segmentation/profiles/internal/midpoint_division.hpp"
+#include "segmentation/profiles/internal/best_mesh.hpp"
+#include "segmentation/profiles/internal/candidates.hpp"
+#include "segmentation/profiles/internal/search.hpp"
+#include "segmentation/profiles/internal/shared_cuts.hpp"
+#include "segmentation/profiles/internal/standard_position.hpp"
 #include "segmentation/profiles/internal/start.hpp"
 
 namespace isopatch::segmentation {
 
 namespace {
 
+/// A side as an edge run in its curve's direction. Its parameters are those of the nodes, so that pieces join
+/// exactly.
+QuadEdge edge_of(const planar::CellMesh& mesh, const std::vector<planar::Curve>& curves, int from, int to,
+                 int curve) {
+  QuadEdge result{from, to, curve};
+  if (curve < 0) return result;
+  if (mesh.nodes[from].is_cut()) result.low = mesh.nodes[from].at;
+  if (mesh.nodes[to].is_cut()) result.high = mesh.nodes[to].at;
+  if (curves[curve].closed() && result.high <= result.low) result.high += 1;
+  return result;
+}
+
 /// Without unused nodes, sides as edges.
-Quadrangulation result_of(const planar::CellMesh& mesh) {
+Quadrangulation result_of(const std::vector<planar::Curve>& curves, const planar::CellMesh& mesh) {
   Quadrangulation result;
   std::vector<int> numbers(mesh.nodes.size(), -1);
   const auto enter = [&](int node) {
@@ -35,9 +48,11 @@ Quadrangulation result_of(const planar::CellMesh& mesh) {
       const planar::SideKey key = reversed ? planar::key_across(side) : planar::key_of(side);
       const auto [entry, is_new] = edges.try_emplace(key, static_cast<int>(result.edges.size()));
       if (is_new) {
-        const int from = enter(reversed ? side.to : side.from), to = enter(reversed ? side.from : side.to);
-        const double turns = side.curve >= 0 ? std::floor(side.low) : 0;
-        result.edges.push_back({from, to, side.curve, side.low - turns, side.high - turns});
+        QuadEdge edge =
+            edge_of(mesh, curves, reversed ? side.to : side.from, reversed ? side.from : side.to, side.curve);
+        edge.start = enter(edge.start);
+        edge.end = enter(edge.end);
+        result.edges.push_back(edge);
       }
       quad.sides[static_cast<std::size_t>(k)] = {EdgeId(entry->second), reversed};
     }
@@ -46,15 +61,32 @@ Quadrangulation result_of(const planar::CellMesh& mesh) {
   return result;
 }
 
+/// To where the profile is.
+planar::CellMesh moved_back(planar::CellMesh mesh, const planar::StandardPosition& standard,
+                            const Profile& profile, const std::vector<planar::Curve>& curves) {
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+    planar::Node& node = mesh.nodes[n];
+    if (node.given)
+      node.point = profile.vertices[n];
+    else
+      node.point =
+          node.is_cut() ? curves[node.curve].at(node.at) : standard.centre + standard.axes * node.point;
+  }
+  return mesh;
+}
+
 }  // namespace
 
 Quadrangulation quadrangulate(const Profile& profile, const QuadrangulationOptions& options) {
   validate(profile);
   validate(options);
-  const std::vector<planar::Curve> curves = planar::curves_of(profile);
-  const planar::CutPlaces places = planar::even_places(profile, curves, std::numbers::pi / 12);
-  const planar::CellMesh triangles = planar::triangles_of(profile, curves, places);
-  return result_of(planar::midpoint_division(curves, triangles));
+  const planar::StandardPosition standard = planar::standard_position(profile);
+  const std::vector<planar::Curve> curves = planar::curves_of(standard.profile);
+  const planar::SearchInput input{planar::ShapeRules(options), curves, planar::shared_edges(profile),
+                                  planar::candidates_of(standard.profile, curves)};
+  const planar::CellMesh best = planar::best_mesh(input, standard.profile, options);
+  const std::vector<planar::Curve> curves_there = planar::curves_of(profile);
+  return result_of(curves_there, moved_back(best, standard, profile, curves_there));
 }
 
 }  // namespace isopatch::segmentation

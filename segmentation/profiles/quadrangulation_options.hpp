@@ -4,16 +4,26 @@
 
 namespace isopatch::segmentation {
 
-/// What counts as a good division, and how long is looked for one. The best has the least
-///     quadrilaterals + angle_weight * (sum over all corners of (deviation from 90 degrees / 90 degrees)^2)
-///                    + length_weight * (sum over all quadrilaterals of how uneven opposite sides are)
+/// What counts as a good division, and how long is looked for one. The best has the least sum over its
+/// quadrilaterals of
+///     1 + angle_weight * (sum over corners of d^2 (1 + 3 d^4), d = (angle - 90 degrees) / 90 degrees)
+///       + turn_weight * (sum over pairs of opposite sides of what they turn on average beyond a right angle,
+///       in right angles)
+///       + length_weight * (sum over pairs of opposite sides of ((a - b) / (a + b))^2, a and b their lengths)
+///       + aspect_weight * ((p - q) / (p + q))^2, p and q the sums of lengths of opposite sides
+///       + slant_weight * (sum over chords of sin^2(4 angle to the longest line))
+/// All weights are 0 or above.
 struct QuadrangulationOptions {
   Angle smallest_angle = Angle::degrees(15);  ///< of a corner; range 1 to 60 degrees
   Angle largest_angle = Angle::degrees(160);  ///< of a corner; range 120 to 175 degrees
-  double smallest_jacobian = 0.12;            ///< scaled, of the transfinite map; range 0 to 0.5
-  double angle_weight = 0.6;    ///< 0 or above; an angle of 45 or 135 degrees costs a quarter of this
-  double length_weight = 0.05;  ///< 0 or above; of the squared logarithm of opposite sides' ratio of lengths
-  int effort = 400;   ///< parts of a division that are divided anew for each 10 vertices; 0 or above
+  Angle largest_turn = Angle::degrees(125);   ///< of the tangent along one side; range 60 to 180 degrees
+  double smallest_jacobian = 0.12;  ///< of the transfinite map, scaled (see `QuadShape`); range 0 to 0.5
+  double angle_weight = 0.2;  ///< an angle of 45 or 135 degrees costs 0.3 of this, one of 30 or 150 0.71
+  double turn_weight = 1.1;   ///< a third of a ring costs a third of this, so that rings are quartered
+  double length_weight = 0.2;
+  double aspect_weight = 0.12;
+  double slant_weight = 0.02;  ///< of equal divisions the one along the drawing's directions is taken
+  int effort = 400;   ///< parts of a division that are divided anew for each 10 of its cells; 0 or above
   unsigned seed = 1;  ///< of the order in which they are
   bool operator==(const QuadrangulationOptions&) const = default;
 };

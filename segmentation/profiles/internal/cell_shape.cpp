@@ -86,6 +86,7 @@ SideShape side_shape(const std::vector<Curve>& curves, const std::vector<Node>& 
   result.length = (to - from).norm();
   result.straight = side.curve < 0 || curves[side.curve].straight();
   if (result.straight) {
+    if (side.curve < 0) result.slant = slant_of(to - from);
     result.start_direction = result.end_direction = direction_of(to - from);
     return result;
   }
@@ -98,11 +99,20 @@ SideShape side_shape(const std::vector<Curve>& curves, const std::vector<Node>& 
     const double at = side.reversed ? side.high - share * span : side.low + share * span;
     if (s != 0 && s != last) result.points[s] = curve.at(at);
     result.derivatives[s] = (side.reversed ? -span : span) * curve.derivative(at);
-    if (s > 0) result.length += (result.points[s] - result.points[s - 1]).norm();
+    if (s == 0) continue;
+    result.length += (result.points[s] - result.points[s - 1]).norm();
+    const Vector2d &a = result.derivatives[s - 1], &b = result.derivatives[s];
+    result.turning += std::abs(std::atan2(cross2(a, b), a.dot(b)));
   }
   result.start_direction = direction_of(result.derivatives.front());
   result.end_direction = direction_of(result.derivatives.back());
   return result;
+}
+
+double slant_of(const Vector2d& along) {
+  const double c = along.x() * along.x() - along.y() * along.y(), s = 2 * along.x() * along.y();
+  const double sine = 2 * c * s / (c * c + s * s);  // of four times the angle
+  return sine * sine;
 }
 
 SideShape turned(const SideShape& shape) {
@@ -118,9 +128,13 @@ SideShape turned(const SideShape& shape) {
 ShapeRules::ShapeRules(const QuadrangulationOptions& options)
     : smallest(options.smallest_angle.radians()),
       largest(options.largest_angle.radians()),
+      largest_turn(options.largest_turn.radians()),
       smallest_jacobian(options.smallest_jacobian),
       angle_weight(options.angle_weight),
-      length_weight(options.length_weight) {}
+      turn_weight(options.turn_weight),
+      length_weight(options.length_weight),
+      aspect_weight(options.aspect_weight),
+      slant_weight(options.slant_weight) {}
 
 double angle_between(double leaving, double arriving) {
   const double angle = std::fmod(arriving - leaving, 2 * pi);
@@ -130,12 +144,7 @@ double angle_between(double leaving, double arriving) {
 double corner_cost(const ShapeRules& rules, double angle) {
   if (angle < rules.smallest || angle > rules.largest) return refused;
   const double off = (angle - pi / 2) / (pi / 2);
-  return rules.angle_weight * off * off;
-}
-
-double length_cost(const ShapeRules& rules, double a, double b, double c, double d) {
-  const double one = std::log(a / c), two = std::log(b / d);
-  return rules.length_weight * (one * one + two * two);
+  return rules.angle_weight * off * off * (1 + 3 * off * off * off * off);
 }
 
 double least_jacobian(const std::array<const SideShape*, 4>& sides) {
@@ -161,8 +170,10 @@ double least_jacobian(const std::array<const SideShape*, 4>& sides) {
 
 double cost_of(const ShapeRules& rules, const std::array<const SideShape*, 4>& sides, int count) {
   if (count == 3) return triangle_cost(rules, sides);
-  double sum = 1 + length_cost(rules, sides[0]->length, sides[1]->length, sides[2]->length, sides[3]->length);
+  double sum = 1 + sides_cost(rules, *sides[0], *sides[1], *sides[2], *sides[3]);
   for (int k = 0; k < 4; ++k) sum += corner_cost(rules, corner_angle(sides, k, 4));
+  for (const SideShape* side : sides)
+    if (side->turning > rules.largest_turn) return refused;
   if (!(sum < refused)) return refused;
   return least_jacobian(sides) < rules.smallest_jacobian ? refused : sum;
 }

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "segmentation/profiles/internal/cell_mesh.hpp"
@@ -20,7 +22,9 @@ struct SideShape {
   std::array<Eigen::Vector2d, samples> points,
       derivatives;                                ///< at equal steps; of straight ones only the ends' points
   double start_direction = 0, end_direction = 0;  ///< radians, of the tangent
-  double length = 0;                              ///< of the chord between its ends if straight
+  double turning = 0;  ///< radians, of the tangent from start to end, all bends taken positive
+  double slant = 0;    ///< of a chord: 0 along the drawing's axes and at 45 degrees to them, at most 1
+  double length = 0;   ///< of the chord between its ends if straight
 
   Eigen::Vector2d point(int sample) const;
   Eigen::Vector2d derivative(int sample) const {
@@ -29,13 +33,17 @@ struct SideShape {
 };
 SideShape side_shape(const std::vector<Curve>& curves, const std::vector<Node>& nodes, const Side& side);
 
+/// How far a direction is from multiples of 45 degrees: 0 to 1.
+double slant_of(const Eigen::Vector2d& along);
+
 /// A part of a side, and the same side run the other way.
 SideShape turned(const SideShape& shape);
 
 /// What counts for the search, in radians.
 struct ShapeRules {
   explicit ShapeRules(const QuadrangulationOptions& options);
-  double smallest, largest, smallest_jacobian, angle_weight, length_weight;
+  double smallest, largest, largest_turn, smallest_jacobian, angle_weight, turn_weight, length_weight,
+      aspect_weight, slant_weight;
   double smallest_in_triangle = 0.12, largest_in_triangle = 3.02;  ///< triangles are on their way to vanish
   double triangle = 8;                                             ///< what one costs, in quadrilaterals
   double invalid = 60;                                             ///< what a cell costs that must not stay
@@ -49,8 +57,16 @@ double angle_between(double leaving, double arriving);
 /// What the corners cost, without the quadrilateral itself, `refused` where one is out of range.
 double corner_cost(const ShapeRules& rules, double angle);
 
-/// What the lengths of opposite sides cost.
-double length_cost(const ShapeRules& rules, double a, double b, double c, double d);
+/// What the sides cost, counterclockwise; `Sides` have length, turning and slant.
+template <class Sides>
+double sides_cost(const ShapeRules& rules, const Sides& a, const Sides& b, const Sides& c, const Sides& d) {
+  const auto squared = [](double p, double q) { return (p - q) * (p - q) / ((p + q) * (p + q)); };
+  const auto beyond = [](double p, double q) { return std::max(0.0, (p + q) / std::numbers::pi - 1); };
+  return rules.length_weight * (squared(a.length, c.length) + squared(b.length, d.length)) +
+         rules.aspect_weight * squared(a.length + c.length, b.length + d.length) +
+         rules.turn_weight * (beyond(a.turning, c.turning) + beyond(b.turning, d.turning)) +
+         rules.slant_weight * (a.slant + b.slant + c.slant + d.slant);
+}
 
 /// The least scaled determinant of the transfinite map of four sides, counterclockwise; negative if it is too
 /// thin somewhere.

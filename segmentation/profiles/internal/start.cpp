@@ -132,21 +132,51 @@ bool refine_where_met(const std::vector<Curve>& curves, CutPlaces& places) {
   return any;
 }
 
+/// Halves a line until its pieces are short beside their distance from points.
+void cut_line(const Curve& line, const std::vector<Vector2d>& points, double low, double high,
+              std::vector<double>& places) {
+  constexpr double shortest = 1.0 / 128, ratio = 3;
+  const double middle = (low + high) / 2, length = (high - low) * line.length();
+  if (high - low <= shortest) return;
+  const Vector2d here = line.at(middle);
+  const bool close = std::any_of(points.begin(), points.end(),
+                                 [&](const Vector2d& p) { return (p - here).norm() * ratio < length; });
+  if (!close) return;
+  cut_line(line, points, low, middle, places);
+  places.push_back(middle);
+  cut_line(line, points, middle, high, places);
+}
+
+void cut_lines(const std::vector<Curve>& curves, const std::vector<bool>& fixed, CutPlaces& places) {
+  const std::vector<Segment> segments = segments_of(curves, places);
+  for (std::size_t e = 0; e < curves.size(); ++e) {
+    if (!curves[e].straight() || fixed[e]) continue;
+    const Vector2d start = curves[e].at(0), along = curves[e].derivative(0).normalized();
+    std::vector<Vector2d> points;  // but for those on the line itself
+    for (const Segment& segment : segments) {
+      const Vector2d d = segment.a - start;
+      if (segment.curve != e && std::abs(along.x() * d.y() - along.y() * d.x()) > 1e-6)
+        points.push_back(segment.a);
+    }
+    cut_line(curves[e], points, 0, 1, places[e]);
+  }
+}
+
 }  // namespace
 
-CutPlaces even_places(const Profile& profile, const std::vector<Curve>& curves, double turn) {
-  CutPlaces result(curves.size());
+CutPlaces even_places(const std::vector<Curve>& curves, const std::vector<bool>& fixed, CutPlaces places,
+                      double turn) {
   for (std::size_t e = 0; e < curves.size(); ++e) {
-    if (curves[e].straight()) continue;
+    if (curves[e].straight() || fixed[e]) continue;
     const int pieces = std::max(2, static_cast<int>(std::ceil(curves[e].turning() / turn - 1e-6)));
     for (int i = curves[e].closed() ? 0 : 1; i < pieces; ++i)
-      result[e].push_back(static_cast<double>(i) / pieces);
+      places[e].push_back(static_cast<double>(i) / pieces);
   }
+  cut_lines(curves, fixed, places);
   constexpr int rounds = 5;
-  for (int round = 0; round < rounds && refine_where_met(curves, result); ++round) {
+  for (int round = 0; round < rounds && refine_where_met(curves, places); ++round) {
   }
-  (void)profile;
-  return result;
+  return places;
 }
 
 CellMesh triangles_of(const Profile& profile, const std::vector<Curve>& curves, const CutPlaces& places) {

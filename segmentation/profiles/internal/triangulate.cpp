@@ -96,13 +96,15 @@ class Ears {
   }
 
   bool visible(int a, int b) const {
-    for (const std::vector<int>& loop : loops_)
+    const auto clear_of = [&](const std::vector<int>& loop) {
       for (std::size_t i = 0; i < loop.size(); ++i) {
         const int c = loop[i], d = loop[(i + 1) % loop.size()];
         if (a == c || a == d || b == c || b == d) continue;
         if (segments_meet(point(a), point(b), point(c), point(d))) return false;
       }
-    return true;
+      return true;
+    };
+    return clear_of(polygon_) && std::all_of(loops_.begin(), loops_.end(), clear_of);
   }
 
   bool is_ear(const std::vector<int>& polygon, std::size_t at) const {

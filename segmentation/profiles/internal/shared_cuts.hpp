@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "segmentation/profiles/internal/start.hpp"
+
+namespace isopatch::segmentation::planar {
+
+/// Of each edge: whether there are wanted regions on both its sides.
+std::vector<bool> shared_edges(const Profile& profile);
+
+/// How shared edges, whose cuts two regions must agree on, are cut at the start.
+struct SharedCuts {
+  bool diagonal = false;  ///< closed curves between the axes instead of on them
+  int more = 0;           ///< further cuts on each edge
+};
+
+/// Cuts of shared edges, so few that sides turn little and each region can have an even number of corners.
+/// @return places on shared edges; none on others
+CutPlaces shared_places(const Profile& profile, const std::vector<Curve>& curves, const SharedCuts& cuts);
+
+}  // namespace isopatch::segmentation::planar
