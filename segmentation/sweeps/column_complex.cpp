@@ -182,7 +182,7 @@ class ColumnComplex {
       if (nearest.distance > tolerance || !solid_.contains(face, nearest.uv)) continue;
       for (const double u : {0.1, 0.3, 0.7, 0.9})
         for (const double v : {0.2, 0.8})
-          if (solid_.project(face, point(u, v), nearest.uv).distance > tolerance)
+          if (solid_.project(face, point(u, v)).distance > tolerance)
             throw Error(ErrorCode::unsupported,
                         fmt::format("{} is not straight from floor to floor", describe(solid_, face)));
       return face;
