@@ -265,14 +265,14 @@ TEST_F(CutSolidsOfStudies, AreForeseenByInfo) {
   write_file(file("l.off"), l_shape);
   write_file(file("notched.off"), notched);
   ASSERT_EQ(run({"info", file("l.off")}), 0) << err_;
-  EXPECT_THAT(out_, HasSubstr("segmentation: will be cut: 8 faces, 1 concave edge ("));
+  EXPECT_THAT(out_, HasSubstr("segmentation: cuts will be looked for: 8 faces, 1 concave edge ("));
   ASSERT_EQ(run({"info", file("l.off"), "--json"}), 0) << err_;
   EXPECT_EQ(json::parse(out_)["solids"][0]["segmentation"]["concave_edges"].size(), 1U);
   ASSERT_EQ(run({"info", file("notched.off")}), 0) << err_;
   EXPECT_THAT(out_, HasSubstr("segmentation: refused: its edge graph is not 3-connected: face 5 and face 6"));
   write_file(study(), l_study + "[[support]]\nfaces = [\"face 0\"]\ndisplacement = [0, 0, 0]\n");
   ASSERT_EQ(run({"info", study()}), 0) << err_;
-  EXPECT_THAT(out_, HasSubstr("solid 'l': will be cut: 8 faces"));
+  EXPECT_THAT(out_, HasSubstr("solid 'l': cuts will be looked for: 8 faces"));
 }
 
 TEST_F(CutSolidsOfStudies, TellHowFarTheyAreOnATerminal) {
