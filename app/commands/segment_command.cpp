@@ -131,7 +131,7 @@ ExitCode segment_command(const SegmentCommand& command, const Console& console) 
   const bool failed = std::any_of(solids.bodies.begin(), solids.bodies.end(),
                                   [](const CutBody& body) { return body.failure.has_value(); });
   const std::vector<geometry::BrepFile> blocks = solids.blocks();
-  display.progress()("writing blocks and page", 0);
+  display.progress()(blocks.empty() ? "writing the page" : "writing blocks and page", 0);
   write_blocks(blocks, command.output);
   const Together together = failed ? Together{} : tried_together(solids);
   write_block_file(together.blocks, command.output / blocks_name);

@@ -285,12 +285,14 @@ std::string outlook_text(const std::optional<segmentation::Prospect>& prospect) 
     return fmt::format("{} {} ({}{})", edges.size(), edges.size() == 1 ? one : several,
                        fmt::join(numbers, ", "), shown < edges.size() ? ", ..." : "");
   };
-  std::string text = known ? prospect->seen_as + ", or cut if that takes fewer hexahedra: " : "will be cut: ";
+  std::string text = known ? prospect->seen_as + ", or cut if that takes fewer hexahedra: "
+                           : "cuts will be looked for: ";
   text += fmt::format("{} faces, ", prospect->sides);
   text += prospect->concave.empty() ? "all edges convex"
                                     : listed(prospect->concave, "concave edge", "concave edges");
   if (!prospect->blunt.empty())
-    text += ", " + listed(prospect->blunt, "tangent or nearly flat one", "tangent or nearly flat ones");
+    text += ", " + listed(prospect->blunt, "tangent or nearly flat one", "tangent or nearly flat ones") +
+            ", where cuts may be refused";
   return text;
 }
 

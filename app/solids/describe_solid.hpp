@@ -18,8 +18,8 @@ struct SolidReport {
   std::optional<segmentation::Prospect> prospect = {};
 };
 
-/// What will be done with a solid in a study: "a topological hexahedron", "will be cut: 14 faces, 3 concave
-/// edges (4, 7, 9)", "refused: its edge graph is not 3-connected ...".
+/// What will be done with a solid in a study: "a topological hexahedron", "cuts will be looked for: 14 faces,
+/// 3 concave edges (4, 7, 9)", "refused: its edge graph is not 3-connected ...".
 std::string outlook_text(const std::optional<segmentation::Prospect>& prospect);
 
 /// What `isopatch info` prints of a solid, in engineering units.

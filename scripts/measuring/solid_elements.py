@@ -56,7 +56,7 @@ SIZES_OF_THE_FIELD_ALONE = ["Mesh.MeshSizeExtendFromBoundary = 0;", "Mesh.MeshSi
 def imported(file, size):
     """The same of a STEP file, with elements of one size."""
     return "\n".join([f'Merge "{file}";', f"Mesh.MeshSizeMax = {size!r};", f"Mesh.MeshSizeMin = {size!r};",
-                      "Mesh.MeshSizeFromCurvature = 0;"]) + "\n"
+                      "Mesh.MeshSizeFromCurvature = 0;", "Mesh.HighOrderOptimize = 1;"]) + "\n"  # unfolds elements at rounds
 
 
 def surfaces_with(mesh, places, tolerance):

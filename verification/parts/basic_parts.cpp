@@ -143,10 +143,13 @@ Part shaft_with_boss() {
 
 // A plate with eight bolts, a hub with its fillet, a bore.
 Part flange() {
-  const Outline half = Outline::polygon({{25, 0}, {80, 0}, {80, 16}, {40, 16, 5}, {40, 60}, {25, 60}});
-  return {bored(turned(half), on_circle(8, 60, 0), 7, 16),
+  const auto half = [](double fillet) {
+    return Outline::polygon({{25, 0}, {80, 0}, {80, 16}, {40, 16, fillet}, {40, 60}, {25, 60}});
+  };
+  const TopoDS_Shape blank = rounded_at(turned(half(0)), 5, {{40, 16}});
+  return {bored(blank, on_circle(8, 60, 0), 7, 16),
           {{"base", {50, 0, 0}}, {"hub", {32, 1, 60}}, {"bore", {25, 0, 30}}, {"bolt 1", {67, 0, 8}}},
-          2 * pi * half.first_moment() - 8 * 16 * 49 * pi};
+          2 * pi * half(5).first_moment() - 8 * 16 * 49 * pi};
 }
 
 namespace {

@@ -17,6 +17,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -124,6 +125,14 @@ TopoDS_Shape chamfered(const TopoDS_Shape& shape, double distance, const IsChose
   BRepFilletAPI_MakeChamfer chamfer(shape);
   for (const TopoDS_Edge& edge : chosen_edges(shape, is_chosen)) chamfer.Add(distance, edge);
   return only_solid(chamfer.Shape());
+}
+
+TopoDS_Shape rounded_at(const TopoDS_Shape& shape, double rounding, const std::vector<gp_Pnt2d>& circles) {
+  return rounded(shape, rounding, [&](const gp_Pnt& p) {
+    const gp_Pnt2d here(std::hypot(p.X(), p.Y()), p.Z());
+    return std::any_of(circles.begin(), circles.end(),
+                       [&](const gp_Pnt2d& circle) { return here.Distance(circle) < 1e-6; });
+  });
 }
 
 std::vector<gp_Pnt> on_circle(int count, double radius, double z, double first) {

@@ -74,28 +74,31 @@ Part hinge_leaf() {
 
 // For a V-belt, with a web, four holes and a keyway of 6.
 Part pulley() {
-  const Outline half = Outline::polygon({{10, -15},
-                                         {18, -15},
-                                         {18, -4, 2},
-                                         {42, -4, 2},
-                                         {42, -10},
-                                         {52, -10},
-                                         {52, -7},
-                                         {45, -4, 1},
-                                         {45, 4, 1},
-                                         {52, 7},
-                                         {52, 10},
-                                         {42, 10},
-                                         {42, 4, 2},
-                                         {18, 4, 2},
-                                         {18, 15},
-                                         {10, 15}});
+  const auto half = [](double fillet) {
+    return Outline::polygon({{10, -15},
+                             {18, -15},
+                             {18, -4, fillet},
+                             {42, -4, fillet},
+                             {42, -10},
+                             {52, -10},
+                             {52, -7},
+                             {45, -4},
+                             {45, 4},
+                             {52, 7},
+                             {52, 10},
+                             {42, 10},
+                             {42, 4, fillet},
+                             {18, 4, fillet},
+                             {18, 15},
+                             {10, 15}});
+  };
+  const TopoDS_Shape blank = rounded_at(turned(half(0)), 2, {{18, -4}, {42, -4}, {42, 4}, {18, 4}});
   std::vector<TopoDS_Shape> tools = {box({0, -3, -16}, {12.8, 3, 16})};
   for (const gp_Pnt& place : on_circle(4, 30, -5, 0.125))
     tools.push_back(drill(place.X(), place.Y(), 7, -5, 5));
-  return {without(turned(half), tools),
+  return {without(blank, tools),
           {{"bore", {-10, 0, 0}}, {"groove", {45, 0, 0}}},
-          2 * pi * half.first_moment() - 4 * 8 * 49 * pi - 30 * keyway_area(3, 12.8, 10)};
+          2 * pi * half(2).first_moment() - 4 * 8 * 49 * pi - 30 * keyway_area(3, 12.8, 10)};
 }
 
 // For a slot of 10 and a thread M8.
@@ -167,20 +170,21 @@ Part lever() {
 
 // Seats of 25 and 30, a collar, fillets and chamfers, a keyway of 8.
 Part key_shaft() {
-  const Outline half = Outline::polygon({{0, 0},
-                                         {11.5, 0},
-                                         {12.5, 1},
-                                         {12.5, 30, 1},
-                                         {15, 30},
-                                         {15, 70, 1.5},
-                                         {18, 70},
-                                         {18, 80},
-                                         {15, 80, 1.5},
-                                         {15, 109},
-                                         {14, 110},
-                                         {0, 110}});
+  const TopoDS_Shape sharp = turned(Outline::polygon({{0, 0},
+                                                      {11.5, 0},
+                                                      {12.5, 1},
+                                                      {12.5, 30},
+                                                      {15, 30},
+                                                      {15, 70},
+                                                      {18, 70},
+                                                      {18, 80},
+                                                      {15, 80},
+                                                      {15, 109},
+                                                      {14, 110},
+                                                      {0, 110}}));
+  const TopoDS_Shape shaft = rounded_at(rounded_at(sharp, 1.5, {{15, 70}, {15, 80}}), 1, {{12.5, 30}});
   const Outline key = Outline::rectangle(8, 22, {-4, 5}, 4);  // seen along y
-  return {without(turned(half), {prism_along_y(key, -20, -8.5)}),
+  return {without(shaft, {prism_along_y(key, -20, -8.5)}),
           {{"left seat", {0, 12.5, 15}}, {"right end", {1, 2, 110}}, {"keyway", {0, -8.5, 16}}},
           {}};
 }

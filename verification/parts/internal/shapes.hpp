@@ -23,7 +23,8 @@ TopoDS_Shape prism(const Outline& outline, double from, double to);
 TopoDS_Shape prism_along_y(const Outline& outline, double from, double to);
 /// Of an outline in the plane of y and z, from x = from to x = to.
 TopoDS_Shape prism_along_x(const Outline& outline, double from, double to);
-/// About the z axis, of an outline whose x is the radius and whose y is z; part of a turn counterclockwise.
+/// About the z axis, of an outline of lines whose x is the radius and whose y is z. (The library leaves arcs
+/// as surfaces of revolution, which no CAD program writes; rounds are to be made by `rounded_at`.)
 TopoDS_Shape turned(const Outline& outline);
 
 /// One solid; faces that continue each other are merged.
@@ -35,6 +36,9 @@ TopoDS_Shape common(const TopoDS_Shape& a, const TopoDS_Shape& b);
 using IsChosen = std::function<bool(const gp_Pnt&)>;
 TopoDS_Shape rounded(const TopoDS_Shape& shape, double radius, const IsChosen& is_chosen);
 TopoDS_Shape chamfered(const TopoDS_Shape& shape, double distance, const IsChosen& is_chosen);
+
+/// Rounds circles about the z axis, given by radius and z.
+TopoDS_Shape rounded_at(const TopoDS_Shape& shape, double rounding, const std::vector<gp_Pnt2d>& circles);
 
 /// The places of n holes on a circle about the z axis, the first at `first` of a turn.
 std::vector<gp_Pnt> on_circle(int count, double radius, double z, double first = 0);
