@@ -19,7 +19,7 @@ CellMesh best_mesh(const SearchInput& input, const Profile& profile, const Quadr
                                          shared_places(profile, input.curves, way), std::numbers::pi / 12);
     Search search(input, triangles_of(profile, input.curves, places), seed);
     search.remove_triangles(60);
-    const int windows = static_cast<int>(options.effort * (1 + search.mesh().cells.size() / 10) / 4);
+    const int windows = static_cast<int>(options.effort * (search.mesh().cells.size() + 5) / 40);
     search.improve(windows);
     if (!best || search.cost() < best->cost()) best = std::move(search);
   };

@@ -67,7 +67,8 @@ void Search::remove_triangles(int tries) {
 }
 
 void Search::improve(int windows) {
-  for (int w = 0; w < windows; ++w) {
+  int in_vain = 0;
+  for (int w = 0; w < windows && in_vain < 60 + 6 * static_cast<int>(mesh_.cells.size()); ++w) {
     int cell = static_cast<int>(random_() % mesh_.cells.size());
     for (int again = 0; again < 2; ++again) {
       const int other = static_cast<int>(random_() % mesh_.cells.size());
@@ -81,7 +82,7 @@ void Search::improve(int windows) {
     what.slack = what.inside != 0 ? 1.0 : 0;
     if (what.inside == all_around) what.room = 40;
     what.join_anew = random_() % 2 == 0;
-    divide_anew(cell, what);
+    in_vain = divide_anew(cell, what) ? 0 : in_vain + 1;
   }
 }
 
