@@ -154,7 +154,8 @@ class MapSamples {
  public:
   explicit MapSamples(const std::array<const SideShape*, 4>& sides) {
     const SideShape &bottom = *sides[0], &right = *sides[1], &top = *sides[2], &left = *sides[3];
-    const Vector2d a = bottom.points.front(), b = right.points.front(), c = top.points.front(), d = left.points.front();
+    const Vector2d a = bottom.points.front(), b = right.points.front(), c = top.points.front(),
+                   d = left.points.front();
     for (int i = 0; i <= last; ++i) {
       const double share = static_cast<double>(i) / last;
       // Parts of the derivative along u that are the same along a column or a row, and likewise along v.
@@ -168,8 +169,12 @@ class MapSamples {
     }
   }
   static constexpr int last = SideShape::samples - 1;
-  Vector2d along_u(int i, int j) const { return (1 - share_[j]) * low_u_[i] + share_[j] * high_u_[i] + across_u_[j]; }
-  Vector2d along_v(int i, int j) const { return (1 - share_[i]) * low_v_[j] + share_[i] * high_v_[j] + across_v_[i]; }
+  Vector2d along_u(int i, int j) const {
+    return (1 - share_[j]) * low_u_[i] + share_[j] * high_u_[i] + across_u_[j];
+  }
+  Vector2d along_v(int i, int j) const {
+    return (1 - share_[i]) * low_v_[j] + share_[i] * high_v_[j] + across_v_[i];
+  }
 
  private:
   std::array<Vector2d, SideShape::samples> low_u_, high_u_, across_u_, low_v_, high_v_, across_v_;
@@ -195,14 +200,16 @@ double least_jacobian(const std::array<const SideShape*, 4>& sides) {
 
 bool map_stands(const std::array<const SideShape*, 4>& sides, double smallest) {
   // A bilinear map is steepest and flattest in its corners.
-  if (std::all_of(sides.begin(), sides.end(), [](const SideShape* side) { return side->straight; })) return true;
+  if (std::all_of(sides.begin(), sides.end(), [](const SideShape* side) { return side->straight; }))
+    return true;
   const MapSamples map(sides);
   double least = refused, sum = 0;
   for (int i = 0; i <= MapSamples::last; ++i)
     for (int j = 0; j <= MapSamples::last; ++j) {
       const Vector2d u = map.along_u(i, j), v = map.along_v(i, j);
       const double determinant = cross2(u, v);
-      if (determinant * std::abs(determinant) < smallest * smallest * u.squaredNorm() * v.squaredNorm()) return false;
+      if (determinant * std::abs(determinant) < smallest * smallest * u.squaredNorm() * v.squaredNorm())
+        return false;
       sum += determinant;
       least = std::min(least, determinant);
     }

@@ -10,7 +10,8 @@
 
 namespace isopatch::segmentation::drawings {
 
-/// A star-shaped outline of lines and arcs with round and polygonal holes, some of them filled by a region of their own.
+/// A star-shaped outline of lines and arcs with round and polygonal holes, some of them filled by a region of
+/// their own.
 class RandomDrawing {
  public:
   explicit RandomDrawing(unsigned seed) : random_(seed) {}
@@ -21,7 +22,8 @@ class RandomDrawing {
     std::vector<std::vector<int>> filled;
     std::vector<std::pair<Vector2d, double>> holes;
     for (int wanted = pick(5), tries = 0; wanted > 0 && tries < 30; ++tries) {
-      const double radius = between(0.2, 0.6), angle = between(0, 2 * std::numbers::pi), off = between(0, 1.4);
+      const double radius = between(0.2, 0.6), angle = between(0, 2 * std::numbers::pi),
+                   off = between(0, 1.4);
       const Vector2d centre(off * std::cos(angle), off * std::sin(angle));
       const bool free = std::all_of(holes.begin(), holes.end(), [&](const auto& hole) {
         return (hole.first - centre).norm() > hole.second + radius + 0.08;
@@ -44,15 +46,20 @@ class RandomDrawing {
 
  private:
   int pick(int number) { return static_cast<int>(random_() % static_cast<unsigned>(number)); }
-  double between(double low, double high) { return low + (high - low) * static_cast<double>(random_()) / 4294967295.0; }
+  double between(double low, double high) {
+    return low + (high - low) * static_cast<double>(random_()) / 4294967295.0;
+  }
 
   /// Corners at random distances in even directions; some sides are arcs that bulge a little.
-  std::vector<int> outline(Drawing& drawing, const Vector2d& centre, double least, double most, int corners, bool arcs) {
+  std::vector<int> outline(Drawing& drawing, const Vector2d& centre, double least, double most, int corners,
+                           bool arcs) {
     std::vector<int> vertices, result;
     const double turn = between(0, 6);
     for (int i = 0; i < corners; ++i) {
-      const double angle = turn + 2 * std::numbers::pi * (i + between(-0.2, 0.2)) / corners, radius = between(least, most);
-      vertices.push_back(drawing.vertex(centre.x() + radius * std::cos(angle), centre.y() + radius * std::sin(angle)));
+      const double angle = turn + 2 * std::numbers::pi * (i + between(-0.2, 0.2)) / corners,
+                   radius = between(least, most);
+      vertices.push_back(
+          drawing.vertex(centre.x() + radius * std::cos(angle), centre.y() + radius * std::sin(angle)));
     }
     for (int i = 0; i < corners; ++i) {
       const int a = vertices[i], b = vertices[(i + 1) % corners];
