@@ -15,7 +15,7 @@ namespace isopatch::segmentation {
 /// All weights are 0 or above.
 struct QuadrangulationOptions {
   Angle smallest_angle = Angle::degrees(15);  ///< of a corner; range 1 to 60 degrees
-  Angle largest_angle = Angle::degrees(160);  ///< of a corner; range 120 to 175 degrees
+  Angle largest_angle = Angle::degrees(165);  ///< of a corner; range 120 to 175 degrees
   Angle largest_turn = Angle::degrees(125);   ///< of the tangent along one side; range 60 to 180 degrees
   double smallest_jacobian = 0.12;  ///< of the transfinite map, scaled (see `QuadShape`); range 0 to 0.5
   double angle_weight = 0.2;  ///< an angle of 45 or 135 degrees costs 0.3 of this, one of 30 or 150 0.71
@@ -23,7 +23,8 @@ struct QuadrangulationOptions {
   double length_weight = 0.2;
   double aspect_weight = 0.12;
   double slant_weight = 0.02;  ///< of equal divisions the one along the drawing's directions is taken
-  int effort = 400;   ///< parts of a division that are divided anew for each 10 of its cells; 0 or above
+  int effort = 400;   ///< parts of a division that are divided anew for each 10 of its cells and 5 more, in
+                      ///< each of 4 searches; 0 or above
   unsigned seed = 1;  ///< of the order in which they are
   bool operator==(const QuadrangulationOptions&) const = default;
 };

@@ -55,7 +55,7 @@ bool triangle_stands(const std::array<const SideShape*, 4>& sides) {
     const SideShape &out = *sides[k], &in = *sides[(k + 2) % 3];
     const SideShape a = half(out, false), d = half(in, true);
     const SideShape b = line(a.points.back(), middle), c = line(middle, d.points.front());
-    if (least_jacobian({&a, &b, &c, &d}) < 0.03) return false;
+    if (!map_stands({&a, &b, &c, &d}, 0.03)) return false;
   }
   return true;
 }
@@ -147,25 +147,73 @@ double corner_cost(const ShapeRules& rules, double angle) {
   return rules.angle_weight * off * off * (1 + 3 * off * off * off * off);
 }
 
+namespace {
+
+/// The transfinite map of four sides, at samples.
+class MapSamples {
+ public:
+  explicit MapSamples(const std::array<const SideShape*, 4>& sides) {
+    const SideShape &bottom = *sides[0], &right = *sides[1], &top = *sides[2], &left = *sides[3];
+    const Vector2d a = bottom.points.front(), b = right.points.front(), c = top.points.front(),
+                   d = left.points.front();
+    for (int i = 0; i <= last; ++i) {
+      const double share = static_cast<double>(i) / last;
+      // Parts of the derivative along u that are the same along a column or a row, and likewise along v.
+      low_u_[i] = bottom.derivative(i) - (b - a);
+      high_u_[i] = -top.derivative(last - i) - (c - d);
+      across_u_[i] = right.point(i) - left.point(last - i);
+      low_v_[i] = -left.derivative(last - i) - (d - a);
+      high_v_[i] = right.derivative(i) - (c - b);
+      across_v_[i] = top.point(last - i) - bottom.point(i);
+      share_[i] = share;
+    }
+  }
+  static constexpr int last = SideShape::samples - 1;
+  Vector2d along_u(int i, int j) const {
+    return (1 - share_[j]) * low_u_[i] + share_[j] * high_u_[i] + across_u_[j];
+  }
+  Vector2d along_v(int i, int j) const {
+    return (1 - share_[i]) * low_v_[j] + share_[i] * high_v_[j] + across_v_[i];
+  }
+
+ private:
+  std::array<Vector2d, SideShape::samples> low_u_, high_u_, across_u_, low_v_, high_v_, across_v_;
+  std::array<double, SideShape::samples> share_;
+};
+
+}  // namespace
+
 double least_jacobian(const std::array<const SideShape*, 4>& sides) {
-  constexpr int last = SideShape::samples - 1;
-  const SideShape &bottom = *sides[0], &right = *sides[1], &top = *sides[2], &left = *sides[3];
-  const Vector2d a = bottom.points.front(), b = right.points.front(), c = top.points.front(),
-                 d = left.points.front();
+  const MapSamples map(sides);
   double least = refused, least_determinant = refused, sum = 0;
-  for (int i = 0; i <= last; ++i)
-    for (int j = 0; j <= last; ++j) {
-      const double u = static_cast<double>(i) / last, v = static_cast<double>(j) / last;
-      const Vector2d along_u = (1 - v) * bottom.derivative(i) - v * top.derivative(last - i) +
-                               right.point(j) - left.point(last - j) - ((1 - v) * (b - a) + v * (c - d));
-      const Vector2d along_v = (1 - u) * -left.derivative(last - j) + u * right.derivative(j) +
-                               top.point(last - i) - bottom.point(i) - ((1 - u) * (d - a) + u * (c - b));
-      const double determinant = cross2(along_u, along_v), scale = along_u.norm() * along_v.norm();
+  for (int i = 0; i <= MapSamples::last; ++i)
+    for (int j = 0; j <= MapSamples::last; ++j) {
+      const Vector2d u = map.along_u(i, j), v = map.along_v(i, j);
+      const double determinant = cross2(u, v), scale = u.norm() * v.norm();
       sum += determinant;
       least_determinant = std::min(least_determinant, determinant);
       least = std::min(least, scale > 0 ? determinant / scale : -1.0);
     }
-  return least_determinant < thinnest * sum / ((last + 1) * (last + 1)) ? std::min(least, -1e-3) : least;
+  constexpr int number = SideShape::samples * SideShape::samples;
+  return least_determinant < thinnest * sum / number ? std::min(least, -1e-3) : least;
+}
+
+bool map_stands(const std::array<const SideShape*, 4>& sides, double smallest) {
+  // A bilinear map is steepest and flattest in its corners.
+  if (std::all_of(sides.begin(), sides.end(), [](const SideShape* side) { return side->straight; }))
+    return true;
+  const MapSamples map(sides);
+  double least = refused, sum = 0;
+  for (int i = 0; i <= MapSamples::last; ++i)
+    for (int j = 0; j <= MapSamples::last; ++j) {
+      const Vector2d u = map.along_u(i, j), v = map.along_v(i, j);
+      const double determinant = cross2(u, v);
+      if (determinant * std::abs(determinant) < smallest * smallest * u.squaredNorm() * v.squaredNorm())
+        return false;
+      sum += determinant;
+      least = std::min(least, determinant);
+    }
+  return least >= thinnest * sum / (SideShape::samples * SideShape::samples);
 }
 
 double cost_of(const ShapeRules& rules, const std::array<const SideShape*, 4>& sides, int count) {
@@ -175,7 +223,7 @@ double cost_of(const ShapeRules& rules, const std::array<const SideShape*, 4>& s
   for (const SideShape* side : sides)
     if (side->turning > rules.largest_turn) return refused;
   if (!(sum < refused)) return refused;
-  return least_jacobian(sides) < rules.smallest_jacobian ? refused : sum;
+  return map_stands(sides, rules.smallest_jacobian) ? sum : refused;
 }
 
 double cost_of(const ShapeRules& rules, const std::vector<Curve>& curves, const CellMesh& mesh,

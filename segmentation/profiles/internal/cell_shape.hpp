@@ -72,6 +72,9 @@ double sides_cost(const ShapeRules& rules, const Sides& a, const Sides& b, const
 /// thin somewhere.
 double least_jacobian(const std::array<const SideShape*, 4>& sides);
 
+/// Whether that is at least a number, for corners that are within the rules; quicker.
+bool map_stands(const std::array<const SideShape*, 4>& sides, double smallest);
+
 /// Cost of a cell: 1 and what its shape costs, or `refused`.
 double cost_of(const ShapeRules& rules, const std::array<const SideShape*, 4>& sides, int count);
 

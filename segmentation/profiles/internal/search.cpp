@@ -56,10 +56,11 @@ void Search::remove_triangles(int tries) {
     Try what;
     what.room = 16 + static_cast<int>(random_() % 24);
     if (in_vain > 8) {
+      constexpr int patterns[] = {0, 1, 0, 2, all_around, 1};
+      what.inside = patterns[in_vain % 6];
       what.leave_out = random_() % 2 ? 1 : 0.5;
-      constexpr int patterns[] = {0, 1, 0, 2, 0, all_around};
-      what.inside = patterns[random_() % 6];
-      if (what.inside == all_around) what.room = 80;
+      what.join_anew = random_() % 3 == 0;
+      if (what.inside == all_around || in_vain % 4 == 0) what.room = 80;
     }
     const int cell = in_vain == 0 ? left.front() : left[random_() % left.size()];
     in_vain = divide_anew(cell, what) ? 0 : in_vain + 1;
@@ -67,7 +68,8 @@ void Search::remove_triangles(int tries) {
 }
 
 void Search::improve(int windows) {
-  for (int w = 0; w < windows; ++w) {
+  int in_vain = 0;
+  for (int w = 0; w < windows && in_vain < 60 + 6 * static_cast<int>(mesh_.cells.size()); ++w) {
     int cell = static_cast<int>(random_() % mesh_.cells.size());
     for (int again = 0; again < 2; ++again) {
       const int other = static_cast<int>(random_() % mesh_.cells.size());
@@ -81,7 +83,7 @@ void Search::improve(int windows) {
     what.slack = what.inside != 0 ? 1.0 : 0;
     if (what.inside == all_around) what.room = 40;
     what.join_anew = random_() % 2 == 0;
-    divide_anew(cell, what);
+    in_vain = divide_anew(cell, what) ? 0 : in_vain + 1;
   }
 }
 

@@ -2,9 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <utility>
+#include <vector>
+
 #include "geometry/base/tests/expect_error.hpp"
 #include "segmentation/profiles/tests/division_check.hpp"
 #include "segmentation/profiles/tests/drawing.hpp"
+#include "segmentation/profiles/tests/random_drawing.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -62,6 +67,97 @@ TEST(Quadrangulate, ConcentricRegionsShareDirections) {
 TEST(Quadrangulate, SmoothOutlinesGetARing) {
   EXPECT_EQ(count_of(slot(1)), 8U);
   EXPECT_EQ(count_of(rounded_plate()), 11U);
+}
+
+TEST(Quadrangulate, RandomDrawingsAreDividedWithinTheRules) {
+  QuadrangulationOptions options;
+  options.effort = 10;
+  for (unsigned seed = 300; seed < 325; ++seed) {
+    const Profile profile = RandomDrawing(seed).draw();
+    const Quadrangulation quads = quadrangulate(profile, options);
+    EXPECT_EQ(checks::fault_of(profile, quads), "") << "seed " << seed;
+    const auto [smallest, largest] = checks::angles_of(profile, quads);
+    EXPECT_GE(smallest, options.smallest_angle.degrees() - 1e-6) << "seed " << seed;
+    EXPECT_LE(largest, options.largest_angle.degrees() + 1e-6) << "seed " << seed;
+  }
+}
+
+TEST(Quadrangulate, IsTheSameWhereverTheDrawingLies) {
+  Profile profile = row_of_bores(1);
+  const Eigen::Rotation2Dd turn(0.3);
+  for (Vector2d& vertex : profile.vertices) vertex = 1e3 * (turn * vertex) + Vector2d(5e3, -2e3);
+  for (ProfileEdge& edge : profile.edges)
+    for (Vector2d& point : edge.points) point = 1e3 * (turn * point) + Vector2d(5e3, -2e3);
+  EXPECT_EQ(quadrangulate(profile).quads.size(), 4U);
+}
+
+TEST(Quadrangulate, UnwantedRegionsStayEmpty) {
+  Profile profile = plate_with_pocket();
+  profile.regions[1].wanted = false;
+  const Quadrangulation quads = quadrangulate(profile);
+  EXPECT_EQ(checks::fault_of(profile, quads), "");
+  for (const Quad& quad : quads.quads) EXPECT_EQ(quad.region, 0);
+}
+
+TEST(Quadrangulate, RefusesLoopsThatCross) {
+  Drawing drawing;
+  const auto out = drawing.rectangle(0, 0, 2, 2);
+  drawing.region({out, {~drawing.circle({2, 1}, 0.5)}});
+  EXPECT_ERROR(quadrangulate(drawing.profile), ErrorCode::unsupported, "region 0");
+}
+
+TEST(Quadrangulate, RefusesOpenLoopsAndWrongWaysRound) {
+  Profile profile = square();
+  profile.regions[0].loops[0].pop_back();
+  EXPECT_ERROR(quadrangulate(profile), ErrorCode::bad_format, "open after edge 2");
+  Drawing drawing;
+  drawing.region({Drawing::backwards(drawing.rectangle(0, 0, 1, 1))});
+  EXPECT_ERROR(quadrangulate(drawing.profile), ErrorCode::bad_format, "wrong way round");
+}
+
+TEST(Quadrangulate, OptionsNameFieldAndRange) {
+  QuadrangulationOptions options;
+  options.smallest_angle = Angle::degrees(70);
+  EXPECT_ERROR(quadrangulate(square(), options), ErrorCode::invalid_argument,
+               "smallest_angle is 70, allowed is 1 to 60");
+}
+
+// Prints the README's table: --gtest_also_run_disabled_tests --gtest_filter=*TableOfTheReadme
+TEST(Quadrangulate, DISABLED_TableOfTheReadme) {
+  const std::vector<std::pair<const char*, Profile>> all = {
+      {"square", square()},
+      {"L", l_shape()},
+      {"T", t_shape()},
+      {"H", h_shape()},
+      {"plate, 1 bore", row_of_bores(1)},
+      {"plate, row of 2 bores", row_of_bores(2)},
+      {"plate, row of 3", row_of_bores(3)},
+      {"plate, row of 4", row_of_bores(4)},
+      {"plate, row of 5", row_of_bores(5)},
+      {"plate, 8 x 5 bores", grid_of_bores(8, 5)},
+      {"disc", disc()},
+      {"half a disc", half_disc()},
+      {"quarter of a disc", quarter_disc()},
+      {"D", d_shape(0.5)},
+      {"ring", ring(0.3)},
+      {"disc in two rings", concentric(3)},
+      {"slot", slot(1)},
+      {"plate with a slot", plate_with_slot()},
+      {"plate with a pocket, both divided", plate_with_pocket()},
+      {"plate with round corners", rounded_plate()},
+      {"thin frame with round inner corners", frame(0.1, 0.3)},
+      {"shaft with a keyway", keyway()},
+      {"flange, bore and 6 holes", flange(6, true)},
+      {"flange, bore and 8 holes", flange(8, true)},
+      {"gear, 8 teeth, bore", gear(8)},
+      {"gear, 16 teeth, bore", gear(16)},
+      {"bearing plate, 5 bores", bearing_plate()}};
+  fmt::print("| profile | quadrilaterals | smallest angle | largest angle |\n|---|---:|---:|---:|\n");
+  for (const auto& [name, profile] : all) {
+    const Quadrangulation quads = quadrangulate(profile);
+    const auto [smallest, largest] = checks::angles_of(profile, quads);
+    fmt::print("| {} | {} | {:.0f} | {:.0f} |\n", name, quads.quads.size(), smallest, largest);
+  }
 }
 
 TEST(Quadrangulate, PocketsShareTheirOutline) {
