@@ -58,7 +58,7 @@ TEST_P(SweptCells, FillTheSolidAndMeetSideToSide) {
 
 INSTANTIATE_TEST_SUITE_P(Solids, SweptCells,
                          testing::Values(Sample{"block", 1}, Sample{"cylinder", 5}, Sample{"drilled", 4},
-                                         Sample{"grooved", 7}, Sample{"notched", 5}, Sample{"pocketed", 14},
+                                         Sample{"grooved", 7}, Sample{"notched", 7}, Sample{"pocketed", 14},
                                          Sample{"countersunk", 8}, Sample{"drafted_pocket", 14},
                                          Sample{"drafted_boss", 14}, Sample{"shaft", 29},
                                          Sample{"bored_boss", 12}, Sample{"wavy", 5}),
