@@ -18,8 +18,8 @@ struct QuadrangulationOptions {
   Angle largest_angle = Angle::degrees(165);  ///< of a corner; range 120 to 175 degrees
   Angle largest_turn = Angle::degrees(125);   ///< of the tangent along one side; range 60 to 180 degrees
   double smallest_jacobian = 0.12;  ///< of the transfinite map, scaled (see `QuadShape`); range 0 to 0.5
-  double angle_weight = 0.2;  ///< an angle of 45 or 135 degrees costs 0.3 of this, one of 30 or 150 0.71
-  double turn_weight = 1.1;   ///< a third of a ring costs a third of this, so that rings are quartered
+  double angle_weight = 0.16;  ///< an angle of 45 or 135 degrees costs 0.3 of this, one of 30 or 150 0.71
+  double turn_weight = 1.1;    ///< a third of a ring costs a third of this, so that rings are quartered
   double length_weight = 0.2;
   double aspect_weight = 0.12;
   double slant_weight = 0.02;  ///< of equal divisions the one along the drawing's directions is taken

@@ -46,11 +46,16 @@ CellMesh best_mesh(const SearchInput& input, const Profile& profile, const Quadr
     search.improve(windows);
     if (!best || search.cost() < best->cost()) best = std::move(search);
   };
-  for (std::size_t w = 0; w < ways.size(); ++w)
+  for (std::size_t w = 0; w < ways.size(); ++w) {
+    const std::size_t cells = best ? best->mesh().cells.size() : 0;
+    if (w > 0 && best->is_valid() && w * cells > 150) break;  // large drawings have no time for more
     consider(ways[w], options.seed + static_cast<unsigned>(w), 60);
+  }
   for (unsigned again = 0; again < 6 && !best->is_valid();
-       ++again)  // with more cuts of shared edges, and more patience
-    consider({again % 2 == 1, any_shared && again < 4 ? 1 : 0}, options.seed + 10 + again, 150);
+       ++again) {  // shared edges cut more, and more patience
+    const int more = any_shared && again < 4 ? 1 : 0;
+    consider({again % 2 == 1, more}, options.seed + 10 + again, 150);
+  }
   best->polish();
   return best->is_valid() ? best->mesh() : last_resort(input, best->mesh());
 }
