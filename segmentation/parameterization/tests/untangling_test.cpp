@@ -71,15 +71,16 @@ TEST(Untangling, FreesInnerPointsDisplacedAtRandom) {
   for (Eigen::Index i = 0; i < 125; ++i)
     if (!outer[static_cast<std::size_t>(i)])
       net.col(i) += Eigen::Vector3d(number(), 2 * number(), 3 * number());
-  ASSERT_FALSE(validity(knots, net).certificate.accepted());
-  const ImprovedNet improved = improve_interior(knots, net, 0.5, {});
+  const geometry::NurbsVolume tangled(knots, net);
+  ASSERT_FALSE(validity(tangled).certificate.accepted());
+  const ImprovedPatch improved = improve_interior(tangled, 0.5, {});
   EXPECT_TRUE(improved.validity.certificate.accepted());
   EXPECT_GT(improved.validity.quality.min_scaled_jacobian, 0.5);
   for (Eigen::Index i = 0; i < 125; ++i) {
     if (!outer[static_cast<std::size_t>(i)]) continue;
-    EXPECT_EQ(improved.net.col(i), net.col(i));
+    EXPECT_EQ(improved.patch.control_points().col(i), net.col(i));
   }
-  EXPECT_GT(test::smallest_determinant({knots, improved.net}, 9), 0);
+  EXPECT_GT(test::smallest_determinant(improved.patch, 9), 0);
 }
 
 /// Hexahedra of one amount of distortion.
