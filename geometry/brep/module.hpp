@@ -68,6 +68,9 @@ class BrepModule {
   /// As `cell_solids`.
   virtual std::vector<KernelSolid> cells(const BrepKernel& source, const CellComplex& complex,
                                          const std::vector<CellId>& cells) const = 0;
+  /// As `recognise_carriers`; no kernel where nothing is recognised.
+  /// @param tolerance  m
+  virtual KernelSolid with_carriers(const BrepKernel& kernel, double tolerance) const = 0;
 };
 
 /// The module, loaded at the first call and for good.

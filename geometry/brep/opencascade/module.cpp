@@ -89,6 +89,11 @@ class OpenCascade final : public BrepModule {
                    [&] { return solids_of_cells(dynamic_cast<const ShapeKernel&>(source), complex, cells); });
   }
 
+  KernelSolid with_carriers(const BrepKernel& kernel, double tolerance) const override {
+    return guarded("recognising planes and cylinders",
+                   [&] { return solid_with_carriers(dynamic_cast<const ShapeKernel&>(kernel), tolerance); });
+  }
+
  private:
   static FileShapes shapes_of(const KernelSource& source) {
     switch (source.format) {
