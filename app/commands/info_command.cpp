@@ -24,6 +24,7 @@
 #include "app/study/file_kind.hpp"
 #include "app/study/parse_study.hpp"
 #include "geometry/base/error.hpp"
+#include "geometry/brep/recognise_carriers.hpp"
 #include "iga/coupling/well_posed.hpp"
 #include "segmentation/decomposition/prospect.hpp"
 #include "segmentation/parameterization/read_blocks.hpp"
@@ -136,10 +137,12 @@ TriedStudy tried(const Study& study, const LoadedModel& loaded, const ModelRepor
 std::string outlooks_text(const BlocksInput& input, const Progress& progress) {
   std::string text;
   for (const geometry::BrepFile& body : segmentation::read_solids(input.files, progress).solids) {
+    const geometry::RecognisedBrep found = geometry::recognise_carriers(body.brep);
     std::optional<segmentation::Prospect> prospect;
-    if (!segmentation::is_hexahedron(body.brep))
-      prospect = segmentation::prospect(body.brep, *input.decomposition);
-    text += fmt::format("solid '{}': {}\n", body.name, outlook_text(prospect));
+    if (!segmentation::is_hexahedron(found.brep))
+      prospect = segmentation::prospect(found.brep, *input.decomposition);
+    text += fmt::format("solid '{}': {}{}{}\n", body.name, found.text(), found.text().empty() ? "" : "; ",
+                        outlook_text(prospect));
   }
   return text;
 }

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "geometry/brep/recognise_carriers.hpp"
 #include "segmentation/decomposition/blocks.hpp"
 #include "segmentation/decomposition/without_blends.hpp"
 
@@ -63,9 +64,13 @@ CutSolids each_cut(const BlocksInput& input, const Progress& progress, Cut cut) 
   segmentation::ReadSolids read = segmentation::read_solids(input.files, progress);
   CutSolids result;
   result.warnings = std::move(read.warnings);
-  for (std::size_t i = 0; i < read.solids.size(); ++i)
-    result.bodies.push_back(
-        cut(read.solids[i], *input.decomposition, of_body(progress, i, read.solids.size())));
+  for (std::size_t i = 0; i < read.solids.size(); ++i) {
+    geometry::BrepFile& solid = read.solids[i];
+    const geometry::RecognisedBrep found = geometry::recognise_carriers(solid.brep);
+    solid.brep = found.brep;
+    result.bodies.push_back(cut(solid, *input.decomposition, of_body(progress, i, read.solids.size())));
+    result.bodies.back().recognised = found.text();
+  }
   for (const CutBody& body : result.bodies)
     if (!body.blends.empty())
       result.warnings.push_back(fmt::format("solid '{}': {}", body.solid.name, body.blends));
@@ -135,7 +140,8 @@ segmentation::ReadBlocks put_together(const CutSolids& solids, const segmentatio
 std::string cutting_text(const CutSolids& solids) {
   std::string text;
   for (const CutBody& body : solids.bodies)
-    text += fmt::format("  {}: {}{}\n", body.solid.name, body.blends.empty() ? "" : body.blends + "; ",
+    text += fmt::format("  {}: {}{}{}{}{}\n", body.solid.name, body.recognised, body.recognised.empty() ? "" : "; ",
+                        body.blends, body.blends.empty() ? "" : "; ",
                         body.cutting   ? report_text(body.cutting->report)
                         : body.failure ? "given up"
                                        : "a topological hexahedron as it is");

@@ -13,12 +13,13 @@ namespace isopatch::app {
 
 /// How one body became blocks, or why it did not.
 struct CutBody {
-  geometry::BrepFile solid;  ///< without blends that were removed
+  geometry::BrepFile solid;  ///< its splines recognised, without blends that were removed
   std::vector<geometry::BrepFile> blocks;
   /// Of a body that was cut; nothing for one that was a hexahedron.
   std::optional<segmentation::Decomposition> cutting = {};
   std::optional<segmentation::CuttingError> failure = {};
   std::string blends = {};  ///< what was removed, for people; "" if nothing was
+  std::string recognised = {};  ///< what splines of the file really are, as of `geometry::RecognisedBrep`
 };
 
 /// Solids as topological hexahedra.

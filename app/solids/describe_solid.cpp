@@ -312,6 +312,7 @@ std::string solid_text(const SolidReport& solid, bool all) {
                       report.shortest_edge.value, with_unit(brep.edge(report.shortest_edge).length, "m"));
   if (solid.file.largest_correction > 0)
     text += fmt::format("sewn: points moved by up to {}\n", with_unit(solid.file.largest_correction, "m"));
+  if (!solid.recognised.empty()) text += fmt::format("{}, and cut as such\n", solid.recognised);
   if (report.stage != geometry::BrepStage::repair)
     text += fmt::format("segmentation: {}\n", outlook_text(solid.prospect));
   return text + findings_text(report) + faces_text(brep, all) + edges_text(brep, report, all);

@@ -16,6 +16,8 @@ struct SolidReport {
   geometry::BrepReport report;
   /// What cutting it would mean; nothing for what is no solid or a topological hexahedron.
   std::optional<segmentation::Prospect> prospect = {};
+  /// What its splines really are, as of `geometry::RecognisedBrep`; cutting takes them as that.
+  std::string recognised = {};
 };
 
 /// What will be done with a solid in a study: "a topological hexahedron", "cuts will be looked for: 14 faces,

@@ -1,9 +1,11 @@
 #include "app/solids/solid_input.hpp"
 
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "geometry/base/atomic_file.hpp"
+#include "geometry/brep/recognise_carriers.hpp"
 #include "geometry/io/read_gismo_solid.hpp"
 #include "segmentation/decomposition/prospect.hpp"
 
@@ -21,9 +23,15 @@ LoadedSolids load_solids(const InputFile& input, const Progress& progress) {
     progress("describing the bodies", double(i) / double(set.bodies.size()));
     geometry::BrepReport report = geometry::check(set.bodies[i].brep);
     std::optional<segmentation::Prospect> prospect;
-    if (report.stage != geometry::BrepStage::repair && report.stage != geometry::BrepStage::parameterization)
-      prospect = segmentation::prospect(set.bodies[i].brep);
-    result.bodies.push_back({std::move(set.bodies[i]), std::move(report), std::move(prospect)});
+    std::string recognised;
+    if (report.stage != geometry::BrepStage::repair) {
+      const geometry::RecognisedBrep found = geometry::recognise_carriers(set.bodies[i].brep);
+      recognised = found.text();
+      if (report.stage != geometry::BrepStage::parameterization)
+        prospect = segmentation::prospect(found.brep);
+    }
+    result.bodies.push_back(
+        {std::move(set.bodies[i]), std::move(report), std::move(prospect), std::move(recognised)});
   }
   return result;
 }

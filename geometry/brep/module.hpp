@@ -81,6 +81,9 @@ class BrepModule {
                                 const Redrawn& redrawn) const = 0;
   /// As `without_faces`; what comes of it is to be checked.
   virtual KernelSolid without_faces(const BrepKernel& source, const std::vector<FaceId>& faces) const = 0;
+  /// As `recognise_carriers`; no kernel where nothing is recognised.
+  /// @param tolerance  m
+  virtual KernelSolid with_carriers(const BrepKernel& kernel, double tolerance) const = 0;
 };
 
 /// The module, loaded at the first call and for good.

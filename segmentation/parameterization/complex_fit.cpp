@@ -3,12 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "geometry/base/error.hpp"
 #include "geometry/splines/grid.hpp"
+#include "geometry/splines/refine.hpp"
 #include "geometry/splines/transfer.hpp"
 #include "segmentation/parameterization/internal/coons.hpp"
 #include "segmentation/parameterization/internal/edge_samples.hpp"
+#include "segmentation/parameterization/internal/exact_face.hpp"
 #include "segmentation/parameterization/internal/start_knots.hpp"
 
 namespace isopatch::segmentation {
@@ -48,25 +52,30 @@ std::array<FaceSide, 4> sides_of(const HexComplex& complex, std::size_t face) {
   return result;
 }
 
-Eigen::Matrix3Xd in_frame(const Eigen::Matrix3Xd& points, bool turned_around) {
-  return turned_around ? Eigen::Matrix3Xd(points.rowwise().reverse()) : points;
+RationalNet in_frame(const RationalNet& net, bool turned_around) {
+  if (!turned_around) return net;
+  return {net.points.rowwise().reverse(), net.weights.reverse()};
 }
 
 /// A face's net with its edges' control points on its boundary and the blend inside.
-Eigen::Matrix3Xd framed_net(const HexComplex& complex, const ComplexFit& fit, std::size_t face,
-                            const std::array<KnotVector, 2>& knots) {
+RationalNet framed_net(const HexComplex& complex, const ComplexFit& fit, std::size_t face,
+                       const std::array<KnotVector, 2>& knots) {
   const Eigen::Index n = knots[0].size(), m = knots[1].size();
-  Eigen::Matrix3Xd net = Eigen::Matrix3Xd::Zero(3, n * m);
+  RationalNet net = RationalNet::of_size(n * m);
   const auto sides = sides_of(complex, face);
-  const auto points = [&](std::size_t k) { return in_frame(fit.edges[sides[k].edge], sides[k].turned); };
-  net.leftCols(n) = points(0);
-  net.rightCols(n) = points(1);
-  const Eigen::Matrix3Xd left = points(2), right = points(3);
-  for (Eigen::Index j = 0; j < m; ++j) {
-    net.col(n * j) = left.col(j);
-    net.col(n * j + n - 1) = right.col(j);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const RationalNet edge = in_frame(fit.edges[sides[k].edge], sides[k].turned);
+    for (Eigen::Index i = 0; i < edge.weights.size(); ++i) {
+      const Eigen::Index at = k < 2 ? i + (k == 1 ? n * (m - 1) : 0) : n * i + (k == 3 ? n - 1 : 0);
+      net.points.col(at) = edge.points.col(i);
+      net.weights[at] = edge.weights[i];
+    }
   }
-  return coons_net(knots, net);
+  return coons_net(knots, std::move(net));
+}
+
+geometry::NurbsSurface surface_of(const std::array<KnotVector, 2>& knots, const RationalNet& net) {
+  return {knots, net.points, net.weights};
 }
 
 /// Adds the transfinite blend of what is given on the four sides of a grid.
@@ -168,22 +177,53 @@ std::size_t span_of(const std::vector<double>& breaks, double t) {
   return static_cast<std::size_t>(above - breaks.begin()) - 1;
 }
 
-Marks fit_edges(const HexComplex& complex, ComplexFit& fit, double tolerance) {
+/// A knot vector with the breaks of a finer one, from which it may differ by round-off.
+KnotVector with_breaks_of(const KnotVector& knots, const KnotVector& fine) {
+  const std::vector<double> breaks = fine.breaks();
+  std::vector<double> result = knots.knots();
+  for (double& knot : result)
+    knot = *std::min_element(breaks.begin(), breaks.end(),
+                             [&](double a, double b) { return std::abs(a - knot) < std::abs(b - knot); });
+  return {knots.degree(), result};
+}
+
+/// An edge that is taken as it is, on the knots of its sheet.
+std::optional<RationalNet> exact_edge(const HexComplex& complex, std::size_t edge, const KnotVector& knots) {
+  const auto& exact = complex.edges[edge].exact;
+  if (!exact || exact->degree(0) > knots.degree()) return std::nullopt;
+  const geometry::NurbsCurve curve({with_breaks_of(exact->knots(0), knots)}, exact->control_points(),
+                                   exact->weights());
+  const geometry::NurbsCurve fine = geometry::refined(curve, {knots});
+  RationalNet result{fine.control_points(), fine.weights()};
+  const auto& ends = complex.topology.edges[edge].vertices;
+  result.points.leftCols(1) = complex.vertex(ends[0]);
+  result.points.rightCols(1) = complex.vertex(ends[1]);
+  // Round-off: elsewhere these are corners without a weight.
+  result.weights[0] = result.weights[result.weights.size() - 1] = 1;
+  return result;
+}
+
+Marks fit_edges(const HexComplex& complex, ComplexFit& fit) {
   Marks marks = no_marks(fit);
   for (std::size_t e = 0; e < complex.edges.size(); ++e) {
     const KnotVector knots = edge_knots(complex, fit, e);
     const Shares at = fitting_parameters(knots, samples_a_span);
     const EdgeSamples samples = sample_edge(complex, e, at);
     const auto& ends = complex.topology.edges[e].vertices;
-    fit.edges[e] = fit_curve(knots, at, samples.points, complex.vertex(ends[0]), complex.vertex(ends[1]));
-    const Eigen::Matrix3Xd points =
-        geometry::points_on_grid(geometry::NurbsCurve({knots}, fit.edges[e]), {at});
-    const Eigen::VectorXd errors = (points - samples.points).colwise().norm();
     fit.edge_gap[e] = samples.gap;
+    if (const std::optional<RationalNet> exact = exact_edge(complex, e, knots)) {
+      fit.edges[e] = *exact;
+      continue;
+    }
+    fit.edges[e] = RationalNet::polynomial(
+        fit_curve(knots, at, samples.points, complex.vertex(ends[0]), complex.vertex(ends[1])));
+    const Eigen::Matrix3Xd points =
+        geometry::points_on_grid(geometry::NurbsCurve({knots}, fit.edges[e].points), {at});
+    const Eigen::VectorXd errors = (points - samples.points).colwise().norm();
     const std::vector<double> breaks = knots.breaks();
     // The ends are the vertices, which no knot brings closer.
     for (std::size_t i = 1; i + 1 < at.size(); ++i)
-      if (errors[static_cast<Eigen::Index>(i)] > for_edges * tolerance)
+      if (errors[static_cast<Eigen::Index>(i)] > for_edges * fit.tolerance)
         mark(marks, complex, e, span_of(breaks, at[i]), false);
   }
   return marks;
@@ -221,16 +261,31 @@ struct FittedFace {
   Eigen::VectorXd errors;
 };
 
+/// @return  without errors where `has_fair_weights` has become false
 FittedFace fit_face(const HexComplex& complex, ComplexFit& fit, std::size_t face) {
   FittedFace result;
   result.knots = face_knots(complex, fit, face);
   result.at = {fitting_parameters(result.knots[0], samples_a_span),
                fitting_parameters(result.knots[1], samples_a_span)};
+  const RationalNet framed = framed_net(complex, fit, face, result.knots);
+  const FaceMap& map = complex.map(complex.topology.faces[face]);
+  fit.made_of_edges[face] = false;
+  if (framed.is_rational()) {
+    if (auto exact = exact_face(map, result.knots, framed, result.at, for_faces * fit.tolerance)) {
+      fit.faces[face] = std::move(exact->net);
+      fit.made_of_edges[face] = true;
+      result.errors = exact->deviations.values;
+      fit.face_deviation[face] = result.errors.maxCoeff();
+      fit.face_deviations[face] = std::move(exact->deviations);
+      return result;
+    }
+    fit.has_fair_weights = fit.has_fair_weights && has_fair_weights(framed);
+    if (!fit.has_fair_weights) return result;
+  }
   result.target = face_target(complex, face, result.at[0], result.at[1]);
-  fit.faces[face] = fit_surface(result.knots, result.at, result.target.points,
-                                framed_net(complex, fit, face, result.knots));
-  const Eigen::Matrix3Xd points = geometry::points_on_grid(
-      geometry::NurbsSurface(result.knots, fit.faces[face]), {result.at[0], result.at[1]});
+  fit.faces[face] = fit_surface(result.knots, result.at, result.target.points, framed);
+  const Eigen::Matrix3Xd points =
+      geometry::points_on_grid(surface_of(result.knots, fit.faces[face]), {result.at[0], result.at[1]});
   result.errors = (points - result.target.points).colwise().norm();
   DeviationGrid& deviations = fit.face_deviations[face];
   deviations = {result.at[0], result.at[1], (points - result.target.surface).colwise().norm()};
@@ -262,8 +317,8 @@ void measure_edges(const HexComplex& complex, ComplexFit& fit, std::size_t face)
   const double known_to = complex.block(first.block).edge_uncertainty;
   DeviationGrid& grid = fit.face_deviations[face];
   const auto n = static_cast<Eigen::Index>(grid.s.size()), m = static_cast<Eigen::Index>(grid.t.size());
-  const Eigen::Matrix3Xd points = geometry::points_on_grid(
-      geometry::NurbsSurface(face_knots(complex, fit, face), fit.faces[face]), {grid.s, grid.t});
+  const Eigen::Matrix3Xd points =
+      geometry::points_on_grid(surface_of(face_knots(complex, fit, face), fit.faces[face]), {grid.s, grid.t});
   fit.off_edges[face] = 0;
   const auto sides = sides_of(complex, face);
   for (std::size_t k = 0; k < 4; ++k) {
@@ -283,12 +338,14 @@ void measure_edges(const HexComplex& complex, ComplexFit& fit, std::size_t face)
   fit.face_deviation[face] = grid.values.maxCoeff();
 }
 
-Marks fit_faces(const HexComplex& complex, ComplexFit& fit, double tolerance) {
+Marks fit_faces(const HexComplex& complex, ComplexFit& fit) {
   Marks marks = no_marks(fit);
   for (std::size_t f = 0; f < complex.topology.faces.size(); ++f) {
     const FittedFace fitted = fit_face(complex, fit, f);
-    if (fitted.errors.maxCoeff() > for_faces * tolerance)
-      mark_face(marks, complex, f, fitted.knots, fitted.at, fitted.target.points, fitted.errors, tolerance);
+    if (!fit.has_fair_weights) break;
+    if (fitted.errors.maxCoeff() > for_faces * fit.tolerance)
+      mark_face(marks, complex, f, fitted.knots, fitted.at, fitted.target.points, fitted.errors,
+                fit.tolerance);
   }
   return marks;
 }
@@ -311,21 +368,23 @@ void validate(const FitOptions& options) {
 
 ComplexFit fit(const HexComplex& complex, const FitOptions& options) {
   validate(options);
-  const double tolerance = options.tolerance * complex.size;
   ComplexFit fit;
+  fit.tolerance = options.tolerance * complex.size;
   fit.sheets = start_knots(complex, options.degree, options.start_spans);
   fit.most_spans = most_spans(fit.sheets, options);
   fit.edges.resize(complex.edges.size());
   fit.edge_gap.assign(complex.edges.size(), 0);
   fit.faces.resize(complex.topology.faces.size());
+  fit.made_of_edges.assign(complex.topology.faces.size(), false);
   fit.face_deviation.assign(complex.topology.faces.size(), 0);
   fit.face_deviations.resize(complex.topology.faces.size());
   fit.off_edges.assign(complex.topology.faces.size(), 0);
   for (;; ++fit.rounds) {
-    Marks marks = fit_edges(complex, fit, tolerance);
+    Marks marks = fit_edges(complex, fit);
     const bool edges_open = any(marks);
     if (edges_open && halve(complex, fit, marks)) continue;
-    marks = fit_faces(complex, fit, tolerance);
+    marks = fit_faces(complex, fit);
+    if (!fit.has_fair_weights) return fit;
     if (any(marks) && halve(complex, fit, marks)) continue;
     for (std::size_t f = 0; f < complex.topology.faces.size(); ++f) measure_edges(complex, fit, f);
     return fit;
@@ -373,18 +432,20 @@ std::vector<int> points_in_block(const HexComplex& complex, const ComplexFit& fi
   return result;
 }
 
-Eigen::Matrix3Xd block_net(const HexComplex& complex, const ComplexFit& fit, BlockId block) {
+RationalNet block_net(const HexComplex& complex, const ComplexFit& fit, BlockId block) {
   const auto knots = block_knots(complex, fit, block);
-  Eigen::Matrix3Xd net =
-      Eigen::Matrix3Xd::Zero(3, Eigen::Index(knots[0].size()) * knots[1].size() * knots[2].size());
+  RationalNet net = RationalNet::of_size(Eigen::Index(knots[0].size()) * knots[1].size() * knots[2].size());
   for (const HexFaceId f : complex.topology.block(block).faces)
     for (const HexFaceUse& use : complex.topology.face(f).uses) {
       if (use.side.block != block) continue;
       const std::vector<int> where = points_in_block(complex, fit, use);
-      for (std::size_t i = 0; i < where.size(); ++i)
-        net.col(where[i]) = fit.faces[static_cast<std::size_t>(f.value)].col(static_cast<Eigen::Index>(i));
+      const RationalNet& face = fit.faces[static_cast<std::size_t>(f.value)];
+      for (std::size_t i = 0; i < where.size(); ++i) {
+        net.points.col(where[i]) = face.points.col(static_cast<Eigen::Index>(i));
+        net.weights[where[i]] = face.weights[static_cast<Eigen::Index>(i)];
+      }
     }
-  return coons_net(knots, net);
+  return coons_net(knots, std::move(net));
 }
 
 }  // namespace isopatch::segmentation

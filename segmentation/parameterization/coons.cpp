@@ -9,9 +9,12 @@ std::vector<double> greville_shares(const geometry::KnotVector& knots) {
   return result;
 }
 
-}  // namespace
+/// Columns of three coordinates or four.
+template <int Rows>
+using Columns = Eigen::Matrix<double, Rows, Eigen::Dynamic>;
 
-Eigen::Matrix3Xd coons_net(const std::array<geometry::KnotVector, 2>& knots, Eigen::Matrix3Xd net) {
+template <int Rows>
+Columns<Rows> blended(const std::array<geometry::KnotVector, 2>& knots, Columns<Rows> net) {
   const int n = knots[0].size(), m = knots[1].size();
   const auto s = greville_shares(knots[0]), t = greville_shares(knots[1]);
   const auto at = [&](int i, int j) { return net.col(i + n * j); };
@@ -25,14 +28,15 @@ Eigen::Matrix3Xd coons_net(const std::array<geometry::KnotVector, 2>& knots, Eig
   return net;
 }
 
-Eigen::Matrix3Xd coons_net(const std::array<geometry::KnotVector, 3>& knots, Eigen::Matrix3Xd net) {
+template <int Rows>
+Columns<Rows> blended(const std::array<geometry::KnotVector, 3>& knots, Columns<Rows> net) {
   const std::array<int, 3> n{knots[0].size(), knots[1].size(), knots[2].size()};
   const std::array shares{greville_shares(knots[0]), greville_shares(knots[1]), greville_shares(knots[2])};
   std::array<int, 3> i{};
   // The point with some of its indices moved to the ends; `ends` has two bits a direction: whether, and
   // which.
   const auto blend = [&](unsigned directions) {
-    Eigen::Vector3d sum(0, 0, 0);
+    Eigen::Matrix<double, Rows, 1> sum = Eigen::Matrix<double, Rows, 1>::Zero();
     for (unsigned ends = 0; ends < 8; ++ends) {
       if ((ends & ~directions) != 0) continue;
       double weight = 1;
@@ -54,6 +58,52 @@ Eigen::Matrix3Xd coons_net(const std::array<geometry::KnotVector, 3>& knots, Eig
         net.col(i[0] + n[0] * (i[1] + n[1] * i[2])) =
             blend(1) + blend(2) + blend(4) - blend(3) - blend(5) - blend(6) + blend(7);
   return net;
+}
+
+/// Whether a column of a net lies inside it.
+template <std::size_t D>
+bool is_inner(const std::array<geometry::KnotVector, D>& knots, Eigen::Index column) {
+  for (const geometry::KnotVector& along : knots) {
+    const Eigen::Index i = column % along.size();
+    if (i == 0 || i + 1 == along.size()) return false;
+    column /= along.size();
+  }
+  return true;
+}
+
+template <std::size_t D>
+RationalNet rational_blend(const std::array<geometry::KnotVector, D>& knots, RationalNet net) {
+  for (Eigen::Index i = 0; i < net.weights.size(); ++i)
+    if (is_inner(knots, i)) net.weights[i] = 1;
+  if (!net.is_rational()) {
+    net.points = blended<3>(knots, std::move(net.points));
+    return net;
+  }
+  const Eigen::Matrix4Xd found = blended<4>(knots, net.homogeneous());
+  for (Eigen::Index i = 0; i < found.cols(); ++i) {
+    if (!is_inner(knots, i)) continue;
+    net.weights[i] = found(3, i);
+    net.points.col(i) = found.col(i).head<3>() / found(3, i);
+  }
+  return net;
+}
+
+}  // namespace
+
+Eigen::Matrix3Xd coons_net(const std::array<geometry::KnotVector, 2>& knots, Eigen::Matrix3Xd net) {
+  return blended<3>(knots, std::move(net));
+}
+
+Eigen::Matrix3Xd coons_net(const std::array<geometry::KnotVector, 3>& knots, Eigen::Matrix3Xd net) {
+  return blended<3>(knots, std::move(net));
+}
+
+RationalNet coons_net(const std::array<geometry::KnotVector, 2>& knots, RationalNet net) {
+  return rational_blend(knots, std::move(net));
+}
+
+RationalNet coons_net(const std::array<geometry::KnotVector, 3>& knots, RationalNet net) {
+  return rational_blend(knots, std::move(net));
 }
 
 }  // namespace isopatch::segmentation

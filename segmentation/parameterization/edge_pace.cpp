@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/splines/refine.hpp"
 #include "segmentation/parameterization/internal/edge_samples.hpp"
 
 namespace isopatch::segmentation {
@@ -21,6 +22,7 @@ constexpr double least_speed = 0.1;
 struct Candidate {
   SidePace pace;
   std::vector<KnotVector> knots;
+  std::optional<geometry::NurbsCurve> exact = {};
 };
 
 double identity(double share) {
@@ -107,6 +109,8 @@ std::optional<Candidate> pace_of_surface(const EdgeSide& side) {
 }
 
 std::optional<Candidate> pace_of_curve(const std::array<EdgeSide, 2>& sides) {
+  if (const auto& exact = sides[0].face->edges[sides[0].k].exact)
+    return Candidate{exact->pace, {exact->curve.knots(0)}, exact->curve};
   const std::optional<KnotVector>& knots = sides[0].face->edges[sides[0].k].knots;
   if (!knots || !sides[0].face->is_affine || !sides[1].face->is_affine) return std::nullopt;
   return Candidate{identity, {*knots}};
@@ -154,16 +158,20 @@ bool is_steady(const Eigen::Matrix3Xd& path) {
 std::vector<SidePace> settled(const HexComplex& complex, const HexEdge& edge, EdgeShape& shape) {
   std::vector<SidePace> paces;
   std::vector<KnotVector> knots;
+  std::vector<geometry::NurbsCurve> exact;
   for (const HexEdgeUse& use : edge.uses) {
     const auto found = candidate_of(sides_at(complex.block(use.edge.block), use.edge.edge));
     paces.push_back(found ? found->pace : identity);
     if (found)
       for (const KnotVector& k : found->knots) knots.push_back(use.reversed ? reversed(k) : k);
+    if (found && found->exact)
+      exact.push_back(use.reversed ? geometry::reversed(*found->exact, 0) : *found->exact);
   }
   if (knots.empty()) return {};
   const auto found = paths(complex, edge, paces, 32);
   if (!agree(found, complex.size) || !is_steady(found.front())) return {};
   shape.knots = std::move(knots);
+  if (exact.size() == edge.uses.size()) shape.exact = exact.front();
   return paces;
 }
 
@@ -196,7 +204,10 @@ bool has_paces(const HexComplex& complex) {
 }
 
 HexComplex without_paces(HexComplex complex) {
-  for (EdgeShape& edge : complex.edges) edge.knots.clear();
+  for (EdgeShape& edge : complex.edges) {
+    edge.knots.clear();
+    edge.exact.reset();
+  }
   for (auto& maps : complex.maps)
     for (FaceMap& map : maps) map = face_map(map.face());
   settle_edges(complex);

@@ -56,6 +56,8 @@ SolidEdge solid_edge(const Brep& brep, const EdgeOfSide& side) {
   };
   result.knots = spline_knots(brep, side.use.edge);
   if (result.knots && side.turned) result.knots = reversed(*result.knots);
+  result.exact = exact_curve(brep, side.use.edge);
+  if (result.exact && side.turned) result.exact = reversed(*result.exact);
   return result;
 }
 

@@ -41,6 +41,11 @@ Eigen::Vector3d mean_lengths(const std::array<int, 3>& n, const Eigen::Matrix3Xd
   return sum;
 }
 
+/// For `MovableBlock`: nothing of a B-spline.
+Eigen::VectorXd weights_of(const geometry::NurbsVolume& patch) {
+  return patch.is_rational() ? patch.weights() : Eigen::VectorXd();
+}
+
 /// Variables move control points by about the block's size.
 double step_of(const Eigen::Vector3d& lengths) {
   return std::cbrt(lengths.prod());
@@ -153,6 +158,11 @@ geometry::NurbsSurface displacement(const SlidingFace& face, const Eigen::Vector
   return {face.knots, net};
 }
 
+/// Whether a face may slide: one that is made of its edges would leave its surface, unless that is plane.
+bool may_slide(const HexComplex& complex, const ComplexFit& fit, std::size_t face) {
+  return !fit.made_of_edges[face] || complex.map(complex.topology.faces[face]).face().is_affine;
+}
+
 /// The problem of faces sliding on their surfaces.
 struct SlidingProblem {
   std::vector<BlockId> blocks;               ///< of the complex
@@ -160,13 +170,14 @@ struct SlidingProblem {
   std::map<std::size_t, SlidingFace> faces;  ///< by face of the complex
 };
 
-SlidingProblem sliding_problem(const HexComplex& complex, const ComplexFit& fit, const BlockNets& nets,
+SlidingProblem sliding_problem(const HexComplex& complex, const ComplexFit& fit, const BlockPatches& given,
                                const std::vector<BlockId>& poor_blocks) {
   SlidingProblem problem;
   std::set<BlockId> blocks;
   for (const BlockId b : poor_blocks)
     for (const HexFaceId f : complex.topology.block(b).faces) {
-      problem.faces[static_cast<std::size_t>(f.value)] = {};
+      if (may_slide(complex, fit, static_cast<std::size_t>(f.value)))
+        problem.faces[static_cast<std::size_t>(f.value)] = {};
       for (const HexFaceUse& use : complex.topology.face(f).uses) blocks.insert(use.side.block);
     }
   int variables = 0;
@@ -191,11 +202,13 @@ SlidingProblem sliding_problem(const HexComplex& complex, const ComplexFit& fit,
   }
   for (const BlockId b : blocks) {
     const auto knots = block_knots(complex, fit, b);
-    const auto& net = nets.nets[static_cast<std::size_t>(b.value)];
+    const auto& patch = given.patches[static_cast<std::size_t>(b.value)];
+    const auto& net = patch.control_points();
     const Eigen::Vector3d lengths = mean_lengths(sizes_of(knots), net);
     variables = add_interior(moves[b], sizes_of(knots), step_of(lengths), variables);
     problem.blocks.push_back(b);
-    problem.movable.push_back({knots, net, {}, lengths, CountedPoints::all_but_corners, {}});
+    problem.movable.push_back(
+        {knots, net, {}, lengths, CountedPoints::all_but_corners, {}, weights_of(patch)});
   }
   for (std::size_t i = 0; i < problem.blocks.size(); ++i)
     problem.movable[i].moves =
@@ -214,6 +227,18 @@ double slide(FaceMap& map, const SlidingFace& face, const Eigen::VectorXd& varia
     return factor;
   }
   return 0;
+}
+
+/// The same of a plane face that is made of its edges: its control points move, weights stay.
+void slide_in_plane(RationalNet& net, const FaceMap& map, const SlidingFace& face,
+                    const Eigen::VectorXd& variables) {
+  const auto tangents = tangents_at_greville(map, face.knots, face.step);
+  const int n = face.knots[0].size(), m = face.knots[1].size();
+  int variable = face.first_variable;
+  for (int j = 1; j + 1 < m; ++j)
+    for (int i = 1; i + 1 < n; ++i, variable += 2)
+      net.points.col(i + n * j) +=
+          tangents[static_cast<std::size_t>(i + n * j)] * variables.segment<2>(variable);
 }
 
 std::optional<FoldedEdge> folded_edge(const geometry::NurbsVolume& volume) {
@@ -239,18 +264,20 @@ bool PatchValidity::better_than(const PatchValidity& other) const {
   return quality.min_scaled_jacobian > other.quality.min_scaled_jacobian;
 }
 
-PatchValidity validity(const std::array<KnotVector, 3>& knots, const Eigen::Matrix3Xd& net) {
-  const geometry::NurbsVolume volume(knots, net);
+PatchValidity validity(const geometry::NurbsVolume& volume) {
   return {geometry::certify_jacobian(volume, {.max_depth = 6}), geometry::quality(volume),
           folded_edge(volume)};
 }
 
-ImprovedNet improve_interior(const std::array<KnotVector, 3>& knots, const Eigen::Matrix3Xd& net,
-                             double wanted_quality, const OptimizationOptions& options) {
-  ImprovedNet best{net, validity(knots, net), 0};
+ImprovedPatch improve_interior(const geometry::NurbsVolume& patch, double wanted_quality,
+                               const OptimizationOptions& options) {
+  ImprovedPatch best{patch, validity(patch), 0};
+  const std::array<KnotVector, 3>& knots = patch.knots();
+  const Eigen::Matrix3Xd& net = patch.control_points();
   const std::array<int, 3> n = sizes_of(knots);
   if (*std::min_element(n.begin(), n.end()) < 3 || best.validity.folded_edge) return best;
-  MovableBlock block{knots, net, {}, mean_lengths(n, net), CountedPoints::inside_faces_and_interior, {}};
+  MovableBlock block{
+      knots, net, {}, mean_lengths(n, net), CountedPoints::inside_faces_and_interior, {}, weights_of(patch)};
   const double step = step_of(block.lengths);
   const auto is_good_enough = [&](const PatchValidity& validity) {
     return validity.certificate.accepted() && validity.quality.min_scaled_jacobian >= wanted_quality;
@@ -259,7 +286,7 @@ ImprovedNet improve_interior(const std::array<KnotVector, 3>& knots, const Eigen
   constexpr int most_spans = 64;
   for (const int spans : {2, 4, most_spans}) {
     if (is_good_enough(best.validity) || (spans == most_spans && best.validity.certificate.accepted())) break;
-    block.points = best.net;
+    block.points = best.patch.control_points();
     if (spans == most_spans) {
       Triplets moves;
       const int variables = add_interior(moves, n, step, 0);
@@ -272,9 +299,10 @@ ImprovedNet improve_interior(const std::array<KnotVector, 3>& knots, const Eigen
       const OptimizedShapes found = optimize_shapes({block}, options);
       best.evaluations += found.evaluations;
       const Eigen::Matrix3Xd candidate = moved(block, found.variables);
-      const PatchValidity now = validity(knots, candidate);
+      const geometry::NurbsVolume found_patch(knots, candidate, patch.weights());
+      const PatchValidity now = validity(found_patch);
       if (now.better_than(best.validity) || !best.validity.certificate.accepted()) {
-        best.net = candidate;
+        best.patch = found_patch;
         best.validity = now;
       }
       // Where no fold lies between the points looked at, another look finds nothing new.
@@ -286,7 +314,7 @@ ImprovedNet improve_interior(const std::array<KnotVector, 3>& knots, const Eigen
   return best;
 }
 
-bool slide_faces(HexComplex& complex, ComplexFit& fit, BlockNets& blocks,
+bool slide_faces(HexComplex& complex, ComplexFit& fit, BlockPatches& blocks,
                  const std::vector<BlockId>& poor_blocks, double wanted_quality,
                  const OptimizationOptions& options) {
   const SlidingProblem problem = sliding_problem(complex, fit, blocks, poor_blocks);
@@ -296,23 +324,27 @@ bool slide_faces(HexComplex& complex, ComplexFit& fit, BlockNets& blocks,
   ComplexFit new_fit = fit;
   for (const auto& [f, face] : problem.faces) {
     FaceMap& map = new_complex.map(complex.topology.faces[f].uses[0].side);
-    if (slide(map, face, found.variables) > 0) refit_face(new_complex, new_fit, f);
+    if (fit.made_of_edges[f])
+      slide_in_plane(new_fit.faces[f], map, face, found.variables);
+    else if (slide(map, face, found.variables) > 0)
+      refit_face(new_complex, new_fit, f);
   }
-  BlockNets changed = blocks;
+  BlockPatches changed = blocks;
   bool better = false, worse = false;
   for (std::size_t i = 0; i < problem.blocks.size(); ++i) {
     const auto b = static_cast<std::size_t>(problem.blocks[i].value);
     const auto knots = block_knots(complex, fit, problem.blocks[i]);
     const std::array<int, 3> n = sizes_of(knots);
-    Eigen::Matrix3Xd net = block_net(new_complex, new_fit, problem.blocks[i]);
+    RationalNet net = block_net(new_complex, new_fit, problem.blocks[i]);
     const Eigen::Matrix3Xd inside = moved(problem.movable[i], found.variables);
     for (int k = 1; k + 1 < n[2]; ++k)
       for (int j = 1; j + 1 < n[1]; ++j)
         for (int at = 1; at + 1 < n[0]; ++at)
-          net.col(index_of(n, at, j, k)) = inside.col(index_of(n, at, j, k));
-    const ImprovedNet improved = improve_interior(knots, net, wanted_quality, options);
+          net.points.col(index_of(n, at, j, k)) = inside.col(index_of(n, at, j, k));
+    const ImprovedPatch improved =
+        improve_interior({knots, net.points, net.weights}, wanted_quality, options);
     changed.evaluations += improved.evaluations;
-    changed.nets[b] = improved.net;
+    changed.patches[b] = improved.patch;
     changed.validities[b] = improved.validity;
     better = better || improved.validity.better_than(blocks.validities[b]);
     worse =

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "geometry/base/error.hpp"
 #include "geometry/base/stopwatch.hpp"
@@ -47,16 +48,19 @@ bool is_good_enough(const PatchValidity& validity, double wanted_quality) {
   return validity.certificate.accepted() && validity.quality.min_scaled_jacobian >= wanted_quality;
 }
 
-BlockNets first_nets(const HexComplex& complex, const ComplexFit& fit) {
-  BlockNets blocks;
+/// Nothing where weights come out too small.
+std::optional<BlockPatches> first_patches(const HexComplex& complex, const ComplexFit& fit) {
+  BlockPatches blocks;
   for (int b = 0; b < static_cast<int>(complex.blocks.size()); ++b) {
-    blocks.nets.push_back(block_net(complex, fit, BlockId(b)));
-    blocks.validities.push_back(validity(block_knots(complex, fit, BlockId(b)), blocks.nets.back()));
+    const RationalNet net = block_net(complex, fit, BlockId(b));
+    if (!has_fair_weights(net)) return std::nullopt;
+    blocks.patches.emplace_back(block_knots(complex, fit, BlockId(b)), net.points, net.weights);
+    blocks.validities.push_back(validity(blocks.patches.back()));
   }
   return blocks;
 }
 
-std::vector<BlockId> poor_blocks(const BlockNets& blocks, double wanted_quality) {
+std::vector<BlockId> poor_blocks(const BlockPatches& blocks, double wanted_quality) {
   std::vector<BlockId> result;
   for (std::size_t b = 0; b < blocks.validities.size(); ++b)
     if (!is_good_enough(blocks.validities[b], wanted_quality) && !blocks.validities[b].folded_edge)
@@ -64,16 +68,16 @@ std::vector<BlockId> poor_blocks(const BlockNets& blocks, double wanted_quality)
   return result;
 }
 
-void improve(HexComplex& complex, ComplexFit& fit, BlockNets& blocks, const ParameterizationOptions& options,
-             const Progress& progress) {
+void improve(HexComplex& complex, ComplexFit& fit, BlockPatches& blocks,
+             const ParameterizationOptions& options, const Progress& progress) {
   std::vector<BlockId> bad = poor_blocks(blocks, options.wanted_quality);
   for (std::size_t i = 0; i < bad.size(); ++i) {
     progress("optimizing patches", double(i) / double(bad.size()));
     const auto b = static_cast<std::size_t>(bad[i].value);
-    ImprovedNet improved = improve_interior(block_knots(complex, fit, bad[i]), blocks.nets[b],
-                                            options.wanted_quality, options.optimization);
+    ImprovedPatch improved =
+        improve_interior(blocks.patches[b], options.wanted_quality, options.optimization);
     blocks.evaluations += improved.evaluations;
-    blocks.nets[b] = std::move(improved.net);
+    blocks.patches[b] = std::move(improved.patch);
     blocks.validities[b] = improved.validity;
   }
   constexpr int most_slides = 3;
@@ -134,49 +138,52 @@ std::string edge_label(const HexComplex& complex, std::size_t edge) {
                      place(found.vertices[0]), place(found.vertices[1]));
 }
 
-/// A complex that has been fitted, with the nets of its blocks.
+/// A complex that has been fitted, with the patches of its blocks.
 struct FittedComplex {
   HexComplex complex;
   ComplexFit fit;
-  BlockNets blocks;
+  BlockPatches blocks;
 };
 
-FittedComplex fitted_complex(HexComplex complex, const FitOptions& options) {
+/// Nothing where weights come out too small, which without arcs they never do.
+std::optional<FittedComplex> fitted_complex(HexComplex complex, const FitOptions& options) {
   FittedComplex result{std::move(complex), {}, {}};
   result.fit = fit(result.complex, options);
-  result.blocks = first_nets(result.complex, result.fit);
+  if (!result.fit.has_fair_weights) return std::nullopt;
+  std::optional<BlockPatches> blocks = first_patches(result.complex, result.fit);
+  if (!blocks) return std::nullopt;
+  result.blocks = std::move(*blocks);
   return result;
 }
 
-std::size_t poor_count(const BlockNets& blocks, double wanted_quality) {
+std::size_t poor_count(const BlockPatches& blocks, double wanted_quality) {
   return static_cast<std::size_t>(std::count_if(
       blocks.validities.begin(), blocks.validities.end(),
       [&](const PatchValidity& validity) { return !is_good_enough(validity, wanted_quality); }));
 }
 
-/// Keeps the input's paces, and with them its splines, unless arc length leaves fewer poor blocks.
+/// Keeps the input's paces, and with them its splines and arcs, unless arc length leaves fewer poor blocks.
 FittedComplex first_fit(const HexComplex& complex, const ParameterizationOptions& options) {
-  FittedComplex result = fitted_complex(complex, options.fit);
-  const std::size_t poor = poor_count(result.blocks, options.wanted_quality);
-  if (poor == 0 || !has_paces(complex)) return result;
-  FittedComplex other = fitted_complex(without_paces(complex), options.fit);
-  return poor_count(other.blocks, options.wanted_quality) < poor ? other : result;
+  std::optional<FittedComplex> result = fitted_complex(complex, options.fit);
+  if (!result) return fitted_complex(without_paces(complex), options.fit).value();
+  const std::size_t poor = poor_count(result->blocks, options.wanted_quality);
+  if (poor == 0 || !has_paces(complex)) return std::move(*result);
+  FittedComplex other = fitted_complex(without_paces(complex), options.fit).value();
+  return poor_count(other.blocks, options.wanted_quality) < poor ? std::move(other) : std::move(*result);
 }
 
 Parameterization shared_method(const HexModel& model, const HexComplex& given,
                                const ParameterizationOptions& options, const Progress& progress) {
   progress("fitting edges and faces", 0);
   auto [complex, fitted, blocks] = first_fit(given, options);
-  const BlockNets first = blocks;
+  const BlockPatches first = blocks;
   if (options.optimize) improve(complex, fitted, blocks, options, progress);
   Parameterization result;
   ParameterizationReport& report = result.report;
-  std::vector<geometry::NurbsVolume> patches;
   for (std::size_t b = 0; b < complex.blocks.size(); ++b) {
-    patches.emplace_back(block_knots(complex, fitted, BlockId(static_cast<int>(b))), blocks.nets[b]);
-    report.patches.push_back(report_of(complex.blocks[b].name, patches.back(), blocks.validities[b]));
+    report.patches.push_back(report_of(complex.blocks[b].name, blocks.patches[b], blocks.validities[b]));
     report.patches.back().certified_before = first.validities[b].certificate.accepted();
-    report.patches.back().moved = blocks.nets[b] != first.nets[b];
+    report.patches.back().moved = blocks.patches[b] != first.patches[b];
   }
   for (std::size_t f = 0; f < model.topology.faces.size(); ++f) {
     const HexFace& face = model.topology.faces[f];
@@ -189,7 +196,7 @@ Parameterization shared_method(const HexModel& model, const HexComplex& given,
   report.rounds = fitted.rounds;
   report.max_spans = *std::max_element(fitted.most_spans.begin(), fitted.most_spans.end());
   report.evaluations = blocks.evaluations;
-  result.patches = patch_set(model, std::move(patches));
+  result.patches = patch_set(model, std::move(blocks.patches));
   return result;
 }
 
@@ -198,8 +205,7 @@ Parameterization paper_method(const HexModel& model, const HexComplex& complex) 
   Parameterization result;
   for (std::size_t b = 0; b < complex.blocks.size(); ++b) {
     const geometry::NurbsVolume& patch = found.patches[b];
-    result.report.patches.push_back(
-        report_of(complex.blocks[b].name, patch, validity(patch.knots(), patch.control_points())));
+    result.report.patches.push_back(report_of(complex.blocks[b].name, patch, validity(patch)));
     result.report.patches.back().certified_before = result.report.patches.back().certificate.accepted();
   }
   for (std::size_t f = 0; f < model.topology.faces.size(); ++f) {

@@ -66,8 +66,9 @@ Integrand integrand(const Eigen::Matrix3d& m, double epsilon) {
 }  // namespace
 
 ShapeEnergy::ShapeEnergy(const std::array<KnotVector, 3>& knots, const Eigen::Vector3d& lengths,
-                         CountedPoints counted, const std::array<std::vector<double>, 3>& extra)
-    : lengths_(lengths) {
+                         CountedPoints counted, const std::array<std::vector<double>, 3>& extra,
+                         const Eigen::VectorXd& weights)
+    : lengths_(lengths), control_weights_(weights) {
   for (std::size_t d = 0; d < 3; ++d) {
     std::vector<std::pair<double, double>> nodes;
     add_nodes(knots[d], nodes);
@@ -95,49 +96,83 @@ ShapeEnergy::ShapeEnergy(const std::array<KnotVector, 3>& knots, const Eigen::Ve
         const bool counts = ends < (counted == CountedPoints::all_but_corners ? 3 : 2);
         weights_[at++] = counts ? x.weights[i] * y.weights[j] * z.weights[k] : 0.0;
       }
+  if (control_weights_.size() == 0) return;
+  const Columns of_weights = at_nodes(control_weights_.transpose().replicate(3, 1));
+  weight_function_.resize(4, weights_.size());
+  for (Eigen::Index c = 0; c < 4; ++c)
+    weight_function_.row(c) = of_weights[static_cast<std::size_t>(c)].row(0);
 }
 
-ShapeEnergy::Value ShapeEnergy::operator()(const Eigen::Matrix3Xd& points, double epsilon) const {
+ShapeEnergy::Columns ShapeEnergy::at_nodes(const Eigen::Matrix3Xd& coefficients) const {
   const auto along = [](const Eigen::Matrix3Xd& values, const std::array<int, 3>& sizes, int d,
                         const Matrix& matrix) { return geometry::apply_along<3>(values, sizes, d, matrix); };
   const auto& [x, y, z] = directions_;
   const std::array<int, 3> n{static_cast<int>(x.values.cols()), static_cast<int>(y.values.cols()),
                              static_cast<int>(z.values.cols())};
+  const std::array<int, 3> after_z{n[0], n[1], static_cast<int>(z.values.rows())};
+  const std::array<int, 3> after_y{n[0], static_cast<int>(y.values.rows()), after_z[2]};
+  const Eigen::Matrix3Xd value_z = along(coefficients, n, 2, z.values);
+  const Eigen::Matrix3Xd slope_z = along(coefficients, n, 2, z.slopes);
+  const Eigen::Matrix3Xd value_yz = along(value_z, after_z, 1, y.values);
+  return {control_weights_.size() == 0 ? Eigen::Matrix3Xd() : along(value_yz, after_y, 0, x.values),
+          along(value_yz, after_y, 0, x.slopes),
+          along(along(value_z, after_z, 1, y.slopes), after_y, 0, x.values),
+          along(along(slope_z, after_z, 1, y.values), after_y, 0, x.values)};
+}
+
+Eigen::Matrix3Xd ShapeEnergy::from_nodes(const Columns& columns) const {
+  const auto back = [](const Eigen::Matrix3Xd& values, const std::array<int, 3>& sizes, int d,
+                       const Matrix& matrix) {
+    const Matrix transposed = matrix.transpose();
+    return geometry::apply_along<3>(values, sizes, d, transposed);
+  };
+  const auto& [x, y, z] = directions_;
   const std::array<int, 3> m{static_cast<int>(x.values.rows()), static_cast<int>(y.values.rows()),
                              static_cast<int>(z.values.rows())};
-  const std::array<int, 3> after_z{n[0], n[1], m[2]}, after_y{n[0], m[1], m[2]};
-  const Eigen::Matrix3Xd value_z = along(points, n, 2, z.values);
-  const Eigen::Matrix3Xd slope_z = along(points, n, 2, z.slopes);
-  const Eigen::Matrix3Xd value_yz = along(value_z, after_z, 1, y.values);
-  std::array<Eigen::Matrix3Xd, 3> columns{along(value_yz, after_y, 0, x.slopes),
-                                          along(along(value_z, after_z, 1, y.slopes), after_y, 0, x.values),
-                                          along(along(slope_z, after_z, 1, y.values), after_y, 0, x.values)};
+  const std::array<int, 3> after_x{static_cast<int>(x.values.cols()), m[1], m[2]};
+  const std::array<int, 3> after_y{after_x[0], static_cast<int>(y.values.cols()), m[2]};
+  Eigen::Matrix3Xd in_x = back(columns[1], m, 0, x.slopes);
+  if (control_weights_.size() > 0) in_x += back(columns[0], m, 0, x.values);
+  Eigen::Matrix3Xd at_z_values = back(in_x, after_x, 1, y.values);
+  at_z_values += back(back(columns[2], m, 0, x.values), after_x, 1, y.slopes);
+  Eigen::Matrix3Xd result = back(at_z_values, after_y, 2, z.values);
+  result += back(back(back(columns[3], m, 0, x.values), after_x, 1, y.values), after_y, 2, z.slopes);
+  return result;
+}
+
+ShapeEnergy::Value ShapeEnergy::operator()(const Eigen::Matrix3Xd& points, double epsilon) const {
+  const bool rational = control_weights_.size() > 0;
+  Columns columns = at_nodes(rational ? Eigen::Matrix3Xd(points * control_weights_.asDiagonal()) : points);
   Value result;
   result.smallest = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = 0; i < weights_.size(); ++i) {
     const double weight = weights_[i];
+    Eigen::Vector4d w(1, 0, 0, 0);
+    if (rational) w = weight_function_.col(i);
+    Eigen::Vector3d point(0, 0, 0);
+    if (rational) {
+      point = columns[0].col(i) / w[0];
+      columns[0].col(i).setZero();
+    }
     Eigen::Matrix3d jacobian;
     for (std::size_t d = 0; d < 3; ++d) {
-      jacobian.col(static_cast<Eigen::Index>(d)) = columns[d].col(i) / lengths_[static_cast<Eigen::Index>(d)];
-      columns[d].col(i).setZero();
+      const auto at = static_cast<Eigen::Index>(d);
+      jacobian.col(at) = (columns[d + 1].col(i) - w[at + 1] * point) / (w[0] * lengths_[at]);
+      columns[d + 1].col(i).setZero();
     }
     if (weight == 0) continue;
     const Integrand here = integrand(jacobian, epsilon);
     result.energy += weight * here.value;
     result.smallest = std::min(result.smallest, here.determinant);
-    for (std::size_t d = 0; d < 3; ++d)
-      columns[d].col(i) =
-          weight / lengths_[static_cast<Eigen::Index>(d)] * here.slope.col(static_cast<Eigen::Index>(d));
+    for (std::size_t d = 0; d < 3; ++d) {
+      const auto at = static_cast<Eigen::Index>(d);
+      const Eigen::Vector3d slope = weight / (w[0] * lengths_[at]) * here.slope.col(at);
+      columns[d + 1].col(i) = slope;
+      if (rational) columns[0].col(i) -= w[at + 1] / w[0] * slope;
+    }
   }
-  const auto back = [&](const Eigen::Matrix3Xd& values, std::array<int, 3> sizes, std::size_t d,
-                        const Matrix& matrix) {
-    const Matrix transposed = matrix.transpose();
-    return geometry::apply_along<3>(values, sizes, static_cast<int>(d), transposed);
-  };
-  Eigen::Matrix3Xd at_z_values = back(back(columns[0], m, 0, x.slopes), after_y, 1, y.values);
-  at_z_values += back(back(columns[1], m, 0, x.values), after_y, 1, y.slopes);
-  result.gradient = back(at_z_values, after_z, 2, z.values);
-  result.gradient += back(back(back(columns[2], m, 0, x.values), after_y, 1, y.values), after_z, 2, z.slopes);
+  result.gradient = from_nodes(columns);
+  if (rational) result.gradient = result.gradient * control_weights_.asDiagonal();
   return result;
 }
 

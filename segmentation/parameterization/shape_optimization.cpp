@@ -16,7 +16,7 @@ class Objective {
  public:
   explicit Objective(const std::vector<MovableBlock>& blocks) : blocks_(blocks) {
     for (const MovableBlock& block : blocks)
-      energies_.emplace_back(block.knots, block.lengths, block.counted, block.extra);
+      energies_.emplace_back(block.knots, block.lengths, block.counted, block.extra, block.weights);
   }
 
   struct Value {

@@ -71,6 +71,28 @@ Eigen::Matrix3Xd fit_surface(const std::array<KnotVector, 2>& knots,
   return boundary;
 }
 
+RationalNet fit_surface(const std::array<KnotVector, 2>& knots,
+                        const std::array<std::vector<double>, 2>& parameters, const Eigen::Matrix3Xd& points,
+                        RationalNet boundary) {
+  if (!boundary.is_rational())
+    return RationalNet::polynomial(fit_surface(knots, parameters, points, std::move(boundary.points)));
+  // Weighted points are fitted by weighted coefficients, of which the weights themselves are known.
+  Eigen::Matrix3Xd weights = boundary.weights.transpose().replicate(3, 1);
+  std::array<int, 2> grid{knots[0].size(), knots[1].size()};
+  for (std::size_t d = 0; d < 2; ++d) {
+    weights = geometry::apply_along<2>(weights, grid, static_cast<int>(d),
+                                       dense_collocation(knots[d], parameters[d]));
+    grid[d] = static_cast<int>(parameters[d].size());
+  }
+  const Eigen::Matrix3Xd found = fit_surface(knots, parameters, points.cwiseProduct(weights),
+                                             boundary.points * boundary.weights.asDiagonal());
+  const int n = knots[0].size(), m = knots[1].size();
+  for (int j = 1; j + 1 < m; ++j)
+    for (int i = 1; i + 1 < n; ++i)
+      boundary.points.col(i + n * j) = found.col(i + n * j) / boundary.weights[i + n * j];
+  return boundary;
+}
+
 std::vector<double> line_errors(const std::array<KnotVector, 2>& knots,
                                 const std::array<std::vector<double>, 2>& parameters,
                                 const Eigen::Matrix3Xd& points, int direction) {

@@ -6,11 +6,17 @@
 
 #include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
+#include "geometry/brep/make_brep.hpp"
 #include "geometry/models/cylinder.hpp"
 #include "geometry/models/plate.hpp"
 #include "geometry/models/sphere.hpp"
+#include "geometry/splines/arc.hpp"
 #include "geometry/splines/refine.hpp"
+#include "segmentation/parameterization/assemble_model.hpp"
+#include "segmentation/parameterization/parameterize.hpp"
 #include "verification/suites/classic_fields.hpp"
 #include "verification/suites/known_problem.hpp"
 #include "verification/suites/model_cases.hpp"
@@ -40,6 +46,63 @@ KnownProblem cylinder() {
           [=](int degree, int elements) {
             iga::ElasticityProblem p = unloaded(
                 model, {.degree = {degree, 2, 1}, .elements_per_direction = {elements, 0, 0}}, material);
+            add_planes(p, {"start", "end", "bottom", "top"});
+            p.surface_loads = {iga::pressure_load("pressure", faces_of(model, "inner"), 10)};
+            return p;
+          },
+          8};
+}
+
+/// The solid that a patch fills, its faces called as the model's boundaries are.
+geometry::BrepFile tube_part(const MultiPatch& model, PatchId patch) {
+  std::vector<geometry::TrimmedSurface> faces;
+  for (const geometry::Side side : geometry::all_sides) {
+    const geometry::NurbsSurface surface = face_surface(model.patch(patch), side);
+    const Eigen::Vector2d a = surface.low(), c = surface.high();
+    const auto line = [](double u, double v, double to_u, double to_v) {
+      return geometry::segment({u, v, 0}, {to_u, to_v, 0});
+    };
+    geometry::TrimmedSurface face{"",
+                                  surface,
+                                  {{line(a[0], a[1], c[0], a[1]), line(c[0], a[1], c[0], c[1]),
+                                    line(c[0], c[1], a[0], c[1]), line(a[0], c[1], a[0], a[1])}}};
+    for (const geometry::Boundary& boundary : model.boundaries())
+      for (const geometry::PatchFace& on : boundary.faces)
+        if (on == geometry::PatchFace{patch, side}) face.name = boundary.name;
+    faces.push_back(std::move(face));
+  }
+  return {geometry::sew(faces).brep, "tube"};
+}
+
+// The same cylinder from solids with exact cylinders, degree 2 in every direction; elements through the wall.
+KnownProblem cylinder_of_solids() {
+  const iga::Material material = iga::isotropic(1000, 0.3);
+  const MultiPatch given = geometry::connect(geometry::cylinder_model({.patches_around = 2}));
+  std::vector<geometry::BrepFile> solids;
+  for (int p = 0; p < given.patch_count(); ++p) solids.push_back(tube_part(given, PatchId(p)));
+  const geometry::PatchSet patches =
+      segmentation::parameterize(segmentation::hex_model(solids), {.fit = {.degree = 2}}).patches;
+  return {"thick cylinder from solids",
+          ReferenceKind::closed_form,
+          "Lame",
+          pressed_cylinder(material, 10, 1, 2),
+          [=](int degree, int elements) {
+            geometry::PatchSet set = patches;
+            std::vector<double> knots;
+            for (int i = 1; i < elements; ++i) knots.push_back(double(i) / elements);
+            for (geometry::NurbsVolume& patch : set.patches) {
+              const Vector3d low = patch.point(patch.low());
+              for (int d = 0; d < 3; ++d) {
+                geometry::Parameter<3> end = patch.low();
+                end[d] = patch.high()[d];
+                if (std::abs(patch.point(end).head<2>().norm() - low.head<2>().norm()) < 0.5) continue;
+                patch = geometry::insert_knots(geometry::elevate_degree(patch, d, degree - patch.degree(d)),
+                                               d, knots);
+              }
+            }
+            const MultiPatch model = geometry::connect(set);
+            iga::ElasticityProblem p =
+                unloaded(model, {.degree = {1, 1, 1}, .elements_per_direction = {0, 0, 0}}, material);
             add_planes(p, {"start", "end", "bottom", "top"});
             p.surface_loads = {iga::pressure_load("pressure", faces_of(model, "inner"), 10)};
             return p;
@@ -99,6 +162,10 @@ iga::FieldValues at(const iga::ElasticitySolution& solution, const Vector3d& pla
 TEST(ClosedForms, ThickCylinderOrders) {
   for (const Coupling coupling : iga::all_couplings)
     for (const int degree : {1, 2, 3}) expect_orders(cylinder(), {degree, {8, 16, 32, 64}, coupling});
+}
+
+TEST(ClosedForms, ThickCylinderFromSolidsOrders) {
+  for (const int degree : {2, 3}) expect_orders(cylinder_of_solids(), {degree, {16, 32, 64, 128}});
 }
 
 void expect_plate_orders(int degree, Coupling coupling) {

@@ -102,6 +102,11 @@ class OpenCascade final : public BrepModule {
                    [&] { return solid_without_faces(dynamic_cast<const ShapeKernel&>(source), faces); });
   }
 
+  KernelSolid with_carriers(const BrepKernel& kernel, double tolerance) const override {
+    return guarded("recognising planes and cylinders",
+                   [&] { return solid_with_carriers(dynamic_cast<const ShapeKernel&>(kernel), tolerance); });
+  }
+
  private:
   static FileShapes shapes_of(const KernelSource& source) {
     switch (source.format) {

@@ -73,6 +73,7 @@ class TableMaker {
  public:
   explicit TableMaker(const ShapeInput& input) : input_(input) {
     for (const TopoDS_Vertex& vertex : input.vertices) vertices_.Add(vertex);
+    for (const TopoDS_Edge& edge : input.edges) edge_id(edge, FaceId(0));
   }
 
   ShapeTables make() {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/splines/knot_vector.hpp"
+#include "segmentation/parameterization/internal/rational_net.hpp"
 
 namespace isopatch::segmentation {
 
@@ -17,5 +18,12 @@ Eigen::Matrix3Xd coons_net(const std::array<geometry::KnotVector, 2>& knots, Eig
 
 /// The same of a volume: three blends of faces less three blends of edges plus the blend of the corners.
 Eigen::Matrix3Xd coons_net(const std::array<geometry::KnotVector, 3>& knots, Eigen::Matrix3Xd net);
+
+/// The same of rational boundaries, in homogeneous coordinates: a blend of coplanar curves is plane, rulings
+/// stay rulings. All weights are 1 where those of the boundary are.
+///
+/// Weights may come out too small to work with: `has_fair_weights` tells.
+RationalNet coons_net(const std::array<geometry::KnotVector, 2>& knots, RationalNet net);
+RationalNet coons_net(const std::array<geometry::KnotVector, 3>& knots, RationalNet net);
 
 }  // namespace isopatch::segmentation

@@ -9,8 +9,9 @@ namespace isopatch::segmentation {
 ///
 /// An edge keeps the pace of the input where that makes patches exact: along a side of a spline face whose
 /// outline is a rectangle of its domain, the pace of the domain; along a spline curve between planes, the
-/// curve's own. Only if all blocks around the edge agree with it in space, and if it nowhere slows down so
-/// much that patches would be poor. The knots that belong to it are noted in `EdgeShape::knots`.
+/// curve's own; along an arc, that of its rational form (`EdgeShape::exact`). Only if all blocks around the
+/// edge agree with it in space, and if it nowhere slows down so much that patches would be poor. The knots
+/// that belong to it are noted in `EdgeShape::knots`.
 void settle_paces(HexComplex& complex);
 
 /// Whether any edge of a complex is run through at another pace than that of arc length.

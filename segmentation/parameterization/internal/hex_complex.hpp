@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,8 @@ using geometry::HexTopology;
 struct EdgeShape {
   /// Knots over [0, 1], in its direction, with which its curve and the faces at it are exact.
   std::vector<geometry::KnotVector> knots = {};
+  /// Its rational form, in its direction over [0, 1], where all around it agree on that.
+  std::optional<geometry::NurbsCurve> exact = {};
   bool surfaces_meet = true;  ///< whether the surfaces around it meet along it, whatever their outlines do
 };
 

@@ -12,6 +12,7 @@
 #include "geometry/splines/knot_vector.hpp"
 #include "segmentation/parameterization/internal/domain_curve.hpp"
 #include "segmentation/parameterization/internal/domain_mesh.hpp"
+#include "segmentation/parameterization/internal/exact_curve.hpp"
 
 namespace isopatch::segmentation {
 
@@ -22,6 +23,7 @@ struct SolidEdge {
   SpaceCurve curve;  ///< empty where the solid knows none
   /// Knots over [0, 1], where the curve is a polynomial spline.
   std::optional<geometry::KnotVector> knots = {};
+  std::optional<ExactCurve> exact = {};  ///< where it is rational
 };
 
 /// A surface that is a polynomial spline in its domain's own parameters.

@@ -20,11 +20,11 @@ struct PatchValidity {
   /// Certified before not certified, then by the smallest scaled Jacobian.
   bool better_than(const PatchValidity& other) const;
 };
-PatchValidity validity(const std::array<KnotVector, 3>& knots, const Eigen::Matrix3Xd& net);
+PatchValidity validity(const geometry::NurbsVolume& patch);
 
-/// Control points with their validity, and what they cost.
-struct ImprovedNet {
-  Eigen::Matrix3Xd net;
+/// A patch with its validity, and what it cost.
+struct ImprovedPatch {
+  geometry::NurbsVolume patch;
   PatchValidity validity;
   int evaluations = 0;
 };
@@ -34,23 +34,25 @@ struct ImprovedNet {
 ///
 /// Where the certificate still finds a fold between the sampled points, the optimization is repeated with a
 /// sample there.
-/// @return the better of the given and the found net; its six faces as given, to the last bit
-ImprovedNet improve_interior(const std::array<KnotVector, 3>& knots, const Eigen::Matrix3Xd& net,
-                             double wanted_quality, const OptimizationOptions& options);
+/// @return the better of the given and the found patch; all its weights and its six faces as given, to the
+/// last bit
+ImprovedPatch improve_interior(const geometry::NurbsVolume& patch, double wanted_quality,
+                               const OptimizationOptions& options);
 
-/// A complex with the nets of its blocks.
-struct BlockNets {
-  std::vector<Eigen::Matrix3Xd> nets;
+/// The patches of a complex.
+struct BlockPatches {
+  std::vector<geometry::NurbsVolume> patches;
   std::vector<PatchValidity> validities;
   int evaluations = 0;
 };
 
 /// Lets the inner parameters of the faces of poor blocks slide on their surfaces, together with the
-/// interiors of the blocks at them. Maps of faces, the fit and the nets change; surfaces and edges stay.
+/// interiors of the blocks at them. Maps of faces, the fit and the patches change; surfaces and edges stay,
+/// and so do curved faces that are made of their edges.
 ///
 /// @param poor_blocks  blocks whose faces slide
 /// @return whether any block became better; everything is as before otherwise
-bool slide_faces(HexComplex& complex, ComplexFit& fit, BlockNets& blocks,
+bool slide_faces(HexComplex& complex, ComplexFit& fit, BlockPatches& blocks,
                  const std::vector<BlockId>& poor_blocks, double wanted_quality,
                  const OptimizationOptions& options);
 

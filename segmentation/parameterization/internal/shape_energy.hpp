@@ -24,8 +24,10 @@ class ShapeEnergy {
  public:
   /// @param lengths  edges of the brick, model units; its size also makes the determinant dimensionless
   /// @param extra    further parameters at which to look, along each direction
+  /// @param weights  of the control points, which stay; empty for a B-spline
   ShapeEnergy(const std::array<geometry::KnotVector, 3>& knots, const Eigen::Vector3d& lengths,
-              CountedPoints counted, const std::array<std::vector<double>, 3>& extra = {});
+              CountedPoints counted, const std::array<std::vector<double>, 3>& extra = {},
+              const Eigen::VectorXd& weights = {});
 
   struct Value {
     double energy = 0;          ///< mean over the patch
@@ -37,14 +39,21 @@ class ShapeEnergy {
   Value operator()(const Eigen::Matrix3Xd& points, double epsilon) const;
 
  private:
+  using Columns = std::array<Eigen::Matrix3Xd, 4>;  ///< values, then slopes along each direction
+  Columns at_nodes(const Eigen::Matrix3Xd& coefficients) const;
+  /// The transposed of `at_nodes`.
+  Eigen::Matrix3Xd from_nodes(const Columns& columns) const;
+
   struct Direction {
     std::vector<double> nodes;
     std::vector<double> weights;
     Eigen::SparseMatrix<double, Eigen::RowMajor> values, slopes;
   };
   std::array<Direction, 3> directions_;
-  Eigen::VectorXd weights_;  ///< of the quadrature, zero where a point does not count
   Eigen::Vector3d lengths_;
+  Eigen::VectorXd weights_;           ///< of the quadrature, zero where a point does not count
+  Eigen::VectorXd control_weights_;   ///< empty for a B-spline
+  Eigen::Matrix4Xd weight_function_;  ///< its values and slopes at the nodes
 };
 
 }  // namespace isopatch::segmentation

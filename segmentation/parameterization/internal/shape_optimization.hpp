@@ -16,6 +16,7 @@ struct MovableBlock {
   Eigen::Vector3d lengths;                             ///< edges of the brick that it should resemble
   CountedPoints counted = CountedPoints::inside_faces_and_interior;
   std::array<std::vector<double>, 3> extra;  ///< further parameters at which to look for folds
+  Eigen::VectorXd weights = {};              ///< of the control points; empty for a B-spline
 };
 
 struct OptimizedShapes {

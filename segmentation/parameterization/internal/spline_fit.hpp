@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/splines/knot_vector.hpp"
+#include "segmentation/parameterization/internal/rational_net.hpp"
 
 namespace isopatch::segmentation {
 
@@ -32,6 +33,11 @@ Eigen::Matrix3Xd fit_curve(const KnotVector& knots, const std::vector<double>& p
 Eigen::Matrix3Xd fit_surface(const std::array<KnotVector, 2>& knots,
                              const std::array<std::vector<double>, 2>& parameters,
                              const Eigen::Matrix3Xd& points, Eigen::Matrix3Xd boundary);
+
+/// The same of a rational surface, whose weights are given: of the boundary and inside.
+RationalNet fit_surface(const std::array<KnotVector, 2>& knots,
+                        const std::array<std::vector<double>, 2>& parameters, const Eigen::Matrix3Xd& points,
+                        RationalNet boundary);
 
 /// How far points are from every spline of a space, as far as each line of the grid along one direction
 /// tells: per span the largest distance of a point from its line's least squares fit, model units.

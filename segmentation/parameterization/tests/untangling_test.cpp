@@ -37,11 +37,12 @@ TEST(ShapeEnergy, IsLeastForTheBrickItself) {
   EXPECT_LT(value.gradient.colwise().norm().maxCoeff<Eigen::PropagateNaN>(), 1e-9);
 }
 
-TEST(ShapeEnergy, GradientIsTheDifferenceQuotientAlsoWhereItIsFolded) {
+void expect_right_gradient(const Eigen::VectorXd& weights) {
   std::mt19937 random(7);
   const auto number = [&] { return 2.0 * random() / 4294967295.0 - 1; };
   const auto knots = cubic(2);
-  const ShapeEnergy energy(knots, {1, 2, 3}, CountedPoints::inside_faces_and_interior, {{{0.3}, {}, {0.7}}});
+  const ShapeEnergy energy(knots, {1, 2, 3}, CountedPoints::inside_faces_and_interior, {{{0.3}, {}, {0.7}}},
+                           weights);
   Eigen::Matrix3Xd net = brick_net(knots);
   for (auto& x : net.reshaped()) x += 0.5 * number();
   const double epsilon = 0.1;
@@ -71,15 +72,42 @@ TEST(Untangling, FreesInnerPointsDisplacedAtRandom) {
   for (Eigen::Index i = 0; i < 125; ++i)
     if (!outer[static_cast<std::size_t>(i)])
       net.col(i) += Eigen::Vector3d(number(), 2 * number(), 3 * number());
-  ASSERT_FALSE(validity(knots, net).certificate.accepted());
-  const ImprovedNet improved = improve_interior(knots, net, 0.5, {});
+  const geometry::NurbsVolume tangled(knots, net);
+  ASSERT_FALSE(validity(tangled).certificate.accepted());
+  const ImprovedPatch improved = improve_interior(tangled, 0.5, {});
   EXPECT_TRUE(improved.validity.certificate.accepted());
   EXPECT_GT(improved.validity.quality.min_scaled_jacobian, 0.5);
   for (Eigen::Index i = 0; i < 125; ++i) {
     if (!outer[static_cast<std::size_t>(i)]) continue;
-    EXPECT_EQ(improved.net.col(i), net.col(i));
+    EXPECT_EQ(improved.patch.control_points().col(i), net.col(i));
   }
-  EXPECT_GT(test::smallest_determinant({knots, improved.net}, 9), 0);
+  EXPECT_GT(test::smallest_determinant(improved.patch, 9), 0);
+}
+
+TEST(ShapeEnergy, GradientIsTheDifferenceQuotientAlsoWhereItIsFolded) {
+  expect_right_gradient({});
+}
+
+TEST(ShapeEnergy, GradientIsRightWithWeights) {
+  std::mt19937 random(11);
+  Eigen::VectorXd weights(125);
+  for (double& weight : weights) weight = 0.5 + double(random()) / 4294967295.0;
+  expect_right_gradient(weights);
+}
+
+// The map stays where all weights are the same; with others, the energy is that of the rational map.
+TEST(ShapeEnergy, OfARationalBrickIsThatOfTheBrick) {
+  const auto knots = cubic(2);
+  const Eigen::Matrix3Xd net = brick_net(knots);
+  const ShapeEnergy plain(knots, {1, 2, 3}, CountedPoints::all_but_corners);
+  const ShapeEnergy doubled(knots, {1, 2, 3}, CountedPoints::all_but_corners, {},
+                            Eigen::VectorXd::Constant(125, 2));
+  EXPECT_NEAR(doubled(net, 1e-9).energy, plain(net, 1e-9).energy, 1e-12);
+  Eigen::VectorXd uneven = Eigen::VectorXd::Ones(125);
+  uneven[62] = 3;
+  const ShapeEnergy::Value value =
+      ShapeEnergy(knots, {1, 2, 3}, CountedPoints::all_but_corners, {}, uneven)(net, 1e-9);
+  EXPECT_GT(value.energy, plain(net, 1e-9).energy + 1e-4);
 }
 
 /// Hexahedra of one amount of distortion.

@@ -23,6 +23,7 @@ struct ShapeInput {
   std::vector<TopoDS_Face> faces;  ///< oriented as in the shape, in the order of their ids
   std::vector<TopoDS_Vertex>
       vertices;  ///< first vertices, in the order of their ids; others follow as they are met
+  std::vector<TopoDS_Edge> edges;              ///< the same of edges
   std::vector<std::string> names;              ///< one a face, or none at all
   std::vector<std::optional<Colour>> colours;  ///< the same
   double metres = 1;                           ///< that one unit of the shape's coordinates measures

@@ -20,6 +20,8 @@ double kernel_scale(double size);
 KernelSolid sewn_solid(const std::vector<TrimmedSurface>& faces, const SewOptions& options);
 std::vector<TrimmedSurface> surfaces_of(const ShapeKernel& kernel);
 KernelSolid polyhedral_solid(const Polyhedron& polyhedron, const SewOptions& options);
+/// As of BrepModule.
+KernelSolid solid_with_carriers(const ShapeKernel& kernel, double tolerance);
 std::vector<KernelSolid> solids_of_cells(const ShapeKernel& source, const CellComplex& complex,
                                          const std::vector<CellId>& cells);
 /// As `overlay`.

@@ -5,14 +5,19 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepLib.hxx>
 #include <BRepOffsetAPI_MakePipeShell.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeHalfSpace.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Line.hxx>
 #include <Geom_CylindricalSurface.hxx>
@@ -27,6 +32,7 @@
 #include <TDocStd_Document.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
@@ -35,6 +41,7 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "geometry/brep/tests/made_solids/stacks.hpp"
 
@@ -101,6 +108,94 @@ TopoDS_Shape spring() {
   return pipe.Shape();
 }
 
+// The outlines of pieces: lines, and arcs counter-clockwise around an axis.
+TopoDS_Edge line(const gp_Pnt& from, const gp_Pnt& to) {
+  return BRepBuilderAPI_MakeEdge(from, to).Edge();
+}
+TopoDS_Edge arc(const gp_Ax2& around, const gp_Pnt& from, const gp_Pnt& to) {
+  return BRepBuilderAPI_MakeEdge(gp_Circ(around, from.Distance(around.Location())), from, to).Edge();
+}
+TopoDS_Face face_of(const std::vector<TopoDS_Edge>& outline) {
+  BRepBuilderAPI_MakeWire wire;
+  for (const TopoDS_Edge& edge : outline) wire.Add(edge);
+  return BRepBuilderAPI_MakeFace(wire.Wire()).Face();
+}
+
+gp_Pnt at_angle(double radius, double degrees) {
+  const double angle = degrees * std::acos(-1.0) / 180;
+  return {radius * std::cos(angle), radius * std::sin(angle), 0};
+}
+
+// A sector of a ring of radii 5 and 8, from 10 degrees on.
+TopoDS_Face sector(double degrees) {
+  const gp_Pnt a = at_angle(5, 10), b = at_angle(8, 10), c = at_angle(8, 10 + degrees),
+               d = at_angle(5, 10 + degrees);
+  const gp_Ax2 up(gp_Pnt(0, 0, 0), gp::DZ());
+  return face_of({line(a, b), arc(up, b, c), line(c, d), arc(up, a, d)});
+}
+
+TopoDS_Shape raised(const TopoDS_Face& face, double height) {
+  return BRepPrimAPI_MakePrism(face, gp_Vec(0, 0, height)).Shape();
+}
+
+// The drilled block in four pieces, by planes through the bore's axis and the block's upright edges.
+TopoDS_Shape drilled_quarters() {
+  const std::vector<gp_Pnt> corners{{0, 0, 0}, {30, 0, 0}, {30, 20, 0}, {0, 20, 0}};
+  const gp_Pnt center(15, 10, 0);
+  const auto on_bore = [&](const gp_Pnt& corner) {
+    return center.Translated(5 * gp_Vec(center, corner).Normalized());
+  };
+  const BRep_Builder builder;
+  TopoDS_Compound all;
+  builder.MakeCompound(all);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const gp_Pnt &a = corners[i], &b = corners[(i + 1) % 4];
+    const gp_Pnt inner_a = on_bore(a), inner_b = on_bore(b);
+    builder.Add(all, raised(face_of({line(a, b), line(b, inner_b),
+                                     arc(gp_Ax2(center, gp::DZ()), inner_a, inner_b), line(inner_a, a)}),
+                            10));
+  }
+  return all;
+}
+
+// A quarter of a ring under an oblique plane: z = 6 + x / 4 + y / 8 on top.
+TopoDS_Shape oblique_ring() {
+  const gp_Pln plane(gp_Pnt(0, 0, 6), gp_Dir(-0.25, -0.125, 1));
+  const TopoDS_Shape above =
+      BRepPrimAPI_MakeHalfSpace(BRepBuilderAPI_MakeFace(plane, -50, 50, -50, 50).Face(), gp_Pnt(0, 0, 100))
+          .Solid();
+  return BRepAlgoAPI_Cut(raised(sector(90), 20), above).Shape();
+}
+
+TopoDS_Shape turned(const TopoDS_Face& face, double degrees) {
+  return BRepPrimAPI_MakeRevol(face, gp::OZ(), degrees * std::acos(-1.0) / 180).Shape();
+}
+
+// A quarter of a conical ring: radii 6 and 8 below, 3 and 4 above, height 5.
+TopoDS_Shape cone_quarter() {
+  const gp_Pnt a(6, 0, 0), b(8, 0, 0), c(4, 0, 5), d(3, 0, 5);
+  return turned(face_of({line(a, b), line(b, c), line(c, d), line(d, a)}), 90);
+}
+
+// A piece of a spherical shell of radii 5 and 7: 90 degrees of longitude, latitudes from 10 to 60 degrees.
+TopoDS_Shape shell_piece() {
+  const auto at = [](double radius, double degrees) {
+    const gp_Pnt p = at_angle(radius, degrees);
+    return gp_Pnt(p.X(), 0, p.Y());
+  };
+  const gp_Ax2 around(gp_Pnt(0, 0, 0), gp_Dir(0, -1, 0));
+  const gp_Pnt a = at(5, 10), b = at(7, 10), c = at(7, 60), d = at(5, 60);
+  return turned(face_of({line(a, b), arc(around, b, c), line(c, d), arc(around, a, d)}), 90);
+}
+
+// A piece of a bent pipe: a quarter of a ring of radii 1 and 2 turned by 60 degrees at a distance of 6.
+TopoDS_Shape elbow_piece() {
+  const gp_Pnt center(6, 0, 0);
+  const gp_Ax2 around(center, gp_Dir(0, -1, 0));
+  const gp_Pnt a(7, 0, 0), b(8, 0, 0), c(6, 0, 2), d(6, 0, 1);
+  return turned(face_of({line(a, b), arc(around, b, c), line(c, d), arc(around, a, d)}), 60);
+}
+
 void write(const TopoDS_Shape& shape, const std::string& path) {
   STEPControl_Writer writer;
   if (writer.Transfer(shape, STEPControl_AsIs) != IFSelect_RetDone ||
@@ -151,6 +246,26 @@ void write_all(const std::string& folder) {
   write(block_with_a_round_corner(), in_folder("round_corner"));
   write(spring(), in_folder("spring"));
   for (const auto& [name, shape] : stacks()) write(shape, in_folder(name.c_str()));
+  write(drilled_quarters(), in_folder("drilled_quarters"));
+  write(raised(sector(90), 4), in_folder("ring_quarter"));
+  write(raised(sector(150), 4), in_folder("ring_150"));
+  write(oblique_ring(), in_folder("oblique_ring"));
+  write(cone_quarter(), in_folder("cone_quarter"));
+  write(shell_piece(), in_folder("shell_piece"));
+  write(elbow_piece(), in_folder("elbow_piece"));
+  // Nothing but splines, as some programs write them.
+  const auto write_splines = [&](const TopoDS_Shape& shape, const char* name) {
+    write(BRepBuilderAPI_NurbsConvert(shape, true).Shape(), in_folder(name));
+  };
+  write_splines(drilled_block(), "drilled_splines");
+  write_splines(BRepPrimAPI_MakeCylinder(5, 12).Shape(), "cylinder_splines");
+  write_splines(BRepPrimAPI_MakeCone(8, 3, 12).Shape(), "cone_splines");
+  write_splines(BRepPrimAPI_MakeSphere(7).Shape(), "sphere_splines");
+  write_splines(BRepPrimAPI_MakeTorus(10, 3).Shape(), "torus_splines");
+  write_splines(grooved_block(), "grooved_splines");
+  write_splines(block_with_a_round_corner(), "round_corner_splines");
+  write_splines(oblique_ring(), "oblique_ring_splines");
+  write_splines(elbow_piece(), "elbow_piece_splines");
   write_named(in_folder("named"));
 }
 
