@@ -15,6 +15,7 @@
 #include "app/commands/input_options.hpp"
 #include "app/problem/block_file.hpp"
 #include "app/problem/build_problem.hpp"
+#include "app/problem/cut_solids.hpp"
 #include "app/problem/loose_bodies.hpp"
 #include "app/problem/t_joint_text.hpp"
 #include "app/reports/describe_model.hpp"
@@ -137,8 +138,7 @@ std::string outlooks_text(const BlocksInput& input, const Progress& progress) {
   std::string text;
   for (const geometry::BrepFile& body : segmentation::read_solids(input.files, progress).solids) {
     std::optional<segmentation::Prospect> prospect;
-    if (!segmentation::is_hexahedron(body.brep))
-      prospect = segmentation::prospect(body.brep, *input.decomposition);
+    if (!is_block(body.brep)) prospect = segmentation::prospect(body.brep, *input.decomposition);
     text += fmt::format("solid '{}': {}\n", body.name, outlook_text(prospect));
   }
   return text;

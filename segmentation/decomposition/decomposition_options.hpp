@@ -20,7 +20,8 @@ struct DecompositionOptions {
                           .extensions = false,
                           .cost = {.t_joint = 2, .divided = 4}};
   CutOptions cut = {};
-  double time_limit = 60;  ///< seconds, after which the best way known is taken, or none; above 0
+  double time_limit =
+      60;  ///< seconds of computing, after which the best way known is taken, or none; above 0
   TJoints t_joints = TJoints::remove;
   int max_cells = 2000;  ///< at most so many hexahedra when sides are made to meet; range 1 ..
   bool operator==(const DecompositionOptions&) const = default;
