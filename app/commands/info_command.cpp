@@ -15,6 +15,7 @@
 #include "app/commands/input_options.hpp"
 #include "app/problem/block_file.hpp"
 #include "app/problem/build_problem.hpp"
+#include "app/problem/cut_solids.hpp"
 #include "app/problem/loose_bodies.hpp"
 #include "app/problem/t_joint_text.hpp"
 #include "app/reports/describe_model.hpp"
@@ -139,7 +140,7 @@ std::string outlooks_text(const BlocksInput& input, const Progress& progress) {
   for (const geometry::BrepFile& body : segmentation::read_solids(input.files, progress).solids) {
     const geometry::RecognisedBrep found = geometry::recognise_carriers(body.brep);
     std::optional<segmentation::Prospect> prospect;
-    if (!segmentation::is_hexahedron(found.brep))
+    if (!is_block(found.brep))
       prospect = segmentation::prospect(found.brep, *input.decomposition);
     text += fmt::format("solid '{}': {}{}{}\n", body.name, found.text(), found.text().empty() ? "" : "; ",
                         outlook_text(prospect));

@@ -170,7 +170,8 @@ void add_segment_command(CLI::App& app, CommandLine& line) {
   segment.add_option("--length-unit", command->length_unit,
                      "What one unit measures, in formats that do not say it; default: m");
   add_reading(segment, command->reading);
-  segment.add_option("--time-limit", command->time_limit, "Seconds that a body may take to be cut")
+  segment
+      .add_option("--time-limit", command->time_limit, "Seconds of computing that a body may take to be cut")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   segment

@@ -7,6 +7,7 @@
 #include "geometry/brep/recognise_carriers.hpp"
 #include "segmentation/decomposition/blocks.hpp"
 #include "segmentation/decomposition/without_blends.hpp"
+#include "segmentation/decomposition/prospect.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -20,7 +21,7 @@ std::string number_of(int number, const std::string& one, const std::string& sev
 CutBody cut_body(geometry::BrepFile solid, const segmentation::DecompositionOptions& options,
                  const Progress& progress) {
   CutBody body{std::move(solid), {}};
-  if (segmentation::is_hexahedron(body.solid.brep)) {
+  if (is_block(body.solid.brep)) {
     body.blocks = {body.solid};
     return body;
   }
@@ -95,6 +96,10 @@ std::string report_text(const segmentation::DecompositionReport& report) {
 }
 
 }  // namespace
+
+bool is_block(const geometry::Brep& solid) {
+  return segmentation::is_hexahedron(solid) && segmentation::corners_open(solid);
+}
 
 std::vector<geometry::BrepFile> CutSolids::blocks() const {
   std::vector<geometry::BrepFile> result;

@@ -31,6 +31,9 @@ struct CutSolids {
   std::vector<std::string> body_names() const;     ///< by block: the body that it is a part of
 };
 
+/// Whether a solid is a block as it is: a topological hexahedron that a patch can follow.
+bool is_block(const geometry::Brep& solid);
+
 /// Reads solids and takes those apart that are no topological hexahedra; lengths are metres.
 /// @param input     with a decomposition
 /// @param progress  phases say which body it is, "body 2 of 5: cutting 'arm'", with details behind a tab

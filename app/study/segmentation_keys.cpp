@@ -84,7 +84,8 @@ const Keys<SegmentationKeys>& segmentation_keys() {
       number_key(
           "time_limit", dimensions::none, {0, 1e7, false, true},
           [](DecompositionOptions& o) -> double& { return o.time_limit; },
-          "Seconds that a body may take to be cut, after which the best way found is taken, or the body "
+          "Seconds of computing that a body may take to be cut (the processor's, so that a busy machine cuts "
+          "it as an idle one), after which the best way found is taken, or the body "
           "given up; once "
           "a way is known, a sixth of it is left for better ones."),
       count_key(

@@ -28,13 +28,14 @@ SewnBrep sew(const std::vector<TrimmedSurface>& faces, const SewOptions& options
 /// @throws Error unsupported  surfaces without a rational form
 std::vector<TrimmedSurface> trimmed_surfaces(const Brep& brep);
 
-/// A solid with straight edges: plane faces, bilinear ones for quadrilaterals that are not plane.
+/// A solid with straight edges: plane faces, bilinear ones for quadrilaterals that are not plane, smooth ones
+/// of little bending for other polygons (1e-7 of the size off their edges, or 1e-4 at most).
 ///
 /// Vertex i and face i are those of the polyhedron, if each vertex is used.
 /// @param polyhedron  in m, counter-clockwise faces seen from outside, or all clockwise
 /// @throws Error not_manifold  an edge without its neighbour or with two, naming the vertices
-/// @throws Error invalid_argument  a polygon with more than four corners that is not plane, one whose outline
-/// crosses itself, a vertex number out of range
+/// @throws Error invalid_argument  a polygon with more than four corners that is not plane and touches itself
+/// as seen along its normal, one whose outline crosses itself, a vertex number out of range
 Brep make_brep(const Polyhedron& polyhedron, const SewOptions& options = {});
 
 /// The vertices of a solid and the corners of its faces, in m. What lies between them is lost unless edges

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "geometry/base/error.hpp"
-#include "geometry/base/stopwatch.hpp"
+#include "geometry/base/processor_stopwatch.hpp"
 #include "segmentation/decomposition/chords.hpp"
 #include "segmentation/decomposition/closing_cuts.hpp"
 #include "segmentation/decomposition/combinatorics/base_solid.hpp"
@@ -146,7 +146,7 @@ class ConformingSearch {
   const Brep& source_;
   const ConformingOptions& options_;
   const Progress& progress_;
-  Stopwatch watch_;
+  ProcessorStopwatch watch_;
   std::vector<ConformingState> beam_;
   std::optional<ConformingCells> best_;
   std::string refusal_;

@@ -17,7 +17,7 @@ struct ConformingOptions {
   int beam = 10;            ///< complexes kept after each round; range 1 ..
   int branches = 6;         ///< cuts of one cell that are followed; range 1 ..
   int max_hexahedra = 500;  ///< ways to more than so many are given up; range 1 ..
-  double time_limit = 30;   ///< seconds, after which the best so far is taken; above 0
+  double time_limit = 30;   ///< seconds of computing, after which the best so far is taken; above 0
 };
 
 /// Cells that meet side to side, each with three edges at every vertex.

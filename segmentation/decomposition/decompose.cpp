@@ -84,9 +84,11 @@ class Decomposer {
   }
 
   Decomposition make() {
-    for (const SearchOptions& search : searches(options_.search)) {
-      look(search);
-      if (store_.time_is_up()) break;
+    look_all_ways();
+    if (cut_.empty() && !best_ && !store_.time_is_up() && !is_polyhedral(solid_, start_.complex)) {
+      store_.allow_free_form();
+      unfinished_.reset();
+      look_all_ways();
     }
     if (options_.t_joints == TJoints::remove) let_meet(cut_, wide);
     if (!best_) give_up();
@@ -96,6 +98,13 @@ class Decomposer {
   }
 
  private:
+  void look_all_ways() {
+    for (const SearchOptions& search : searches(options_.search)) {
+      look(search);
+      if (store_.time_is_up()) break;
+    }
+  }
+
   /// How far a search is, the details behind a tab.
   /// @return  whether there is time to go on
   bool tell(const SearchRound& round) const {
@@ -174,7 +183,7 @@ class Decomposer {
   Decomposition cut(const CutTree& tree) const {
     Decomposition result;
     result.parts = start_.complex;
-    result.report.cuts = apply_cuts(solid_, result.parts, CellId(0), tree, store_, options_.cut);
+    result.report.cuts = apply_cuts(solid_, result.parts, CellId(0), tree, store_, store_.options());
     result.report.cells = static_cast<int>(result.parts.cells.size());
     result.t_joints = parted_sides(CellShapes(solid_, result.parts), options_.cut.sides);
     result.report.t_joints = static_cast<int>(result.t_joints.size());
@@ -185,11 +194,12 @@ class Decomposer {
     ConformingOptions result;
     result.beam = width.beam;
     result.branches = width.branches;
-    result.cut = options_.cut;
+    result.cut = store_.options();
     if (width.last) {
       result.cut.smallest_angle = Angle::degrees(1);
       result.cut.shortest_edge /= 10;
       result.cut.keep_plane = false;
+      result.cut.free_form = true;
     }
     result.max_hexahedra =
         std::min(options_.max_cells, best_ ? best_->report.hexahedra - 1 : options_.max_cells);
@@ -227,9 +237,9 @@ class Decomposer {
     if (store_.time_is_up())
       throw unfinished_search(
           fmt::format(
-              "no way of cutting it into hexahedra was found in {:.3g} s; raise time_limit, or cut the "
-              "solid in the CAD program where its parts join",
-              options_.time_limit),
+              "no way of cutting it into hexahedra was found in {:.3g} s; {} cuts were tried, {} of them "
+              "refused{}. Raise time_limit, or cut the solid in the CAD program where its parts join",
+              options_.time_limit, unfinished_->evaluations, unfinished_->refusals, reasons(store_)),
           *unfinished_, store_);
     throw unfinished_search(
         fmt::format(

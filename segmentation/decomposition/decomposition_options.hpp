@@ -26,7 +26,8 @@ struct DecompositionOptions {
                           .extensions = false,
                           .cost = {.t_joint = 2, .divided = 4}};
   CutOptions cut = {};
-  double time_limit = 60;  ///< seconds, after which the best way known is taken, or none; above 0
+  double time_limit =
+      60;  ///< seconds of computing, after which the best way known is taken, or none; above 0
   TJoints t_joints = TJoints::remove;
   Blends blends = Blends::keep;
   double largest_blend = 0.1;  ///< radius up to which rounds may be removed, as a share of the size; above 0

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "segmentation/decomposition/cutting/corner_shape.hpp"
 #include "segmentation/decomposition/cutting/plane_section.hpp"
 
 namespace isopatch::segmentation {
@@ -50,7 +51,8 @@ SearchOracle geometric_oracle(CellStore& store) {
     // Tetrahedra around a point do not mind edges that are nearly flat.
     const CellStore::Entry& entry = store.entry(cell.handle);
     if (base.kind == BaseKind::convex) return entry.polyhedral && non_convex_count(entry.sides.graph) == 0;
-    return is_finished(base) && non_convex_count(cell.graph) == 0;
+    return is_finished(base) && non_convex_count(cell.graph) == 0 &&
+           corners_open(CellShapes(store.source(), entry.complex), entry.sides);
   };
   return oracle;
 }

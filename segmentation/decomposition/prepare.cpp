@@ -11,6 +11,7 @@
 #include "geometry/base/error.hpp"
 #include "geometry/base/union_find.hpp"
 #include "geometry/brep/cell_solids.hpp"
+#include "segmentation/decomposition/artificial_edges.hpp"
 #include "segmentation/decomposition/combinatorics/cell_incidence.hpp"
 #include "segmentation/decomposition/cutting/cell_sides.hpp"
 
@@ -133,12 +134,26 @@ class StraightEdges {
   CellComplex& complex_;
 };
 
-/// With all faces merged that belong together.
-CellComplex merged(const Brep& source) {
-  CellComplex complex = geometry::one_cell(source);
+/// Faces that belong together, two or more each.
+std::vector<std::vector<FaceId>> groups_of_faces(const Brep& source) {
   UnionFind groups = merged_faces(source);
   std::map<int, std::vector<FaceId>> members;
-  for (int f = 0; f < static_cast<int>(complex.faces.size()); ++f) members[groups.find(f)].emplace_back(f);
+  for (int f = 0; f < static_cast<int>(source.faces().size()); ++f) members[groups.find(f)].emplace_back(f);
+  std::vector<std::vector<FaceId>> result;
+  for (auto& [lowest, faces] : members)
+    if (faces.size() > 1) result.push_back(std::move(faces));
+  return result;
+}
+
+/// With the faces of some groups merged.
+CellComplex merged(const Brep& source, const std::vector<std::vector<FaceId>>& groups) {
+  CellComplex complex = geometry::one_cell(source);
+  std::map<int, std::vector<FaceId>> members;
+  for (int f = 0; f < static_cast<int>(complex.faces.size()); ++f) members[f] = {FaceId(f)};
+  for (const std::vector<FaceId>& group : groups) {
+    for (const FaceId face : group) members.erase(face.value);
+    members[group.front().value] = group;
+  }
   geometry::Cell cell;
   for (const auto& [lowest, faces] : members) {
     auto loop = faces.size() > 1 ? outline_of(complex, faces) : std::nullopt;
@@ -165,11 +180,24 @@ bool is_three_connected(const Brep& source, const CellComplex& complex) {
   }
 }
 
+/// With artificial edges, if that makes it 3-connected; else the other.
+CellComplex divided_or(const Brep& source, const CellComplex& complex, CellComplex other) {
+  try {
+    if (auto divided = with_artificial_edges(source, complex)) return std::move(*divided);
+  } catch (const Error&) {  // it has no graph, which is said by name where that is asked for
+  }
+  return other;
+}
+
 }  // namespace
 
 CellComplex prepared(const Brep& source) {
-  CellComplex complex = merged(source);
-  return is_three_connected(source, complex) ? complex : geometry::one_cell(source);
+  const std::vector<std::vector<FaceId>> groups = groups_of_faces(source);
+  CellComplex all = merged(source, groups);
+  if (is_three_connected(source, all)) return all;
+  CellComplex as_given = geometry::one_cell(source);
+  if (is_three_connected(source, as_given)) return as_given;
+  return divided_or(source, all, std::move(as_given));
 }
 
 }  // namespace isopatch::segmentation

@@ -7,7 +7,8 @@ namespace isopatch::segmentation {
 
 /// A solid as one cell whose neighbouring faces are merged where they lie in one plane and have the same name
 /// and colour, if the graph is 3-connected then: a triangulated box has six sides again. The merged face is
-/// the lowest of them; vertices that are left on straight edges are gone.
+/// the lowest of them; vertices that are left on straight edges are gone. A graph that is not 3-connected
+/// either way gets artificial edges, if they make it so.
 /// @throws Error as `geometry::one_cell`
 geometry::CellComplex prepared(const geometry::Brep& source);
 

@@ -5,6 +5,8 @@
 
 #include "geometry/base/error.hpp"
 #include "segmentation/decomposition/known_shape.hpp"
+#include "geometry/brep/cell_solids.hpp"
+#include "segmentation/decomposition/cutting/corner_shape.hpp"
 #include "segmentation/decomposition/starting_cell.hpp"
 
 namespace isopatch::segmentation {
@@ -31,6 +33,12 @@ Prospect seen(const geometry::Brep& solid, const DecompositionOptions& options) 
 }
 
 }  // namespace
+
+bool corners_open(const geometry::Brep& hexahedron) {
+  const geometry::CellComplex complex = geometry::one_cell(hexahedron);
+  const CellShapes shapes(hexahedron, complex);
+  return corners_open(shapes, cell_sides(shapes, geometry::CellId(0)));
+}
 
 Prospect prospect(const geometry::Brep& solid, const DecompositionOptions& options) {
   const KnownShape known = known_shape(solid);

@@ -19,6 +19,10 @@ struct Prospect {
   std::optional<geometry::SolidError> refusal = {};  ///< why it will not be tried; all else is empty then
 };
 
+/// Whether a patch can follow a topological hexahedron at all its corners: no side has a corner of 180
+/// degrees or more, none points inwards. Otherwise it has to be cut there.
+bool corners_open(const geometry::Brep& hexahedron);
+
 /// @cost  that of one triangulation, the angles at all edges, and of dividing what is swept
 Prospect prospect(const geometry::Brep& solid, const DecompositionOptions& options = {});
 

@@ -108,7 +108,7 @@ CutAnswer CellStore::cut(const SearchCell& cell, const CuttingLoop& loop) {
 
 CutAnswer CellStore::make_cut(const SearchCell& cell, const CuttingLoop& loop) {
   const auto proposed = proposed_.find({cell.handle, loop});
-  if (proposed == proposed_.end() &&
+  if (proposed == proposed_.end() && !(options_.free_form && !entry(cell.handle).polyhedral) &&
       !has_surface(cell, loop, entry(cell.handle).polyhedral, 1e-7 * source_.size()))
     return refused("no surface is known through its places");
   Entry& whole = entries_[static_cast<std::size_t>(cell.handle)];
@@ -147,6 +147,12 @@ CutAnswer CellStore::make_cut(const SearchCell& cell, const CuttingLoop& loop) {
   std::vector<Eigen::Vector3d>& at = places_[{cell.handle, loop}];
   for (const VertexId vertex : attempt.cut->places) at.push_back(attempt.cut->complex.vertex(vertex));
   return answer;
+}
+
+void CellStore::allow_free_form() {
+  options_.free_form = true;
+  std::erase_if(answers_, [](const auto& answer) { return answer.second.pieces.empty(); });
+  refusals_.clear();
 }
 
 void CellStore::propose(int handle, const CuttingLoop& loop, const std::vector<Eigen::Vector3d>& places) {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/base/stopwatch.hpp"
+#include "geometry/base/processor_stopwatch.hpp"
 #include "geometry/brep/brep.hpp"
 #include "geometry/brep/cell_complex.hpp"
 #include "segmentation/decomposition/combinatorics/decomposition_search.hpp"
@@ -18,7 +18,7 @@ namespace isopatch::segmentation {
 /// Cells of a search, each cut for itself: what the handles of `SearchCell` stand for.
 class CellStore {
  public:
-  /// @param time_limit  seconds from now, after which `cut` refuses everything
+  /// @param time_limit  seconds of this process's computing from now, after which `cut` refuses everything
   CellStore(geometry::Brep source, const CutOptions& options, double time_limit)
       : source_(std::move(source)), options_(options), time_limit_(time_limit) {}
 
@@ -39,7 +39,11 @@ class CellStore {
     Eigen::Matrix3Xd boundary;  ///< its triangles, once they were asked for
   };
   const geometry::Brep& source() const { return source_; }
+  const CutOptions& options() const { return options_; }
   const Entry& entry(int handle) const { return entries_[static_cast<std::size_t>(handle)]; }
+
+  /// From now on cuts may be of free form; those refused before are tried again.
+  void allow_free_form();
 
   double seconds() const { return watch_.seconds(); }
   double time_limit() const { return time_limit_; }
@@ -56,7 +60,7 @@ class CellStore {
   geometry::Brep source_;
   CutOptions options_;
   double time_limit_;
-  Stopwatch watch_;
+  ProcessorStopwatch watch_;
   CutAnswer refused(const std::string& why);
   CutAnswer make_cut(const SearchCell& cell, const CuttingLoop& loop);
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -45,6 +47,27 @@ void require_contractible(const geometry::Brep& solid) {
       {});
 }
 
+/// Triangles that stand for a smooth body are not sides to keep: cut as such, each would have hexahedra of
+/// its own.
+void require_few_triangles(const CellGraph& sides) {
+  constexpr std::size_t many = 200;
+  const auto triangles = std::count_if(sides.faces.begin(), sides.faces.end(),
+                                       [](const auto& face) { return face.size() == 3; });
+  const auto smooth = std::count_if(sides.edges.begin(), sides.edges.end(), [](const CellGraph::Edge& edge) {
+    return edge.angle && std::abs(edge.angle->degrees() - 180) < 45;
+  });
+  if (sides.faces.size() < many || 10 * static_cast<std::size_t>(triangles) < 9 * sides.faces.size() ||
+      2 * static_cast<std::size_t>(smooth) < sides.edges.size())
+    return;
+  throw geometry::SolidError(
+      ErrorCode::unsupported,
+      fmt::format(
+          "{} of its {} sides are triangles, most of which meet at blunt edges: they stand for smooth "
+          "faces; reconstruct those first, as by a STEP file from the CAD program",
+          triangles, sides.faces.size()),
+      {});
+}
+
 void require_three_connected(const geometry::Brep& solid, const CellGraph& sides) {
   if (is_three_connected(sides)) return;
   const geometry::EdgeGraph graph = edge_graph(solid);
@@ -71,6 +94,7 @@ StartingCell starting_cell(CellStore& store) {
   require_lengths(store.source());
   require_contractible(store.source());
   start.cell = store.add(start.complex, geometry::CellId(0));
+  require_few_triangles(start.cell.graph);
   require_three_connected(store.source(), start.cell.graph);
   return start;
 }

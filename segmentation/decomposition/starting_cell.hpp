@@ -13,6 +13,7 @@ struct StartingCell {
 /// @param store  of the solid, which gets the cell
 /// @throws SolidError unsupported          a face that is no disc: names it
 /// @throws SolidError unsupported          an edge shorter than 1e-6 of the solid's size: names it
+/// @throws SolidError unsupported          two hundred triangles and more that stand for smooth faces
 /// @throws SolidError not_contractible     a solid with holes through it
 /// @throws SolidError not_three_connected  names two faces that meet in more than a vertex or an edge, and
 /// where

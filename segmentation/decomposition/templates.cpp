@@ -135,8 +135,8 @@ class Templates {
     for (const EdgeId edge : face.edges)
       if (is_divided(edge)) split.push_back(edge);
     if (split.size() == 2) {
-      const auto curve =
-          auxiliary_curve(shapes(), id, middle_.at(split[0]), middle_.at(split[1]), tolerance_);
+      auto curve = auxiliary_curve(shapes(), id, middle_.at(split[0]), middle_.at(split[1]), tolerance_);
+      if (!curve) curve = bent_curve(shapes(), id, middle_.at(split[0]), middle_.at(split[1]), tolerance_);
       if (!curve)
         throw Error(ErrorCode::unsupported, "the middles of a side's edges cannot be joined inside it");
       complex_.curves.push_back(curve->curve);
@@ -308,7 +308,7 @@ class Templates {
     }
     StepWalk steps;
     for (const EdgeUse& use : walk) steps.push_back({use});
-    const auto surface = cutting_surface(shapes(), steps, tolerance_);
+    const auto surface = cutting_surface(shapes(), steps, tolerance_, true);
     if (!surface)
       throw Error(ErrorCode::unsupported, "no surface is known through the middles of a cell's sides");
     const geometry::SurfaceId id(static_cast<int>(complex_.surfaces.size()));

@@ -9,12 +9,14 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Wire.hxx>
 #include <map>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "geometry/brep/opencascade/internal/conversions.hpp"
 #include "geometry/brep/opencascade/internal/solid_shapes.hpp"
 #include "geometry/brep/solid_error.hpp"
+#include "geometry/loop_surface.hpp"
 
 namespace isopatch::geometry {
 namespace {
@@ -61,11 +63,13 @@ class PolyhedronMaker {
     for (const int v : polygon) off = std::max(off, std::abs((corner(v) - centre).dot(normal)));
     if (off <= tolerance_ && normal.allFinite()) return plane_face(polygon, centre, normal, off);
     if (polygon.size() == 4) return bilinear_face(polygon);
+    if (const auto surface = surface_through(polygon)) return smooth_face(polygon, *surface);
     throw SolidError(
         ErrorCode::invalid_argument,
-        fmt::format("face {} has {} corners and is not plane: a corner lies {:.3g} m off; split it into "
-                    "triangles or quadrilaterals",
-                    index, polygon.size(), off / scale_),
+        fmt::format(
+            "face {} has {} corners and is not plane: a corner lies {:.3g} m off, and no smooth surface "
+            "through its edges was found; split it into triangles or quadrilaterals",
+            index, polygon.size(), off / scale_),
         {.faces = {{static_cast<int>(index)}}});
   }
 
@@ -83,24 +87,49 @@ class PolyhedronMaker {
   TopoDS_Face bilinear_face(const std::vector<int>& polygon) {
     Eigen::Matrix3Xd points(3, 4);
     points << corner(polygon[0]), corner(polygon[1]), corner(polygon[3]), corner(polygon[2]);
-    const Handle(Geom_BSplineSurface) surface =
-        to_shape(NurbsSurface({KnotVector(), KnotVector()}, points), 1);
-    const std::array<gp_Pnt2d, 4> at = {gp_Pnt2d(0, 0), gp_Pnt2d(1, 0), gp_Pnt2d(1, 1), gp_Pnt2d(0, 1)};
+    return spline_face(polygon, NurbsSurface({KnotVector(), KnotVector()}, points),
+                       {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 1e-7);
+  }
+
+  // Up to 1e-7 of the size, as what OpenCASCADE takes for one point.
+  std::optional<LoopSurface> surface_through(const std::vector<int>& polygon) const {
+    std::vector<LoopSegment> loop;
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+      loop.emplace_back([a = corner(polygon[i]), b = corner(polygon[(i + 1) % polygon.size()])](double t) {
+        return Eigen::Vector3d((1 - t) * a + t * b);
+      });
+    auto surface = loop_surface(loop, 1e-5);
+    if (!surface || surface->deviation > tolerance_) return std::nullopt;
+    return surface;
+  }
+
+  TopoDS_Face smooth_face(const std::vector<int>& polygon, const LoopSurface& surface) {
+    std::vector<Eigen::Vector2d> at;
+    for (const int v : polygon) at.push_back(surface.domain_point(corner(v)));
+    const double off = 1e-7 + surface.deviation;
+    for (const int v : polygon) builder_.UpdateVertex(vertices_[static_cast<std::size_t>(v)], off);
+    return spline_face(polygon, surface.surface, at, off);
+  }
+
+  // @param at  the corners in the domain, where the edges are straight too
+  TopoDS_Face spline_face(const std::vector<int>& polygon, const NurbsSurface& surface,
+                          const std::vector<Eigen::Vector2d>& at, double off) {
     TopoDS_Face face;
-    builder_.MakeFace(face, surface, 1e-7);
+    builder_.MakeFace(face, to_shape(surface, 1), 1e-7);
     TopoDS_Wire loop;
     builder_.MakeWire(loop);
-    for (std::size_t i = 0; i < 4; ++i) {
-      const TopoDS_Edge side = edge(polygon[i], polygon[(i + 1) % 4]);
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const std::size_t next = (i + 1) % polygon.size();
+      const TopoDS_Edge side = edge(polygon[i], polygon[next]);
       const bool forward = side.Orientation() == TopAbs_FORWARD;
-      // The edge's parameter is its length, the domain's is 0 .. 1.
-      const gp_Pnt2d from = at[forward ? i : (i + 1) % 4], to = at[forward ? (i + 1) % 4 : i];
+      const Eigen::Vector2d from = at[forward ? i : next], to = at[forward ? next : i];
+      // The edge's parameter is its length.
       double first = 0, last = 0;
       BRep_Tool::Range(side, first, last);
       const double length = last - first;
       NurbsCurve curve({KnotVector(1, {0, 0, length, length})},
-                       (Eigen::Matrix3Xd(3, 2) << from.X(), to.X(), from.Y(), to.Y(), 0, 0).finished());
-      builder_.UpdateEdge(side, to_domain_curve(curve), face, 1e-7);
+                       (Eigen::Matrix3Xd(3, 2) << from.x(), to.x(), from.y(), to.y(), 0, 0).finished());
+      builder_.UpdateEdge(side, to_domain_curve(curve), face, off);
       builder_.Add(loop, side);
     }
     builder_.Add(face, loop);

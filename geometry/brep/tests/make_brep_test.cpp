@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "geometry/base/error.hpp"
 #include "geometry/base/tests/expect_error.hpp"
 #include "geometry/brep/check_brep.hpp"
@@ -113,6 +115,18 @@ TEST(MakeBrep, QuadrilateralsNeedNotBePlane) {
   EXPECT_LT(check(brep).largest_gap, 1e-14);
 }
 
+TEST(MakeBrep, SmoothSurfacesPassSixCornersThatAreNotPlane) {
+  Polyhedron solid = test::prism(6);
+  solid.vertices(2, 0) += 0.2;
+  const Brep brep = make_brep(solid);
+  EXPECT_EQ(std::count_if(brep.faces().begin(), brep.faces().end(),
+                          [](const BrepFace& face) { return face.kind == SurfaceKind::spline; }),
+            1);
+  EXPECT_TRUE(check(brep).boundary.bounds_a_solid());
+  EXPECT_LT(check(brep).largest_gap, 1e-6);
+  EXPECT_NEAR(brep.volume(), test::polyhedron_volume(test::prism(6)), 0.2);
+}
+
 TEST(MakeBrep, BrokenPolyhedraAreRefusedByName) {
   Polyhedron open = test::block(1, 2, 3);
   open.faces.pop_back();
@@ -130,7 +144,8 @@ TEST(MakeBrep, BrokenPolyhedraAreRefusedByName) {
               testing::AllOf(HasSubstr("has no length"), HasSubstr("vertex 1 at (0, 0, 0)")));
 
   Polyhedron crooked = test::prism(6);
-  crooked.vertices(2, 0) = 0.2;
+  crooked.vertices.col(0) =
+      crooked.vertices.col(3) + Eigen::Vector3d(0, 0, 0.2);  // as seen from above, touches it
   EXPECT_THAT(isopatch::test::message_of([&] { make_brep(crooked); }), HasSubstr("is not plane"));
 
   Polyhedron touching;  // two tetrahedra with a common vertex

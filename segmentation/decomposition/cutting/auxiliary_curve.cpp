@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "geometry/base/error.hpp"
+#include "segmentation/decomposition/cutting/inside.hpp"
 #include "segmentation/decomposition/cutting/spline_curve.hpp"
 
 namespace isopatch::segmentation {
@@ -71,45 +72,109 @@ bool crosses_outline(const Eigen::Matrix2Xd& polygon, const PolygonCorner& from,
   return false;
 }
 
-}  // namespace
-
-geometry::CellCurve curve_in_domain(const CellShapes& shapes, geometry::SurfaceId surface,
-                                    const CurveEnd& from, const CurveEnd& to, double tolerance) {
+/// The curve on a surface along a path in its domain, over [0, 1].
+geometry::CellCurve curve_along(const CellShapes& shapes, geometry::SurfaceId surface, const NurbsCurve& path,
+                                const CurveEnd& from, const CurveEnd& to, double tolerance) {
   const auto on_surface = [&](double t) -> Eigen::Vector3d {
-    return shapes.point(surface, from.uv + t * (to.uv - from.uv));
+    return shapes.point(surface, path.point(geometry::Parameter<1>(t)).head<2>());
   };
   const Eigen::Vector3d off_from = from.point - on_surface(0), off_to = to.point - on_surface(1);
   const CurvePoints between = [&](double t) -> Eigen::Vector3d {
     return on_surface(t) + (1 - t) * off_from + t * off_to;
   };
   geometry::CellCurve curve{interpolated(between, following_knots({between}, tolerance))};
-  if (std::holds_alternative<geometry::PlaneSurface>(shapes.complex().surface(surface))) return curve;
-  Eigen::Matrix3Xd trace = Eigen::Matrix3Xd::Zero(3, 2);
-  trace.topRows<2>() << from.uv, to.uv;
-  curve.traces.push_back({surface, NurbsCurve({geometry::KnotVector()}, trace)});
+  if (!std::holds_alternative<geometry::PlaneSurface>(shapes.complex().surface(surface)))
+    curve.traces.push_back({surface, path});
   return curve;
+}
+
+/// A face's outline in its domain, counter-clockwise, with two of its vertices.
+struct FaceToCross {
+  Eigen::Matrix2Xd polygon;
+  PolygonCorner first{}, last{};
+  CurveEnd from, to;
+
+  FaceToCross(const CellShapes& shapes, FaceId id, VertexId start, VertexId end)
+      : polygon(outline(shapes, id)),
+        from{in_domain(shapes, id, start), shapes.complex().vertex(start)},
+        to{in_domain(shapes, id, end), shapes.complex().vertex(end)} {
+    if (shapes.is_turned(id)) polygon = polygon.rowwise().reverse().eval();
+    first = corner_at(polygon, from.uv);
+    last = corner_at(polygon, to.uv);
+  }
+
+ private:
+  static Eigen::Vector2d in_domain(const CellShapes& shapes, FaceId id, VertexId vertex) {
+    for (const geometry::EdgeUse& use : shapes.complex().face(id).loop)
+      if (shapes.complex().from(use) == vertex)
+        return shapes.domain_point(id, use.edge, use.reversed ? 1 : 0);
+    throw Error(ErrorCode::invalid_argument, "an auxiliary curve joins vertices of the face's outline");
+  }
+};
+
+/// How well a curve keeps away from the outline: the least sine of the angles, as seen from its nearer
+/// end, between its points and what of the outline is nearest to them; less for detours, 0 outside.
+double clearance(const FaceToCross& face, const NurbsCurve& path) {
+  constexpr int pieces = 24;
+  double least = 1, length = 0;
+  Eigen::Vector2d before = face.from.uv;
+  for (int i = 1; i <= pieces; ++i) {
+    const Eigen::Vector2d p = path.point(geometry::Parameter<1>(double(i) / pieces)).head<2>();
+    length += (p - before).norm();
+    before = p;
+    if (i == pieces) break;
+    if (!is_inside(face.polygon, p)) return 0;
+    least = std::min(
+        least, distance_to(face.polygon, p) / std::min((p - face.from.uv).norm(), (p - face.to.uv).norm()));
+  }
+  return least * (face.to.uv - face.from.uv).norm() / length;
+}
+
+/// The cubic whose inner control points are one.
+NurbsCurve bow(const Eigen::Vector2d& from, const Eigen::Vector2d& by, const Eigen::Vector2d& to) {
+  Eigen::Matrix3Xd control = Eigen::Matrix3Xd::Zero(3, 4);
+  control.topRows<2>() << from, by, by, to;
+  return NurbsCurve({geometry::KnotVector::bezier(3)}, control);
+}
+
+}  // namespace
+
+geometry::CellCurve curve_in_domain(const CellShapes& shapes, geometry::SurfaceId surface,
+                                    const CurveEnd& from, const CurveEnd& to, double tolerance) {
+  Eigen::Matrix3Xd ends = Eigen::Matrix3Xd::Zero(3, 2);
+  ends.topRows<2>() << from.uv, to.uv;
+  return curve_along(shapes, surface, NurbsCurve({geometry::KnotVector()}, ends), from, to, tolerance);
 }
 
 std::optional<AuxiliaryCurve> auxiliary_curve(const CellShapes& shapes, FaceId id, VertexId from, VertexId to,
                                               double tolerance) {
-  const geometry::CellFace& face = shapes.complex().face(id);
-  Eigen::Matrix2Xd polygon = outline(shapes, id);
-  if (shapes.is_turned(id)) polygon = polygon.rowwise().reverse().eval();
-  const auto in_domain = [&](VertexId vertex) -> Eigen::Vector2d {
-    for (const geometry::EdgeUse& use : face.loop)
-      if (shapes.complex().from(use) == vertex)
-        return shapes.domain_point(id, use.edge, use.reversed ? 1 : 0);
-    throw Error(ErrorCode::invalid_argument, "an auxiliary curve joins vertices of the face's outline");
-  };
-  const Eigen::Vector2d start = in_domain(from), end = in_domain(to);
-  const PolygonCorner first = corner_at(polygon, start), last = corner_at(polygon, end);
-  const double angle = std::min(free_angle(first, end - start), free_angle(last, start - end));
-  if (!(angle > 1e-3) || crosses_outline(polygon, first, last)) return std::nullopt;
-  AuxiliaryCurve result;
-  result.smallest_angle = Angle::radians(angle);
-  result.curve = curve_in_domain(shapes, face.surface, {start, shapes.complex().vertex(from)},
-                                 {end, shapes.complex().vertex(to)}, tolerance);
-  return result;
+  const FaceToCross face(shapes, id, from, to);
+  const Eigen::Vector2d way = face.to.uv - face.from.uv;
+  const double angle = std::min(free_angle(face.first, way), free_angle(face.last, -way));
+  if (!(angle > 1e-3) || crosses_outline(face.polygon, face.first, face.last)) return std::nullopt;
+  return AuxiliaryCurve{
+      curve_in_domain(shapes, shapes.complex().face(id).surface, face.from, face.to, tolerance),
+      Angle::radians(angle)};
+}
+
+std::optional<AuxiliaryCurve> bent_curve(const CellShapes& shapes, FaceId id, VertexId from, VertexId to,
+                                         double tolerance) {
+  const FaceToCross face(shapes, id, from, to);
+  double best = 0;
+  Eigen::Vector2d through = face.from.uv;
+  const Eigen::Matrix2Xd tried = points_inside(face.polygon);
+  for (const auto& by : tried.colwise())
+    if (const double here = clearance(face, bow(face.from.uv, by, face.to.uv)); here > best) {
+      best = here;
+      through = by;
+    }
+  if (!(best > 1e-3)) return std::nullopt;
+  const double angle =
+      std::min(free_angle(face.first, through - face.from.uv), free_angle(face.last, through - face.to.uv));
+  if (!(angle > 1e-3)) return std::nullopt;
+  return AuxiliaryCurve{curve_along(shapes, shapes.complex().face(id).surface,
+                                    bow(face.from.uv, through, face.to.uv), face.from, face.to, tolerance),
+                        Angle::radians(angle)};
 }
 
 }  // namespace isopatch::segmentation

@@ -31,4 +31,11 @@ struct AuxiliaryCurve {
 std::optional<AuxiliaryCurve> auxiliary_curve(const CellShapes& shapes, FaceId face, VertexId from,
                                               VertexId to, double tolerance);
 
+/// A bent curve between two vertices of a face's outline, for where the straight one leaves the face or comes
+/// too close to its outline: the cubic of one bend in the domain that keeps away from the outline best.
+/// @return  nothing where each that was tried leaves the face or touches its outline
+/// @cost  some twenty to fifty cubics, each against all of the outline
+std::optional<AuxiliaryCurve> bent_curve(const CellShapes& shapes, FaceId face, VertexId from, VertexId to,
+                                         double tolerance);
+
 }  // namespace isopatch::segmentation

@@ -36,6 +36,17 @@ class ChordMaker {
   }
 
   std::optional<std::vector<EdgeUse>> make(VertexId from, VertexId to) {
+    if (!options_.bent) return make_straight(from, to);
+    const CellComplex before = complex_;
+    const std::vector<FaceId> side = side_;
+    if (auto chord = make_straight(from, to)) return chord;
+    complex_ = before;
+    side_ = side;
+    return make_bent(from, to);
+  }
+
+ private:
+  std::optional<std::vector<EdgeUse>> make_straight(VertexId from, VertexId to) {
     const auto end = domain_point_of(to);
     if (!end) return std::nullopt;
     std::vector<EdgeUse> chord;
@@ -48,7 +59,20 @@ class ChordMaker {
     return chord;
   }
 
- private:
+  std::optional<std::vector<EdgeUse>> make_bent(VertexId from, VertexId to) {
+    const auto has = [&](FaceId face, VertexId vertex) {
+      const std::vector<EdgeUse>& loop = complex_.face(face).loop;
+      return std::any_of(loop.begin(), loop.end(),
+                         [&](const EdgeUse& use) { return complex_.from(use) == vertex; });
+    };
+    for (const FaceId face : std::vector<FaceId>(side_)) {
+      if (!has(face, from) || !has(face, to)) continue;
+      if (const auto use = put(face, from, to, bent_curve(shapes(), face, from, to, options_.tolerance)))
+        return std::vector<EdgeUse>{*use};
+    }
+    return std::nullopt;
+  }
+
   CellShapes shapes() const { return CellShapes(source_, complex_); }
 
   /// Of a plane side, whose faces may have surfaces, and so domains, of their own.
@@ -186,7 +210,11 @@ class ChordMaker {
   }
 
   std::optional<EdgeUse> across(FaceId face, VertexId from, VertexId to) {
-    const auto curve = auxiliary_curve(shapes(), face, from, to, options_.tolerance);
+    return put(face, from, to, auxiliary_curve(shapes(), face, from, to, options_.tolerance));
+  }
+
+  std::optional<EdgeUse> put(FaceId face, VertexId from, VertexId to,
+                             const std::optional<AuxiliaryCurve>& curve) {
     if (!curve || curve->smallest_angle.degrees() < options_.smallest.degrees()) return std::nullopt;
     complex_.curves.push_back(curve->curve);
     const EdgeId edge =

@@ -46,7 +46,7 @@ class Cutter {
     const CellComplex before = convex_ ? CellComplex() : complex_;
     const std::vector<VertexId> places = place_vertices(loop);
     const StepWalk steps = walk(loop.loop, places);
-    const auto surface = cutting_surface(shapes(), steps, tolerance_);
+    const auto surface = cutting_surface(shapes(), steps, tolerance_, is_free_form());
     if (!surface)
       throw Refused{fmt::format("no surface is known through {} steps that lie in no plane", steps.size())};
     if (options_.keep_plane && polyhedral_ &&
@@ -72,6 +72,8 @@ class Cutter {
       if (edge.kind == EdgeKind::non_convex) return false;
     return polyhedral_;
   }
+
+  bool is_free_form() const { return options_.free_form && !(options_.keep_plane && polyhedral_); }
 
   std::vector<VertexId> place_vertices(const PlacedLoop& loop) {
     std::vector<VertexId> result;
@@ -146,7 +148,8 @@ class Cutter {
       for (const CellFaceUse& face : complex_.cell(cell_).faces)
         if (face.side == sides_.faces[static_cast<std::size_t>(step.face.value)].front().side)
           side.push_back(face.face);
-      auto chord = add_chord(source_, complex_, side, from, to, {tolerance_, options_.smallest_angle});
+      auto chord =
+          add_chord(source_, complex_, side, from, to, {tolerance_, options_.smallest_angle, is_free_form()});
       if (!chord)
         throw Refused{fmt::format("an auxiliary edge would leave side {} or come too close to its outline",
                                   step.face.value)};

@@ -23,6 +23,9 @@ struct CutOptions {
   /// Cells with plane sides and straight edges are cut by planes only, so that planes always cut their
   /// pieces.
   bool keep_plane = true;
+  /// Cells with other sides: auxiliary edges may be bent where straight ones are not free, and surfaces run
+  /// through loops of five steps and more that lie in no plane.
+  bool free_form = false;
   SideOptions sides = {};
   bool operator==(const CutOptions&) const = default;
 };

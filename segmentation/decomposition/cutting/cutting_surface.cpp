@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/loop_surface.hpp"
 #include "segmentation/decomposition/cutting/spline_curve.hpp"
 
 namespace isopatch::segmentation {
@@ -133,6 +134,33 @@ std::optional<CuttingSurface> coons_patch(const CellShapes& shapes, const StepWa
   return result;
 }
 
+/// The trace of a curve by what it is seen as from above a surface, in the parameter of the curve.
+NurbsCurve seen_from_above(const CellShapes& shapes, EdgeId id, const geometry::LoopSurface& surface,
+                           double tolerance) {
+  const geometry::CellEdge& edge = shapes.complex().edge(id);
+  const CurvePoints trace = [&](double s) -> Eigen::Vector3d {
+    const Eigen::Vector2d uv =
+        surface.domain_point(shapes.point(id, (s - edge.low) / (edge.high - edge.low)));
+    return {uv.x(), uv.y(), 0};
+  };
+  return interpolated(trace, following_knots({trace}, tolerance));
+}
+
+std::optional<CuttingSurface> smooth_patch(const CellShapes& shapes, const StepWalk& steps,
+                                           double tolerance) {
+  std::vector<geometry::LoopSegment> loop;
+  const std::vector<EdgeUse> walk = joined(steps);
+  for (const EdgeUse& use : walk)
+    loop.emplace_back([&shapes, use](double t) { return shapes.point(use.edge, use.reversed ? 1 - t : t); });
+  const auto found = geometry::loop_surface(loop, 100 * tolerance);
+  if (!found || !(found->deviation <= 1e4 * tolerance)) return std::nullopt;
+  CuttingSurface result;
+  result.surface = found->surface;
+  for (const EdgeUse& use : walk)
+    result.traces.push_back(seen_from_above(shapes, use.edge, *found, tolerance));
+  return result;
+}
+
 }  // namespace
 
 std::vector<EdgeUse> joined(const StepWalk& steps) {
@@ -142,11 +170,12 @@ std::vector<EdgeUse> joined(const StepWalk& steps) {
 }
 
 std::optional<CuttingSurface> cutting_surface(const CellShapes& shapes, const StepWalk& steps,
-                                              double tolerance) {
+                                              double tolerance, bool any) {
   if (auto plane = plane_through(points_along(shapes, joined(steps)), tolerance))
     return CuttingSurface{*plane, {}};
-  if (steps.size() != 4) return std::nullopt;
-  return coons_patch(shapes, steps, tolerance);
+  if (steps.size() == 4)
+    if (auto patch = coons_patch(shapes, steps, tolerance)) return patch;
+  return any ? smooth_patch(shapes, steps, tolerance) : std::nullopt;
 }
 
 }  // namespace isopatch::segmentation

@@ -18,11 +18,12 @@ struct CuttingSurface {
   std::vector<geometry::NurbsCurve> traces;
 };
 
-/// The surface through a walk: the plane that it lies in, or the Coons patch of its four steps.
-/// @param tolerance  m
-/// @return  nothing for a walk that is neither plane nor of four steps, or a step of several edges with
-/// corners between
+/// The surface through a walk: the plane that it lies in, or the Coons patch of its four steps, or one of
+/// little bending over a plane.
+/// @param tolerance  m, of planes; of patches a hundred times that, of those over a plane ten thousand times
+/// @param any  whether walks in no plane may have other than four steps
+/// @return  nothing where no surface is known, or a step of several edges has corners between
 std::optional<CuttingSurface> cutting_surface(const CellShapes& shapes, const StepWalk& steps,
-                                              double tolerance);
+                                              double tolerance, bool any);
 
 }  // namespace isopatch::segmentation

@@ -1,6 +1,7 @@
 #include "segmentation/decomposition/cutting/inside.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -70,15 +71,27 @@ bool is_inside(const Eigen::Matrix2Xd& polygon, const Eigen::Vector2d& point) {
   return inside;
 }
 
+double distance_to(const Eigen::Matrix2Xd& polygon, const Eigen::Vector2d& point) {
+  double least = 1e300;
+  for (Eigen::Index i = 0; i < polygon.cols(); ++i) {
+    const Eigen::Vector2d a = polygon.col(i), along = polygon.col((i + 1) % polygon.cols()) - a;
+    const double length = along.squaredNorm();
+    const double share = length > 0 ? std::clamp((point - a).dot(along) / length, 0.0, 1.0) : 0;
+    least = std::min(least, (point - a - share * along).norm());
+  }
+  return least;
+}
+
 Eigen::Matrix2Xd points_inside(const Eigen::Matrix2Xd& polygon) {
   const Eigen::Vector2d low = polygon.rowwise().minCoeff(), extent = polygon.rowwise().maxCoeff() - low;
+  const double clear = 1e-6 * extent.norm();  // on the outline nothing is inside or outside
   std::vector<Eigen::Vector2d> found;
   for (int n = 7; n <= 56 && found.size() < 20; n *= 2) {
     found.clear();
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) {
         const Eigen::Vector2d at = low + extent.cwiseProduct(Eigen::Vector2d((i + 0.5) / n, (j + 0.5) / n));
-        if (is_inside(polygon, at)) found.push_back(at);
+        if (is_inside(polygon, at) && distance_to(polygon, at) > clear) found.push_back(at);
       }
   }
   Eigen::Matrix2Xd result(2, static_cast<Eigen::Index>(found.size()));

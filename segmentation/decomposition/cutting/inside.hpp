@@ -20,7 +20,11 @@ double winding_number(const Eigen::Matrix3Xd& triangles, const Eigen::Vector3d& 
 /// Whether a point of the plane lies in a polygon, (2, n); either sense.
 bool is_inside(const Eigen::Matrix2Xd& polygon, const Eigen::Vector2d& point);
 
-/// Points spread over the inside of a polygon, 20 or more where it is not very thin; (2, n).
+/// Distance of a point from the outline of a polygon, (2, n).
+double distance_to(const Eigen::Matrix2Xd& polygon, const Eigen::Vector2d& point);
+
+/// Points spread over the inside of a polygon, none on its outline, 20 or more where it is not very thin; (2,
+/// n).
 Eigen::Matrix2Xd points_inside(const Eigen::Matrix2Xd& polygon);
 
 }  // namespace isopatch::segmentation

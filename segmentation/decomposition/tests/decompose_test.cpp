@@ -96,6 +96,46 @@ TEST(Decompose, MergesTheTrianglesOfAPlaneFace) {
   expect_sound(solid, result);
 }
 
+TEST(Decompose, CutsFreeFacesOfSixCorners) {
+  geometry::Polyhedron l = samples::prism({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, 1);
+  l.vertices(2, 6) += 0.2;  // the top is no plane any more, and bounded by six straight edges
+  const geometry::BrepFile solid{geometry::make_brep(l), "l", 0};
+  ASSERT_EQ(solid.brep.faces()[1].kind, geometry::SurfaceKind::spline);
+  const Decomposition result = decompose(solid.brep, solid.name);
+  EXPECT_EQ(result.report.hexahedra, 2);
+  double volume = 0;
+  for (const geometry::BrepFile& part : blocks(solid, result)) volume += part.brep.volume();
+  EXPECT_NEAR(volume, solid.brep.volume(), 1e-6 * solid.brep.volume());
+}
+
+TEST(Decompose, CutsHexahedraThatNoPatchFollows) {
+  geometry::Polyhedron dart = samples::prism({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 1);
+  dart.vertices.col(6) << 0.3, 0.3, 1;  // the top has a corner of more than 180 degrees there
+  const geometry::BrepFile solid{geometry::make_brep(dart), "dart", 0};
+  EXPECT_FALSE(corners_open(solid.brep));
+  const Decomposition result = decompose(solid.brep, solid.name);
+  EXPECT_GE(result.report.cells, 2);
+  double volume = 0;
+  for (const geometry::BrepFile& part : blocks(solid, result)) {
+    EXPECT_TRUE(corners_open(part.brep));
+    volume += part.brep.volume();
+  }
+  EXPECT_NEAR(volume, solid.brep.volume(), 1e-6 * solid.brep.volume());
+  EXPECT_TRUE(corners_open(geometry::make_brep(samples::prism({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 1))));
+}
+
+TEST(Decompose, CutsSolidsWhoseSidesMeetTwice) {
+  // Half a pot: its rim and the plane that halves it share two edges.
+  const geometry::BrepFile solid{geometry::make_brep(samples::half_pot()), "pot", 0};
+  const Prospect before = prospect(solid.brep);
+  EXPECT_FALSE(before.refusal);
+  EXPECT_EQ(before.sides, 9);  // the rim in two
+  const Decomposition result = decompose(solid.brep, solid.name);
+  EXPECT_FALSE(result.report.by_tetrahedra);
+  EXPECT_LE(result.report.hexahedra, 12);
+  expect_sound(solid, result);
+}
+
 TEST(StarCells, AreTetrahedraThatFillTheCellAndMeetAtItsFaces) {
   const geometry::Brep solid = geometry::make_brep(samples::pyramid(4));
   const geometry::CellComplex stars = star_cells(solid, geometry::one_cell(solid));
@@ -207,14 +247,45 @@ TEST(Prospect, CountsSidesAndConcaveEdgesOrRefuses) {
   EXPECT_TRUE(l.blunt.empty());
   const Prospect house = prospect(geometry::make_brep(samples::house()));
   EXPECT_TRUE(house.concave.empty());
-  const Prospect notched = prospect(geometry::make_brep(samples::house_with_a_notch()));
+  const Prospect notched = prospect(geometry::make_brep(samples::house_with_a_bent_notch()));
   ASSERT_TRUE(notched.refusal);
   EXPECT_EQ(notched.refusal->code(), ErrorCode::not_three_connected);
   EXPECT_EQ(notched.refusal->fault().faces.size(), 2U);
 }
 
+TEST(Prospect, RefusesSmoothBodiesOfManyTriangles) {
+  // A ball of 12 by 16 points, and two poles.
+  constexpr int rings = 12, around = 16;
+  geometry::Polyhedron ball;
+  ball.vertices.resize(3, rings * around + 2);
+  const auto at = [&](int ring, int i) { return ring * around + i % around; };
+  for (int r = 0; r < rings; ++r)
+    for (int i = 0; i < around; ++i) {
+      const double down = (r + 1) * 3.14159265 / (rings + 1), turn = i * 2 * 3.14159265 / around;
+      ball.vertices.col(at(r, i)) << std::sin(down) * std::cos(turn), std::sin(down) * std::sin(turn),
+          std::cos(down);
+    }
+  const int top = rings * around, bottom = top + 1;
+  ball.vertices.col(top) << 0, 0, 1;
+  ball.vertices.col(bottom) << 0, 0, -1;
+  for (int i = 0; i < around; ++i) {
+    ball.faces.push_back({top, at(0, i), at(0, i + 1)});
+    for (int r = 0; r + 1 < rings; ++r) {
+      // Not both in the plane of the four points, which would be one side.
+      ball.vertices.col(at(r, i)) *= 1 + 0.01 * ((r + i) % 2);
+      ball.faces.push_back({at(r, i), at(r + 1, i), at(r + 1, i + 1)});
+      ball.faces.push_back({at(r, i), at(r + 1, i + 1), at(r, i + 1)});
+    }
+    ball.faces.push_back({bottom, at(rings - 1, i + 1), at(rings - 1, i)});
+  }
+  const Prospect found = prospect(geometry::make_brep(ball));
+  ASSERT_TRUE(found.refusal);
+  EXPECT_NE(std::string(found.refusal->what()).find("384 of its 384 sides are triangles"), std::string::npos)
+      << found.refusal->what();
+}
+
 TEST(Decompose, NamesTheFacesOfAGraphThatIsNotThreeConnected) {
-  const geometry::Brep solid = geometry::make_brep(samples::house_with_a_notch());
+  const geometry::Brep solid = geometry::make_brep(samples::house_with_a_bent_notch());
   EXPECT_ERROR(decompose(solid, "notched", {}), ErrorCode::not_three_connected,
                "solid 'notched': its edge graph is not 3-connected: face 5 and face 6 meet in vertex 3");
 }

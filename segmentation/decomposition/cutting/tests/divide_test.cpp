@@ -46,8 +46,8 @@ TEST(Divide, CutsAnLIntoTwoBlocks) {
   };
   const std::vector<EdgeUse> walk = {use(below, VertexId(3)), use(side, VertexId(0)), use(above, VertexId(6)),
                                      use(inner, VertexId(9))};
-  const auto surface =
-      cutting_surface(CellShapes(source, complex), {{walk[0]}, {walk[1]}, {walk[2]}, {walk[3]}}, tolerance);
+  const auto surface = cutting_surface(CellShapes(source, complex),
+                                       {{walk[0]}, {walk[1]}, {walk[2]}, {walk[3]}}, tolerance, false);
   ASSERT_TRUE(surface.has_value());
   complex.surfaces.push_back(surface->surface);
   const DividedCell divided = divide_cell(complex, CellId(0), walk,

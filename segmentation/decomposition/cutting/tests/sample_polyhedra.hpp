@@ -34,6 +34,18 @@ inline geometry::Polyhedron house() {
   return prism({{0, 0}, {2, 0}, {2, 1}, {1, 2}, {0, 1}}, 2);
 }
 
+/// Half a square pot, halved along its diagonal.
+inline geometry::Polyhedron half_pot() {
+  geometry::Polyhedron solid;
+  solid.vertices.resize(3, 12);
+  solid.vertices << 0, 5, 0, 0, 5, 0, 1, 4, 1, 1, 4, 1,  //
+      0, 5, 5, 0, 5, 5, 1, 4, 4, 1, 4, 4,                //
+      0, 0, 0, 4, 4, 4, 1, 1, 1, 4, 4, 4;
+  solid.faces = {{0, 2, 1},     {6, 7, 8},      {3, 9, 11, 10, 4, 5}, {0, 1, 4, 10, 7, 6, 9, 3},
+                 {6, 8, 11, 9}, {7, 10, 11, 8}, {0, 3, 5, 2},         {1, 2, 5, 4}};
+  return solid;
+}
+
 /// A house with a notch in its ridge, between whose ends both halves of the roof meet: they share two
 /// vertices without an edge between them.
 inline geometry::Polyhedron house_with_a_notch() {
@@ -44,6 +56,14 @@ inline geometry::Polyhedron house_with_a_notch() {
       0, 0, 1, 2, 1, 0, 0, 1, 2, 1, 2, 2, 1.5, 1.5;
   solid.faces = {{0, 4, 3, 2, 1},          {5, 6, 7, 8, 9},          {0, 1, 6, 5}, {1, 2, 7, 6}, {0, 5, 9, 4},
                  {2, 3, 10, 13, 11, 8, 7}, {9, 8, 11, 12, 10, 3, 4}, {10, 12, 13}, {11, 13, 12}};
+  return solid;
+}
+
+/// The same with roofs that are no planes, so that no straight edge divides them.
+inline geometry::Polyhedron house_with_a_bent_notch() {
+  geometry::Polyhedron solid = house_with_a_notch();
+  solid.vertices(1, 12) -= 0.1;
+  solid.vertices(1, 13) += 0.1;
   return solid;
 }
 
