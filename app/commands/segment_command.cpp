@@ -46,6 +46,7 @@ BlocksInput input_of(const SegmentCommand& command) {
   input.decomposition = segmentation::DecompositionOptions{};
   input.decomposition->time_limit = command.time_limit;
   input.decomposition->t_joints = *find_choice(t_joint_choices(), command.t_joints);
+  input.decomposition->method = *find_choice(method_choices(), command.method);
   input.decomposition->blends = *find_choice(blend_choices(), command.blends);
   if (!command.length_unit.empty())
     input.files.length_unit = length_unit(InputFile{{}, {}, command.length_unit});
@@ -178,6 +179,11 @@ void add_segment_command(CLI::App& app, CommandLine& line) {
       .add_option("--t-joints", command->t_joints,
                   "Sides that meet others in parts: remove them by further cuts, or keep them")
       ->check(CLI::IsMember(names(t_joint_choices())))
+      ->capture_default_str();
+  segment
+      .add_option("--method", command->method,
+                  "How blocks are looked for: by sweeping where possible, or by cuts alone")
+      ->check(CLI::IsMember(names(method_choices())))
       ->capture_default_str();
   segment
       .add_option("--blends", command->blends,

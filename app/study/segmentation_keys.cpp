@@ -53,6 +53,12 @@ const Choices<segmentation::TJoints>& t_joint_choices() {
   return choices;
 }
 
+const Choices<segmentation::Method>& method_choices() {
+  static const Choices<segmentation::Method> choices = {{"automatic", segmentation::Method::automatic},
+                                                        {"cuts", segmentation::Method::cuts}};
+  return choices;
+}
+
 const Choices<segmentation::Blends>& blend_choices() {
   static const Choices<segmentation::Blends> choices = {{"keep", segmentation::Blends::keep},
                                                         {"remove", segmentation::Blends::remove}};
@@ -69,6 +75,14 @@ const Keys<SegmentationKeys>& segmentation_keys() {
                       target.options.t_joints = read_choice(value, "t_joints", t_joint_choices());
                     })
           .with_default("\"remove\""),
+      custom_key<S>("method", quoted_list(names(method_choices())),
+                    "How blocks are looked for. Bodies with floors across one direction and walls along it or "
+                    "inclined to it are swept, whatever their bores and pockets, unless cuts take fewer blocks; "
+                    "or cuts along loops alone, as published. Where T-joints are kept, bodies are only cut.",
+                    [](S& target, const ConfigValue& value) {
+                      target.options.method = read_choice(value, "method", method_choices());
+                    })
+          .with_default("\"automatic\""),
       custom_key<S>("blends", quoted_list(names(blend_choices())),
                     "What becomes of rounds that keep a body from being swept: nothing, or they are taken off "
                     "and the faces around them extended until they meet. A warning says how many, how large, and "

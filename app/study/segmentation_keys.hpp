@@ -15,6 +15,9 @@ const Keys<SegmentationKeys>& segmentation_keys();
 /// "remove" or "keep".
 const Choices<segmentation::TJoints>& t_joint_choices();
 
+/// "automatic" or "cuts".
+const Choices<segmentation::Method>& method_choices();
+
 /// "keep" or "remove".
 const Choices<segmentation::Blends>& blend_choices();
 

@@ -44,7 +44,8 @@ class BadSolids : public Program {
     return run({"segment", (folder_ / "part.off").string(), "-o", (folder_ / "blocks").string()});
   }
   int segment_made(const std::string& name) {
-    return run({"segment", geometry::test::made_solid(name).string(), "-o", (folder_ / "blocks").string()});
+    return run({"segment", geometry::test::made_solid(name).string(), "--method", "cuts", "-o",
+                (folder_ / "blocks").string()});
   }
   /// Of a study on part.off, clamped below and pulled above.
   json solved() {

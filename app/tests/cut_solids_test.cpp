@@ -82,7 +82,7 @@ traction = [0, 5, 0]
 
 TEST_F(CutSolidsOfStudies, AreWrittenAsStepFilesWithTheirFacesNames) {
   write_file(file("l.off"), l_shape);
-  ASSERT_EQ(run({"segment", file("l.off"), "-o", file("blocks")}), 0) << err_;
+  ASSERT_EQ(run({"segment", file("l.off"), "--method", "cuts", "-o", file("blocks")}), 0) << err_;
   EXPECT_THAT(out_, HasSubstr("1 cut into 2 parts"));
   EXPECT_THAT(out_, HasSubstr("2 hexahedra"));
   EXPECT_THAT(out_, HasSubstr("block_0.step to block_1.step"));
@@ -93,7 +93,7 @@ TEST_F(CutSolidsOfStudies, AreWrittenAsStepFilesWithTheirFacesNames) {
 
 TEST_F(CutSolidsOfStudies, AreDescribedInJson) {
   write_file(file("l.off"), l_shape);
-  ASSERT_EQ(run({"segment", file("l.off"), "-o", file("blocks"), "--json"}), 0) << err_;
+  ASSERT_EQ(run({"segment", file("l.off"), "--method", "cuts", "-o", file("blocks"), "--json"}), 0) << err_;
   const json body = json::parse(out_)["bodies"][0];
   EXPECT_EQ(body["name"], "l");
   EXPECT_EQ(body["cuts"], 1);
@@ -127,7 +127,7 @@ TEST_F(CutSolidsOfStudies, SayWhatStandsInTheWay) {
   EXPECT_EQ(
       run_text(
           l_study +
-          "[segmentation]\ntime_limit = 1e-9\n[[support]]\nfaces = [\"face 0\"]\ndisplacement = [0, 0, 0]\n"),
+          "[segmentation]\nmethod = \"cuts\"\ntime_limit = 1e-9\n[[support]]\nfaces = [\"face 0\"]\ndisplacement = [0, 0, 0]\n"),
       2);
   EXPECT_THAT(err_, HasSubstr("solid 'l': no way"));
   EXPECT_THAT(err_, HasSubstr("raise time_limit"));
@@ -238,7 +238,7 @@ TEST_F(CutSolidsOfStudies, AreWrittenThoughOthersAreGivenUp) {
   write_file(file("l.off"), l_shape);
   write_file(file("notched.off"), notched);
   ASSERT_EQ(run({"segment", file("l.off"), "-o", file("blocks")}), 0) << err_;
-  EXPECT_EQ(run({"segment", file("notched.off"), file("l.off"), "-o", file("blocks")}), 2);
+  EXPECT_EQ(run({"segment", file("notched.off"), file("l.off"), "--method", "cuts", "-o", file("blocks")}), 2);
   EXPECT_THAT(err_, HasSubstr("solid 'notched': its edge graph is not 3-connected: face 5 and face 6"));
   EXPECT_THAT(err_, HasSubstr("failure.html shows where"));
   EXPECT_THAT(out_, HasSubstr("notched: given up"));
@@ -255,7 +255,7 @@ TEST_F(CutSolidsOfStudies, AreShownAsFarAsARunHadCutThem) {
   EXPECT_EQ(
       run_text(
           l_study +
-          "[segmentation]\ntime_limit = 1e-9\n[[support]]\nfaces = [\"face 0\"]\ndisplacement = [0, 0, 0]\n"),
+          "[segmentation]\nmethod = \"cuts\"\ntime_limit = 1e-9\n[[support]]\nfaces = [\"face 0\"]\ndisplacement = [0, 0, 0]\n"),
       2);
   EXPECT_THAT(err_, HasSubstr("report.html shows where"));
   EXPECT_THAT(read_file(results() / "report.html"), HasSubstr("\"kind\":\"blocks\""));

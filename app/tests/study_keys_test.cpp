@@ -84,6 +84,7 @@ std::vector<ShownSection> sections_of_the_model() {
           {"segmentation",
            "[model]\nfile = \"one.step\"\n[segmentation]\n",
            {{"t_joints", "t_joints = \"keep\"", "T-joints 1"},
+            {"method", "method = \"cuts\"", "method 1"},
             {"blends", "blends = \"remove\"", "blends 1 up to 0.1"},
             {"largest_blend", "largest_blend = 0.2", "blends 0 up to 0.2"},
             {"time_limit", "time_limit = 7", "cutting seconds 7"},

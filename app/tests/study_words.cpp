@@ -71,10 +71,10 @@ std::string words_of_cutting(const BlocksInput& blocks) {
   const segmentation::DecompositionOptions& o = *blocks.decomposition;
   return fmt::format(
       "cutting seconds {:g}\ncells {}\nbeam {}\nbranches {}\nsmallest cut angle {:.4g}\nlargest cut angle "
-      "{:.4g}\ncut edge {:g}\nT-joints {}\nblends {} up to {:g}\n",
+      "{:.4g}\ncut edge {:g}\nT-joints {}\nmethod {}\nblends {} up to {:g}\n",
       o.time_limit, o.max_cells, o.search.beam, o.search.branches, o.cut.smallest_angle.degrees(),
       o.cut.largest_angle.degrees(), o.cut.shortest_edge, static_cast<int>(o.t_joints),
-      static_cast<int>(o.blends), o.largest_blend);
+      static_cast<int>(o.method), static_cast<int>(o.blends), o.largest_blend);
 }
 
 std::string words_of(const BlocksInput& blocks) {

@@ -268,7 +268,7 @@ class Decomposer {
 /// What is known of it without a search, or by one.
 Decomposition decomposed(const Brep& solid, const std::string& name, const DecompositionOptions& options,
                          const Progress& progress) {
-  KnownShape known = known_shape(solid);
+  KnownShape known = known_shape(solid, options);
   std::optional<Decomposer> decomposer;
   try {
     decomposer.emplace(solid, name, options, progress, known.decomposition);

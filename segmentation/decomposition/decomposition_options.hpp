@@ -11,6 +11,12 @@ enum class TJoints {
   keep,    ///< left as they are
 };
 
+/// How hexahedra are looked for.
+enum class Method {
+  automatic,  ///< solids that are stacks are swept, unless cuts take fewer
+  cuts,       ///< by cutting loops and extended faces alone
+};
+
 /// What becomes of rounds along edges.
 enum class Blends {
   keep,    ///< they are faces as others are
@@ -26,6 +32,7 @@ struct DecompositionOptions {
                           .extensions = false,
                           .cost = {.t_joint = 2, .divided = 4}};
   CutOptions cut = {};
+  Method method = Method::automatic;
   double time_limit =
       60;  ///< seconds of computing, after which the best way known is taken, or none; above 0
   TJoints t_joints = TJoints::remove;

@@ -25,9 +25,10 @@ std::string text_of(const SweptCells& swept) {
 
 }  // namespace
 
-KnownShape known_shape(const geometry::Brep& solid) {
+KnownShape known_shape(const geometry::Brep& solid, const DecompositionOptions& options) {
   const Stopwatch watch;
   KnownShape result;
+  if (options.method == Method::cuts || options.t_joints == TJoints::keep) return result;
   try {
     const std::optional<SweptCells> swept = swept_cells(solid);
     if (!swept) return result;

@@ -5,6 +5,7 @@
 
 #include "geometry/brep/brep.hpp"
 #include "segmentation/decomposition/decomposition.hpp"
+#include "segmentation/decomposition/decomposition_options.hpp"
 
 namespace isopatch::segmentation {
 
@@ -15,6 +16,7 @@ struct KnownShape {
   std::string why_not;  ///< where it looks like one and could not be divided, what stopped it
 };
 
-KnownShape known_shape(const geometry::Brep& solid);
+/// Nothing where only cuts are asked for, or T-joints, which such solids do not have.
+KnownShape known_shape(const geometry::Brep& solid, const DecompositionOptions& options);
 
 }  // namespace isopatch::segmentation

@@ -41,7 +41,7 @@ bool corners_open(const geometry::Brep& hexahedron) {
 }
 
 Prospect prospect(const geometry::Brep& solid, const DecompositionOptions& options) {
-  const KnownShape known = known_shape(solid);
+  const KnownShape known = known_shape(solid, options);
   Prospect result;
   try {
     result = seen(solid, options);

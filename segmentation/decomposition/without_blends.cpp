@@ -9,7 +9,7 @@ namespace isopatch::segmentation {
 
 WithoutBlends without_blends(const geometry::Brep& solid, const DecompositionOptions& options) {
   WithoutBlends result{solid, 0, 0, 0};
-  if (options.blends == Blends::keep) return result;
+  if (options.blends == Blends::keep || options.method == Method::cuts) return result;
   const Rounds rounds = rounds_in_the_way(solid, options.largest_blend * solid.size());
   if (rounds.faces.empty()) return result;
   result.brep = geometry::without_faces(solid, rounds.faces);

@@ -154,8 +154,20 @@ TEST(StarCells, AreTetrahedraThatFillTheCellAndMeetAtItsFaces) {
   for (const auto& [face, count] : uses) EXPECT_EQ(count, stars.face(face).origin ? 1 : 2);
 }
 
+TEST(Decompose, SweepsStacksUnlessCutsAreAskedFor) {
+  const geometry::BrepFile solid{geometry::make_brep(samples::house_with_a_notch()), "house", 0};
+  const Decomposition swept = decompose(solid.brep, solid.name);
+  EXPECT_EQ(swept.report.seen_as.rfind("swept along ", 0), 0U) << swept.report.seen_as;
+  EXPECT_EQ(swept.report.cuts, 0);
+  expect_sound(solid, swept);
+  DecompositionOptions options;
+  options.method = Method::cuts;
+  EXPECT_EQ(decompose(solid.brep, solid.name, options).report.seen_as, "");
+}
+
 TEST(Decompose, GivesUpInTime) {
   DecompositionOptions options;
+  options.method = Method::cuts;
   options.time_limit = 1e-9;
   const geometry::Brep solid = geometry::make_brep(samples::l_shape());
   EXPECT_ERROR(decompose(solid, "l", options), ErrorCode::unsupported, "time_limit");
@@ -165,7 +177,7 @@ TEST(Decompose, KeepsThePartsAsTheyWereCutAndWhereSidesMetInParts) {
   // Three arms: the cuts through both concave edges of the trunk end in the same side.
   const geometry::Brep solid = geometry::make_brep(samples::prism(
       {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {2, 2}, {2, 3}, {1, 3}, {1, 4}, {3, 4}, {3, 5}, {0, 5}}, 1));
-  const Decomposition result = decompose(solid, "e");
+  const Decomposition result = decompose(solid, "e", {.method = Method::cuts});
   EXPECT_EQ(static_cast<int>(result.parts.cells.size()), result.report.cells);
   EXPECT_GT(result.report.hexahedra, result.report.cells);
   ASSERT_GT(result.t_joints.size(), 0U);
@@ -184,6 +196,7 @@ TEST(Decompose, KeepsThePartsAsTheyWereCutAndWhereSidesMetInParts) {
 TEST(Decompose, ShowsWhatItHadCutWhenItGivesUp) {
   const geometry::Brep solid = geometry::make_brep(samples::l_shape());
   DecompositionOptions options;
+  options.method = Method::cuts;
   options.time_limit = 1e-9;
   try {
     decompose(solid, "l", options);
@@ -200,7 +213,7 @@ TEST(Decompose, ShowsWhatItHadCutWhenItGivesUp) {
 TEST(Decompose, TellsHowFarItIs) {
   const geometry::Brep solid = geometry::make_brep(samples::l_shape());
   std::vector<std::string> told;
-  decompose(solid, "l", {}, {[&](std::string_view phase, double) { told.emplace_back(phase); }});
+  decompose(solid, "l", {.method = Method::cuts}, {[&](std::string_view phase, double) { told.emplace_back(phase); }});
   ASSERT_GT(told.size(), 2U);
   EXPECT_EQ(told[0], "cutting 'l'");
   EXPECT_EQ(told[1].rfind("cutting 'l'\t0 cuts, 1 part unfinished, 0 of 60 s", 0), 0U) << told[1];
