@@ -18,8 +18,8 @@ struct SegmentCommand {
   std::string length_unit;       ///< as of InputFile
   CadReading reading;
   std::string t_joints = "remove";                                      ///< or "keep"
-  std::string method = "automatic";  ///< or "cuts"
-  std::string blends = "keep";       ///< or "remove"
+  std::string method = "automatic";                                     ///< or "cuts"
+  std::string blends = "keep";                                          ///< or "remove"
   double time_limit = segmentation::DecompositionOptions{}.time_limit;  ///< s
   bool json = false;
 };

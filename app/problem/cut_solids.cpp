@@ -6,8 +6,8 @@
 
 #include "geometry/brep/recognise_carriers.hpp"
 #include "segmentation/decomposition/blocks.hpp"
-#include "segmentation/decomposition/without_blends.hpp"
 #include "segmentation/decomposition/prospect.hpp"
+#include "segmentation/decomposition/without_blends.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -25,7 +25,8 @@ CutBody cut_body(geometry::BrepFile solid, const segmentation::DecompositionOpti
     body.blocks = {body.solid};
     return body;
   }
-  const segmentation::WithoutBlends removal = segmentation::without_blends(body.solid.brep, options);
+  const segmentation::WithoutBlends removal =
+      segmentation::without_blends(body.solid.brep, body.solid.name, options);
   if (removal.removed > 0) {
     body.blends = text_of(removal);
     body.solid.brep = removal.brep;
@@ -145,8 +146,8 @@ segmentation::ReadBlocks put_together(const CutSolids& solids, const segmentatio
 std::string cutting_text(const CutSolids& solids) {
   std::string text;
   for (const CutBody& body : solids.bodies)
-    text += fmt::format("  {}: {}{}{}{}{}\n", body.solid.name, body.recognised, body.recognised.empty() ? "" : "; ",
-                        body.blends, body.blends.empty() ? "" : "; ",
+    text += fmt::format("  {}: {}{}{}{}{}\n", body.solid.name, body.recognised,
+                        body.recognised.empty() ? "" : "; ", body.blends, body.blends.empty() ? "" : "; ",
                         body.cutting   ? report_text(body.cutting->report)
                         : body.failure ? "given up"
                                        : "a topological hexahedron as it is");

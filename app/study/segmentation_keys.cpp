@@ -75,21 +75,23 @@ const Keys<SegmentationKeys>& segmentation_keys() {
                       target.options.t_joints = read_choice(value, "t_joints", t_joint_choices());
                     })
           .with_default("\"remove\""),
-      custom_key<S>("method", quoted_list(names(method_choices())),
-                    "How blocks are looked for. Bodies with floors across one direction and walls along it or "
-                    "inclined to it are swept, whatever their bores and pockets, unless cuts take fewer blocks; "
-                    "or cuts along loops alone, as published. Where T-joints are kept, bodies are only cut.",
-                    [](S& target, const ConfigValue& value) {
-                      target.options.method = read_choice(value, "method", method_choices());
-                    })
+      custom_key<S>(
+          "method", quoted_list(names(method_choices())),
+          "How blocks are looked for. Bodies with floors across one direction and walls along it or "
+          "inclined to it are swept, whatever their bores and pockets, unless cuts take fewer blocks; "
+          "or cuts along loops alone, as published. Where T-joints are kept, bodies are only cut.",
+          [](S& target, const ConfigValue& value) {
+            target.options.method = read_choice(value, "method", method_choices());
+          })
           .with_default("\"automatic\""),
-      custom_key<S>("blends", quoted_list(names(blend_choices())),
-                    "What becomes of rounds that keep a body from being swept: nothing, or they are taken off "
-                    "and the faces around them extended until they meet. A warning says how many, how large, and "
-                    "what that does to the volume.",
-                    [](S& target, const ConfigValue& value) {
-                      target.options.blends = read_choice(value, "blends", blend_choices());
-                    })
+      custom_key<S>(
+          "blends", quoted_list(names(blend_choices())),
+          "What becomes of rounds that keep a body from being swept: nothing, or they are taken off "
+          "and the faces around them extended until they meet. A warning says how many, how large, and "
+          "what that does to the volume.",
+          [](S& target, const ConfigValue& value) {
+            target.options.blends = read_choice(value, "blends", blend_choices());
+          })
           .with_default("\"keep\""),
       number_key(
           "largest_blend", dimensions::none, {0, 1, false, true},

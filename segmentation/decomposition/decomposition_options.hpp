@@ -38,7 +38,7 @@ struct DecompositionOptions {
   TJoints t_joints = TJoints::remove;
   Blends blends = Blends::keep;
   double largest_blend = 0.1;  ///< radius up to which rounds may be removed, as a share of the size; above 0
-  int max_cells = 2000;  ///< at most so many hexahedra when sides are made to meet; range 1 ..
+  int max_cells = 2000;        ///< at most so many hexahedra when sides are made to meet; range 1 ..
   bool operator==(const DecompositionOptions&) const = default;
 };
 void validate(const DecompositionOptions& options);

@@ -4,9 +4,9 @@
 #include <variant>
 
 #include "geometry/base/error.hpp"
-#include "segmentation/decomposition/known_shape.hpp"
 #include "geometry/brep/cell_solids.hpp"
 #include "segmentation/decomposition/cutting/corner_shape.hpp"
+#include "segmentation/decomposition/known_shape.hpp"
 #include "segmentation/decomposition/starting_cell.hpp"
 
 namespace isopatch::segmentation {

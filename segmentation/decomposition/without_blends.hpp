@@ -16,8 +16,10 @@ struct WithoutBlends {
 };
 
 /// The solid as it is where blends are kept or none is in the way.
+/// @param name  of the solid, for messages
 /// @throws Error unsupported  faces around a round that do not meet without it
-WithoutBlends without_blends(const geometry::Brep& solid, const DecompositionOptions& options);
+WithoutBlends without_blends(const geometry::Brep& solid, const std::string& name,
+                             const DecompositionOptions& options);
 
 /// "4 rounds of 5 mm at most removed, volume +0.31 %".
 std::string text_of(const WithoutBlends& removal);

@@ -12,8 +12,8 @@ struct Rounds {
   double largest_radius = 0;  ///< m
 };
 
-/// Of the direction with the fewest. A round is a curved face that continues its neighbours without an edge on two sides at
-/// least.
+/// Of the direction with the fewest. A round is a curved face that continues its neighbours without an edge
+/// on two sides at least.
 /// @param largest_radius  m, of what counts as a round
 Rounds rounds_in_the_way(const geometry::Brep& solid, double largest_radius);
 

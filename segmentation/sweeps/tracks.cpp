@@ -111,7 +111,8 @@ class Tracker {
                 (rings[i].centre - rings[j].centre).norm() < tolerance_)
               sets.unite(static_cast<int>(i), static_cast<int>(j));
     std::map<int, std::vector<const Ring*>> tracks;
-    for (std::size_t i = 0; i < rings.size(); ++i) tracks[sets.find(static_cast<int>(i))].push_back(&rings[i]);
+    for (std::size_t i = 0; i < rings.size(); ++i)
+      tracks[sets.find(static_cast<int>(i))].push_back(&rings[i]);
     for (const auto& [root, members] : tracks) add_ring_track(members);
   }
 
@@ -134,8 +135,7 @@ class Tracker {
           if (!level(use.edge)) continue;
           const double radius = (frame_.flat(solid_.point(use.edge, 0.3)) - track.centre).norm();
           if (std::abs(radius - drawn) > tolerance_)
-            result_.redrawn[use.edge] =
-                geometry::Scaled{frame_.point(track.centre, 0), drawn / radius};
+            result_.redrawn[use.edge] = geometry::Scaled{frame_.point(track.centre, 0), drawn / radius};
         }
     }
     result_.rings.push_back(std::move(track));

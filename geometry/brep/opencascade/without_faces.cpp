@@ -18,7 +18,7 @@ KernelSolid solid_without_faces(const ShapeKernel& source, const std::vector<Fac
   removal.SetToFillHistory(true);
   removal.Build();
   if (!removal.IsDone() || removal.HasErrors())
-    throw Error(ErrorCode::unsupported, "faces cannot be removed by the CAD library");
+    throw Error(ErrorCode::unsupported, "the faces around what is to be removed do not meet without it");
   TopTools_IndexedMapOfShape left;
   for (TopExp_Explorer it(removal.Shape(), TopAbs_FACE); it.More(); it.Next()) left.Add(it.Current());
   std::vector<TopoDS_Face> kept;
@@ -37,7 +37,7 @@ KernelSolid solid_without_faces(const ShapeKernel& source, const std::vector<Fac
     }
   }
   if (static_cast<int>(kept.size()) != left.Extent())
-    throw Error(ErrorCode::unsupported, "removing faces makes others that the CAD library does not account for");
+    throw Error(ErrorCode::unsupported, "the faces around what is to be removed do not meet without it");
   ShapeInput input = oriented_solid(std::move(kept), given.metres);
   input.names = std::move(names);
   input.colours = std::move(colours);

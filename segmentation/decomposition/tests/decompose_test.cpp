@@ -155,14 +155,31 @@ TEST(StarCells, AreTetrahedraThatFillTheCellAndMeetAtItsFaces) {
 }
 
 TEST(Decompose, SweepsStacksUnlessCutsAreAskedFor) {
-  const geometry::BrepFile solid{geometry::make_brep(samples::house_with_a_notch()), "house", 0};
+  // A square frame.
+  geometry::Polyhedron frame;
+  frame.vertices.resize(3, 16);
+  const std::array<std::array<double, 2>, 4> corners = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+  for (int level = 0; level < 2; ++level)
+    for (int i = 0; i < 4; ++i) {
+      const auto [x, y] = corners[static_cast<std::size_t>(i)];
+      frame.vertices.col(8 * level + i) << 3 * x, 3 * y, level;
+      frame.vertices.col(8 * level + 4 + i) << 1 + x, 1 + y, level;
+    }
+  for (int i = 0; i < 4; ++i) {
+    const int j = (i + 1) % 4;
+    frame.faces.push_back({i, i + 4, j + 4, j});
+    frame.faces.push_back({8 + i, 8 + j, 12 + j, 12 + i});
+    frame.faces.push_back({i, j, 8 + j, 8 + i});
+    frame.faces.push_back({4 + j, 4 + i, 12 + i, 12 + j});
+  }
+  const geometry::BrepFile solid{geometry::make_brep(frame), "frame", 0};
   const Decomposition swept = decompose(solid.brep, solid.name);
-  EXPECT_EQ(swept.report.seen_as.rfind("swept along ", 0), 0U) << swept.report.seen_as;
-  EXPECT_EQ(swept.report.cuts, 0);
+  EXPECT_EQ(swept.report.seen_as, "swept along z: 4 quadrilaterals between 2 levels");
+  EXPECT_EQ(swept.report.hexahedra, 4);
   expect_sound(solid, swept);
-  DecompositionOptions options;
-  options.method = Method::cuts;
-  EXPECT_EQ(decompose(solid.brep, solid.name, options).report.seen_as, "");
+  EXPECT_EQ(prospect(solid.brep).seen_as, swept.report.seen_as);
+  EXPECT_ERROR(decompose(solid.brep, solid.name, {.method = Method::cuts}), ErrorCode::not_contractible,
+               "1 hole leads through it");
 }
 
 TEST(Decompose, GivesUpInTime) {
@@ -213,7 +230,8 @@ TEST(Decompose, ShowsWhatItHadCutWhenItGivesUp) {
 TEST(Decompose, TellsHowFarItIs) {
   const geometry::Brep solid = geometry::make_brep(samples::l_shape());
   std::vector<std::string> told;
-  decompose(solid, "l", {.method = Method::cuts}, {[&](std::string_view phase, double) { told.emplace_back(phase); }});
+  decompose(solid, "l", {.method = Method::cuts},
+            {[&](std::string_view phase, double) { told.emplace_back(phase); }});
   ASSERT_GT(told.size(), 2U);
   EXPECT_EQ(told[0], "cutting 'l'");
   EXPECT_EQ(told[1].rfind("cutting 'l'\t0 cuts, 1 part unfinished, 0 of 60 s", 0), 0U) << told[1];

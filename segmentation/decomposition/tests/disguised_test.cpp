@@ -27,7 +27,8 @@ struct Cut {
 
 Cut cut(const geometry::BrepFile& solid) {
   Cut result;
-  for (const geometry::BrepFile& part : blocks(solid, decompose(solid.brep, solid.name, {.method = Method::cuts}))) {
+  for (const geometry::BrepFile& part :
+       blocks(solid, decompose(solid.brep, solid.name, {.method = Method::cuts}))) {
     ++result.blocks;
     result.volume += part.brep.volume();
     for (const geometry::BrepFace& face : part.brep.faces()) result.faces.insert(face.name);

@@ -43,8 +43,8 @@ TEST(HalfChair, NeedsFarFewerHexahedraWhereLoopsExtendFaces) {
 }
 
 TEST(HalfChair, IsCutIntoItsBlocksInSpace) {
-  const Decomposition result = decompose(geometry::make_brep(samples::half_chair()), "half chair",
-                                         {.method = Method::cuts});
+  const Decomposition result =
+      decompose(geometry::make_brep(samples::half_chair()), "half chair", {.method = Method::cuts});
   EXPECT_EQ(result.report.cells, 4);
   EXPECT_EQ(result.report.cuts, 3);
 }
