@@ -605,7 +605,14 @@ class Program(Pages):
         self.browser.open(output / "report.html")
         self.expect_sound()
         self.assertGreater(self.browser.pixels()["drawn"], 0.1)  # of few colours: plane faces
-        rows = self.browser.run("return [...document.querySelectorAll('tbody tr')].map((row) => [...row.children].map((cell) => cell.textContent))")
+        table = "return [...document.querySelectorAll('tbody tr')].map((row) => [...row.children].map((cell) => cell.textContent))"
+        self.assertEqual(self.browser.run(table)[0][:8], ["l", "3 cm^3", "0", "swept", "0", "", "2", "below 1e-12"])
+        self.assertIn("l: swept along z", self.browser.run("return document.getElementById('remarks').textContent"))
+        command += ["--method", "cuts"]
+        self.assertEqual(subprocess.run(command, capture_output=True, stdin=subprocess.DEVNULL, timeout=60).returncode, 0)
+        self.browser.open(output / "report.html")
+        self.expect_sound()
+        rows = self.browser.run(table)
         self.assertEqual(rows[0][:8], ["l", "3 cm^3", "1", "2", "0", "", "2", "below 1e-12"])
         self.assertEqual([row[:2] for row in rows[1:]], [["l", "block_0.step"], ["l#1", "block_1.step"]])
         # Without time there is one part, red, with its concave edge.
@@ -615,7 +622,7 @@ class Program(Pages):
         self.assertFalse((output / "report.html").exists())
         self.browser.open(output / "failure.html")
         self.expect_sound()
-        self.assertIn("raise time_limit", self.browser.run("return document.querySelector('.warnings').textContent"))
+        self.assertIn("Raise time_limit", self.browser.run("return document.querySelector('.warnings').textContent"))
         self.assertIn("given up", self.browser.run("return document.querySelector('tbody').textContent"))
 
     def test_compare(self):

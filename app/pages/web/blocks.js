@@ -30,18 +30,30 @@ globalThis.isopatch = globalThis.isopatch || {};
     return body.t_joints > 0 || body.further_cuts > 0 ? count(body.further_cuts, "further cut", "further cuts") : "";
   }
 
+  function partsText(body) {
+    if (body.seen_as) return "swept";
+    return body.cuts || body.by_tetrahedra ? String(body.parts) : "as it is";
+  }
+
+  // Whatever was found or done before the cuts: what splines are, rounds that were removed, what it was seen as.
+  function remarks(summary) {
+    const lines = summary.bodies.map((body) => [body.name, [body.blends, body.seen_as].filter(Boolean).join("; ")])
+      .filter(([, text]) => text !== "");
+    return lines.length === 0 ? null : element("ul", {id: "remarks"}, lines.map(([name, text]) => element("li", {}, `${name}: ${text}`)));
+  }
+
   // The difference is that of the blocks' volumes to the body's.
   function bodyRow(body) {
     if (body.error) return [body.name, isopatch.withUnit(body.volume, "m^3"), element("strong", {}, "given up"), "", "", "", "", "", ""];
     const difference = Math.abs(body.block_volume - body.volume) / body.volume;
-    return [body.name, isopatch.withUnit(body.volume, "m^3"), String(body.cuts), body.cuts || body.by_tetrahedra ? String(body.parts) : "as it is",
+    return [body.name, isopatch.withUnit(body.volume, "m^3"), String(body.cuts), partsText(body),
             String(body.t_joints), closing(body), isopatch.withSeparators(body.hexahedra),
             difference < 1e-12 ? "below 1e-12" : isopatch.general(difference, 2), isopatch.secondsText(body.seconds)];
   }
 
   const summaryTable = (summary) => isopatch.section("What was done", isopatch.table(
     ["body", "volume", "cuts", "parts", "T-joints", "closed by", "blocks", "volume of the blocks is off by", "time"],
-    summary.bodies.map(bodyRow)));
+    summary.bodies.map(bodyRow)), remarks(summary));
 
   function jointList(summary) {
     if (!summary.t_joints || summary.t_joints.length === 0) return null;
