@@ -13,8 +13,8 @@ namespace isopatch::segmentation::planar {
 
 using Eigen::Vector2d;
 
-Search::Search(const SearchInput& input, CellMesh mesh, unsigned seed)
-    : input_(&input), mesh_(std::move(mesh)), neighbours_(mesh_), random_(seed + 1) {
+Search::Search(const SearchInput& input, CellMesh mesh, unsigned seed, bool slide)
+    : input_(&input), mesh_(std::move(mesh)), neighbours_(mesh_), random_(seed + 1), slide_(slide) {
   for (const Cell& cell : mesh_.cells) costs_.push_back(cost_of(input_->rules, input_->curves, mesh_, cell));
 }
 
@@ -297,7 +297,8 @@ bool Search::replace(const std::vector<int>& cells, const std::vector<Cell>& by,
           if (is_new) next.nodes.push_back(mesh_.nodes[*node]);
           *node = entry->second;
         }
-        moved.insert(*node);
+        const int curve = next.nodes[*node].curve;
+        if (slide_ || curve < 0 || !input_->shared[curve]) moved.insert(*node);
       }
     next.cells.push_back(cell);
   }

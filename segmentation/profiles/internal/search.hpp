@@ -22,7 +22,8 @@ struct SearchInput {
 /// Divides windows of a mesh anew, one after the other, where that costs less.
 class Search {
  public:
-  Search(const SearchInput& input, CellMesh mesh, unsigned seed);
+  /// @param slide whether cuts of shared edges may be moved
+  Search(const SearchInput& input, CellMesh mesh, unsigned seed, bool slide = false);
 
   /// Until no triangle is left or a number of windows has been tried in vain.
   void remove_triangles(int tries);
@@ -65,6 +66,7 @@ class Search {
   Neighbours neighbours_;
   std::vector<double> costs_;
   Random random_;
+  bool slide_;
 };
 
 }  // namespace isopatch::segmentation::planar
