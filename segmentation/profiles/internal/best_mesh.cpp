@@ -11,6 +11,7 @@
 
 #include "geometry/base/error.hpp"
 #include "segmentation/profiles/internal/midpoint_division.hpp"
+#include "segmentation/profiles/internal/ring.hpp"
 #include "segmentation/profiles/internal/shared_cuts.hpp"
 
 namespace isopatch::segmentation::planar {
@@ -112,9 +113,12 @@ class RegionSearches {
     CellMesh part{start.nodes, {}};
     for (const Cell& cell : start.cells)
       if (cell.region == region) part.cells.push_back(cell);
+    const std::optional<CellMesh> ring = ring_start(input_.curves, part, input_.shared);
     std::optional<Search> best;
     const auto consider = [&](unsigned seed, int patience) {
-      Search next(input_, part, options_.seed + seed);
+      const bool in_ring = ring && seed % 2 == 0;
+      Search next(input_, in_ring ? *ring : part, options_.seed + seed);
+      if (in_ring) next.polish();
       next.remove_triangles(patience);
       next.improve(static_cast<int>(options_.effort * (next.mesh().cells.size() + 5) / 40));
       if (!best || next.cost() < best->cost()) best = std::move(next);
@@ -149,12 +153,15 @@ CellMesh best_mesh(const SearchInput& input, const Profile& profile, const Quadr
       RegionSearches::Whole whole = searches.divide(places);
       if (!whole.open.empty()) places = further_places(profile, input.curves, places, whole.open);
       const bool done = whole.open.empty() || !any_shared;
-      if (!best || whole.cost < best->cost) best = std::move(whole);
+      const auto rank = [](const RegionSearches::Whole& w) { return std::pair(w.open.size(), w.cost); };
+      if (!best || rank(whole) < rank(*best)) best = std::move(whole);
       if (done) break;
     }
   };
-  consider({false, 0});
-  if (any_shared) consider({true, 0});
+  consider({});
+  const SharedCuts diagonal{true, 0};
+  if (shared_places(profile, input.curves, diagonal) != shared_places(profile, input.curves, {}))
+    consider(diagonal);
   Search last(input, std::move(best->mesh), options.seed, true);
   last.polish();
   if (any_shared) {

@@ -51,7 +51,7 @@ class Search {
   bool divide_anew(int cell, const Try& what);
   void add_candidates(std::vector<Place>& places, int limit);
   bool add_nodes_inside(std::vector<Place>& places, int number, const std::vector<int>& cells);
-  bool add_ring_inside(std::vector<Place>& places, const Eigen::Vector2d& pole, double radius);
+  bool add_ring_inside(std::vector<Place>& places, const std::vector<Eigen::Vector2d>& outline);
   /// Places that a ring of nodes inside is put beside: corners, and more where the outline turns much.
   std::vector<std::size_t> ring_corners(const std::vector<Place>& places,
                                         const std::vector<SideShape>& shapes);
@@ -60,6 +60,7 @@ class Search {
   bool replace(const std::vector<int>& cells, const std::vector<Cell>& by, double gain,
                std::size_t nodes_before);
   double chance();
+  bool may_move(const Node& node) const;
 
   const SearchInput* input_;
   CellMesh mesh_;

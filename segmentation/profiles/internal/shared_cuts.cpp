@@ -218,8 +218,13 @@ CutPlaces further_places(const Profile& profile, const std::vector<Curve>& curve
           if (other != edge) points.push_back(curves[other].at(at));
       if (curves[edge].straight()) any = cut_at_feet(curves[edge], points, result[edge]) || any;
     }
-    for (const int edge : edges)
-      if (!any) cut_further(curves[edge], result[edge], 1);
+    if (any || edges.empty()) continue;
+    const auto stretch = [&](int edge) {
+      return Weight(curves[edge], 1).all() / static_cast<double>(result[edge].size() + 1);
+    };
+    const int longest = *std::max_element(edges.begin(), edges.end(),
+                                          [&](int a, int b) { return stretch(a) < stretch(b); });
+    cut_further(curves[longest], result[longest], 1);
   }
   make_even(profile, curves, result);
   return result;
