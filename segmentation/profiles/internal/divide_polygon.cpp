@@ -214,8 +214,8 @@ class PolygonDivider {
       }
   }
 
-  void try_triangles(int i, int k, int j, Way ik, const Link& first, double angle_i,
-                     double& best, Choice& choice, int root) {
+  void try_triangles(int i, int k, int j, Way ik, const Link& first, double angle_i, double& best,
+                     Choice& choice, int root) {
     if (angle_i < rules_.smallest_in_triangle || angle_i > rules_.largest_in_triangle) return;
     for (const Way kj : {along, across}) {
       const Link& second = link(k, j, kj);

@@ -49,7 +49,8 @@ std::optional<CellMesh> ring_start(const std::vector<Curve>& curves, const CellM
     const double out = shapes[i].start_direction, in = shapes[(i + count - 1) % count].end_direction + pi;
     const double half = angle_between(out, in) / 2;
     if (2 * half < straight) return std::nullopt;
-    const Vector2d corner = region.nodes[places[i].node].point, way(std::cos(out + half), std::sin(out + half));
+    const Vector2d corner = region.nodes[places[i].node].point,
+                   way(std::cos(out + half), std::sin(out + half));
     const double room = room_along(corner, way, half, outline);
     if (!(room < refused)) return std::nullopt;
     inner.push_back(static_cast<int>(result.nodes.size()));

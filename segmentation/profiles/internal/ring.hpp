@@ -9,8 +9,8 @@
 
 namespace isopatch::segmentation::planar {
 
-/// How far a point may go from a corner of an outline and still have nearly nothing else of it nearer than the
-/// corner's own sides.
+/// How far a point may go from a corner of an outline and still have nearly nothing else of it nearer than
+/// the corner's own sides.
 /// @param way of length 1
 /// @param half_angle between it and the sides, radians
 /// @param outline points of it, dense

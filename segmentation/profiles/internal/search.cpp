@@ -47,8 +47,8 @@ int Search::triangles() const {
 }
 
 bool Search::is_valid() const {
-  return triangles() == 0 &&
-         std::all_of(costs_.begin(), costs_.end(), [&](double cost) { return cost < input_->rules.not_valid; });
+  return triangles() == 0 && std::all_of(costs_.begin(), costs_.end(),
+                                         [&](double cost) { return cost < input_->rules.not_valid; });
 }
 
 void Search::remove_triangles(int tries) {
@@ -215,7 +215,8 @@ bool Search::add_ring_inside(std::vector<Place>& places, const std::vector<Vecto
     const double out = shapes[i].start_direction,
                  in = shapes[(i + count - 1) % count].end_direction + std::numbers::pi;
     const double half = angle_between(out, in) / 2;
-    const Vector2d corner = mesh_.nodes[places[i].node].point, way(std::cos(out + half), std::sin(out + half));
+    const Vector2d corner = mesh_.nodes[places[i].node].point,
+                   way(std::cos(out + half), std::sin(out + half));
     const double room = room_along(corner, way, half, outline);
     if (!(room < refused)) return false;
     points.emplace_back(corner + std::min(0.8, share * (0.8 + 0.4 * chance())) * room * way);
