@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "geometry/base/error.hpp"
 #include "segmentation/profiles/internal/midpoint_division.hpp"
+#include "segmentation/profiles/internal/ring.hpp"
 #include "segmentation/profiles/internal/shared_cuts.hpp"
 
 namespace isopatch::segmentation::planar {
@@ -30,34 +33,142 @@ CellMesh last_resort(const SearchInput& input, const CellMesh& mesh) {
   return result;
 }
 
+/// The regions' divisions as one mesh; cuts of shared edges are equal where regions meet.
+CellMesh joined(const Profile& profile, const std::vector<bool>& shared,
+                const std::vector<const CellMesh*>& parts) {
+  CellMesh result;
+  for (const Eigen::Vector2d& vertex : profile.vertices) result.nodes.push_back({vertex, true, -1, 0});
+  std::map<std::pair<int, double>, int> cuts;
+  for (const CellMesh* part : parts) {
+    std::vector<int> numbers(part->nodes.size(), -1);
+    const auto number = [&](int node) {
+      const Node& there = part->nodes[node];
+      if (there.given) return node;
+      if (numbers[node] >= 0) return numbers[node];
+      const int next = static_cast<int>(result.nodes.size());
+      numbers[node] = there.is_cut() && shared[there.curve]
+                          ? cuts.try_emplace({there.curve, there.at}, next).first->second
+                          : next;
+      if (numbers[node] == next) result.nodes.push_back(there);
+      return numbers[node];
+    };
+    for (Cell cell : part->cells) {
+      for (int k = 0; k < cell.count; ++k) {
+        cell.sides[k].from = number(cell.sides[k].from);
+        cell.sides[k].to = number(cell.sides[k].to);
+      }
+      result.cells.push_back(cell);
+    }
+  }
+  return result;
+}
+
+/// Divides regions one by one, for given cuts of the edges that they share.
+class RegionSearches {
+ public:
+  RegionSearches(const SearchInput& input, const Profile& profile, const QuadrangulationOptions& options,
+                 int searches)
+      : input_(input), profile_(profile), options_(options), searches_(searches) {}
+
+  struct Whole {
+    CellMesh mesh;
+    double cost = 0;
+    std::vector<int> open;  ///< regions for which no division within the rules has been found
+  };
+
+  Whole divide(const CutPlaces& shared_cuts) {
+    const CutPlaces places = even_places(input_.curves, input_.shared, shared_cuts, std::numbers::pi / 12);
+    const CellMesh start = triangles_of(profile_, input_.curves, places);
+    std::vector<const CellMesh*> parts;
+    Whole result;
+    for (std::size_t r = 0; r < profile_.regions.size(); ++r) {
+      if (!profile_.regions[r].wanted) continue;
+      const Found& found = best_of(static_cast<int>(r), start, places);
+      result.cost += found.cost;
+      if (!found.valid) result.open.push_back(static_cast<int>(r));
+      parts.push_back(&found.mesh);
+    }
+    result.mesh = joined(profile_, input_.shared, parts);
+    return result;
+  }
+
+ private:
+  struct Found {
+    CellMesh mesh;
+    double cost = 0;
+    bool valid = false;
+  };
+
+  const Found& best_of(int region, const CellMesh& start, const CutPlaces& places) {
+    CutPlaces cuts;
+    for (const auto& loop : profile_.regions[static_cast<std::size_t>(region)].loops)
+      for (const geometry::EdgeUse& use : loop)
+        cuts.push_back(input_.shared[use.edge.value] ? places[use.edge.value] : std::vector<double>{});
+    const auto [entry, is_new] = found_.try_emplace({region, cuts});
+    if (is_new) entry->second = search(region, start);
+    return entry->second;
+  }
+
+  Found search(int region, const CellMesh& start) const {
+    CellMesh part{start.nodes, {}};
+    for (const Cell& cell : start.cells)
+      if (cell.region == region) part.cells.push_back(cell);
+    const std::optional<CellMesh> ring = ring_start(input_.curves, part, input_.shared);
+    std::optional<Search> best;
+    const auto consider = [&](unsigned seed, int patience) {
+      const bool in_ring = ring && seed % 2 == 0;
+      Search next(input_, in_ring ? *ring : part, options_.seed + seed);
+      if (in_ring) next.polish();
+      next.remove_triangles(patience);
+      next.improve(static_cast<int>(options_.effort * (next.mesh().cells.size() + 5) / 40));
+      if (!best || next.cost() < best->cost()) best = std::move(next);
+    };
+    for (int s = 0; s < searches_; ++s) {
+      const std::size_t cells = best ? best->mesh().cells.size() : 0;
+      if (s > 0 && best->is_valid() && (cells == 1 || static_cast<std::size_t>(s) * cells > 150))
+        break;  // large drawings have no time for more
+      consider(static_cast<unsigned>(s), 60);
+    }
+    for (unsigned again = 0; again < 3 && !best->is_valid(); ++again) consider(10 + again, 150);
+    return {best->mesh(), best->cost(), best->is_valid()};
+  }
+
+  const SearchInput& input_;
+  const Profile& profile_;
+  const QuadrangulationOptions& options_;
+  int searches_;
+  std::map<std::pair<int, CutPlaces>, Found> found_;
+};
+
 }  // namespace
 
 CellMesh best_mesh(const SearchInput& input, const Profile& profile, const QuadrangulationOptions& options) {
   const bool any_shared =
       std::any_of(input.shared.begin(), input.shared.end(), [](bool shared) { return shared; });
-  std::vector<SharedCuts> ways = {{false, 0}, {true, 0}, {false, 0}, {true, 0}};
-  std::optional<Search> best;
-  const auto consider = [&](const SharedCuts& way, unsigned seed, int tries) {
-    const CutPlaces places = even_places(input.curves, input.shared,
-                                         shared_places(profile, input.curves, way), std::numbers::pi / 12);
-    Search search(input, triangles_of(profile, input.curves, places), seed);
-    search.remove_triangles(tries);
-    const int windows = static_cast<int>(options.effort * (search.mesh().cells.size() + 5) / 40);
-    search.improve(windows);
-    if (!best || search.cost() < best->cost()) best = std::move(search);
+  RegionSearches searches(input, profile, options, any_shared ? 3 : 4);
+  std::optional<RegionSearches::Whole> best;
+  const auto consider = [&](const SharedCuts& way) {
+    CutPlaces places = shared_places(profile, input.curves, way);
+    for (int round = 0; round < 10; ++round) {
+      RegionSearches::Whole whole = searches.divide(places);
+      if (!whole.open.empty()) places = further_places(profile, input.curves, places, whole.open);
+      const bool done = whole.open.empty() || !any_shared;
+      const auto rank = [](const RegionSearches::Whole& w) { return std::pair(w.open.size(), w.cost); };
+      if (!best || rank(whole) < rank(*best)) best = std::move(whole);
+      if (done) break;
+    }
   };
-  for (std::size_t w = 0; w < ways.size(); ++w) {
-    const std::size_t cells = best ? best->mesh().cells.size() : 0;
-    if (w > 0 && best->is_valid() && w * cells > 150) break;  // large drawings have no time for more
-    consider(ways[w], options.seed + static_cast<unsigned>(w), 60);
+  consider({});
+  const SharedCuts diagonal{true, 0};
+  if (shared_places(profile, input.curves, diagonal) != shared_places(profile, input.curves, {}))
+    consider(diagonal);
+  Search last(input, std::move(best->mesh), options.seed, true);
+  last.polish();
+  if (any_shared) {
+    last.improve(static_cast<int>(options.effort * (last.mesh().cells.size() + 5) / 80));
+    last.polish();
   }
-  for (unsigned again = 0; again < 6 && !best->is_valid();
-       ++again) {  // shared edges cut more, and more patience
-    const int more = any_shared && again < 4 ? 1 : 0;
-    consider({again % 2 == 1, more}, options.seed + 10 + again, 150);
-  }
-  best->polish();
-  return best->is_valid() ? best->mesh() : last_resort(input, best->mesh());
+  return last.is_valid() ? last.mesh() : last_resort(input, last.mesh());
 }
 
 }  // namespace isopatch::segmentation::planar

@@ -234,7 +234,11 @@ double cost_of(const ShapeRules& rules, const std::vector<Curve>& curves, const 
     shapes[k] = side_shape(curves, mesh.nodes, cell.sides[k]);
     sides[k] = &shapes[k];
   }
-  return std::min(cost_of(rules, sides, cell.count), rules.invalid);
+  const double cost = cost_of(rules, sides, cell.count);
+  if (cost < refused) return std::min(cost, rules.not_valid);
+  const double middle = (rules.invalid + rules.not_valid) / 2;
+  if (cell.count == 3) return middle;
+  return middle - (rules.invalid - middle) * std::clamp(least_jacobian(sides), -1.0, 1.0);
 }
 
 }  // namespace isopatch::segmentation::planar

@@ -46,7 +46,8 @@ struct ShapeRules {
       aspect_weight, slant_weight;
   double smallest_in_triangle = 0.12, largest_in_triangle = 3.02;  ///< triangles are on their way to vanish
   double triangle = 8;                                             ///< what one costs, in quadrilaterals
-  double invalid = 60;                                             ///< what a cell costs that must not stay
+  double invalid = 60;    ///< what a cell costs that must not stay, at most: less where it is less folded
+  double not_valid = 30;  ///< cells that cost more must not stay
 };
 
 /// The angle between 0 and 2 pi from one direction counterclockwise to another, that inside a corner if the
@@ -78,7 +79,7 @@ bool map_stands(const std::array<const SideShape*, 4>& sides, double smallest);
 /// Cost of a cell: 1 and what its shape costs, or `refused`.
 double cost_of(const ShapeRules& rules, const std::array<const SideShape*, 4>& sides, int count);
 
-/// Cost of a cell of a mesh: `rules.invalid` instead of `refused`.
+/// Cost of a cell of a mesh: from `rules.not_valid` to `rules.invalid` instead of `refused`.
 double cost_of(const ShapeRules& rules, const std::vector<Curve>& curves, const CellMesh& mesh,
                const Cell& cell);
 

@@ -170,19 +170,18 @@ class PolygonDivider {
   /// @param root number of the place at which the last stretch begins, if the link is that
   double close(int i, int j, const Link& closing, Choice& choice, double bound, int root = -1) {
     double best = bound;
-    const double at_i = closing.start, at_j = closing.end;
+    const double at_i = closing.start;
     for (int k = i + 1; k < j; ++k)
       for (const Way ik : {along, across}) {
         const Link& first = link(i, k, ik);
         if (!(first.cost < best)) continue;
         const double angle_i = between(first.start, at_i);
-        if (triangles_) try_triangles(i, k, j, ik, first, closing, angle_i, best, choice, root);
+        if (triangles_) try_triangles(i, k, j, ik, first, angle_i, best, choice, root);
         const double cost_i = corner_cost(rules_, angle_i);
         const double so_far = first.cost + cost_i + 1;
         if (!(so_far < best)) continue;
         try_quads(i, k, j, ik, first, closing, so_far, best, choice, root);
       }
-    (void)at_j;
     return best < bound ? best : refused;
   }
 
@@ -215,8 +214,8 @@ class PolygonDivider {
       }
   }
 
-  void try_triangles(int i, int k, int j, Way ik, const Link& first, const Link& closing, double angle_i,
-                     double& best, Choice& choice, int root) {
+  void try_triangles(int i, int k, int j, Way ik, const Link& first, double angle_i, double& best,
+                     Choice& choice, int root) {
     if (angle_i < rules_.smallest_in_triangle || angle_i > rules_.largest_in_triangle) return;
     for (const Way kj : {along, across}) {
       const Link& second = link(k, j, kj);

@@ -7,14 +7,15 @@
 #include <set>
 
 #include "segmentation/profiles/internal/relax.hpp"
+#include "segmentation/profiles/internal/ring.hpp"
 #include "segmentation/profiles/internal/triangulate.hpp"
 
 namespace isopatch::segmentation::planar {
 
 using Eigen::Vector2d;
 
-Search::Search(const SearchInput& input, CellMesh mesh, unsigned seed)
-    : input_(&input), mesh_(std::move(mesh)), neighbours_(mesh_), random_(seed + 1) {
+Search::Search(const SearchInput& input, CellMesh mesh, unsigned seed, bool slide)
+    : input_(&input), mesh_(std::move(mesh)), neighbours_(mesh_), random_(seed + 1), slide_(slide) {
   for (const Cell& cell : mesh_.cells) costs_.push_back(cost_of(input_->rules, input_->curves, mesh_, cell));
 }
 
@@ -23,12 +24,17 @@ double Search::chance() {
 }
 
 void Search::polish() {
-  std::vector<int> all(mesh_.nodes.size());
-  std::iota(all.begin(), all.end(), 0);
+  std::vector<int> all;
+  for (int n = 0; n < static_cast<int>(mesh_.nodes.size()); ++n)
+    if (may_move(mesh_.nodes[n])) all.push_back(n);
   for (int again = 0; again < 5; ++again)
     if (relax(input_->rules, input_->curves, mesh_, neighbours_, all, 10) < 1e-6) break;
   for (std::size_t c = 0; c < mesh_.cells.size(); ++c)
     costs_[c] = cost_of(input_->rules, input_->curves, mesh_, mesh_.cells[c]);
+}
+
+bool Search::may_move(const Node& node) const {
+  return slide_ || !node.is_cut() || !input_->shared[node.curve];
 }
 
 double Search::cost() const {
@@ -41,8 +47,8 @@ int Search::triangles() const {
 }
 
 bool Search::is_valid() const {
-  return triangles() == 0 &&
-         std::all_of(costs_.begin(), costs_.end(), [&](double cost) { return cost < input_->rules.invalid; });
+  return triangles() == 0 && std::all_of(costs_.begin(), costs_.end(),
+                                         [&](double cost) { return cost < input_->rules.not_valid; });
 }
 
 void Search::remove_triangles(int tries) {
@@ -50,13 +56,13 @@ void Search::remove_triangles(int tries) {
   while (in_vain < tries) {
     std::vector<int> left;
     for (std::size_t c = 0; c < mesh_.cells.size(); ++c)
-      if (mesh_.cells[c].count == 3 || costs_[c] >= input_->rules.invalid)
+      if (mesh_.cells[c].count == 3 || costs_[c] >= input_->rules.not_valid)
         left.push_back(static_cast<int>(c));
     if (left.empty()) return;
     Try what;
     what.room = 16 + static_cast<int>(random_() % 24);
     if (in_vain > 8) {
-      constexpr int patterns[] = {0, 1, 0, 2, all_around, 1};
+      constexpr int patterns[] = {0, 1, all_around, 2, all_around, 1};
       what.inside = patterns[in_vain % 6];
       what.leave_out = random_() % 2 ? 1 : 0.5;
       what.join_anew = random_() % 3 == 0;
@@ -164,7 +170,7 @@ bool Search::add_nodes_inside(std::vector<Place>& places, int number, const std:
     return (mesh_.nodes[places[a].node].point - pole).norm() <
            (mesh_.nodes[places[b].node].point - pole).norm();
   });
-  if (number == all_around) return add_ring_inside(places, pole, radius);
+  if (number == all_around) return add_ring_inside(places, outline);
   const std::size_t at = order[random_() % std::min<std::size_t>(order.size(), 12)];
   const Vector2d start = mesh_.nodes[places[at].node].point;
   const Vector2d towards = (start - pole).normalized(), across(-towards.y(), towards.x());
@@ -193,7 +199,7 @@ void Search::hang(std::vector<Place>& places, std::size_t at, const std::vector<
   places.insert(places.begin() + static_cast<std::ptrdiff_t>(at), detour.begin(), detour.end());
 }
 
-bool Search::add_ring_inside(std::vector<Place>& places, const Vector2d& pole, double radius) {
+bool Search::add_ring_inside(std::vector<Place>& places, const std::vector<Vector2d>& outline) {
   const std::size_t count = places.size();
   std::set<int> met;
   std::vector<SideShape> shapes;
@@ -203,15 +209,17 @@ bool Search::add_ring_inside(std::vector<Place>& places, const Vector2d& pole, d
   }
   const std::vector<std::size_t> corners = ring_corners(places, shapes);
   if (corners.size() < 3) return false;
-  const double depth = (0.1 + 0.5 * chance()) * radius;
+  const double share = 0.15 + 0.55 * chance();
   std::vector<Vector2d> points;
   for (const std::size_t i : corners) {
     const double out = shapes[i].start_direction,
                  in = shapes[(i + count - 1) % count].end_direction + std::numbers::pi;
-    const double middle = out + angle_between(out, in) / 2;
-    const Vector2d point =
-        mesh_.nodes[places[i].node].point + depth * Vector2d(std::cos(middle), std::sin(middle));
-    points.emplace_back(point + 0.15 * (pole - point));
+    const double half = angle_between(out, in) / 2;
+    const Vector2d corner = mesh_.nodes[places[i].node].point,
+                   way(std::cos(out + half), std::sin(out + half));
+    const double room = room_along(corner, way, half, outline);
+    if (!(room < refused)) return false;
+    points.emplace_back(corner + std::min(0.8, share * (0.8 + 0.4 * chance())) * room * way);
   }
   hang(places, corners.front(), points);
   return true;
@@ -251,7 +259,7 @@ bool Search::divide_anew(int cell, const Try& what) {
   bool triangles = false;
   for (const int c : cells) {
     now += costs_[c];
-    triangles = triangles || mesh_.cells[c].count == 3 || costs_[c] >= input_->rules.invalid;
+    triangles = triangles || mesh_.cells[c].count == 3 || costs_[c] >= input_->rules.not_valid;
   }
   const std::size_t nodes_before = mesh_.nodes.size();
   std::vector<Place> places;
@@ -297,7 +305,7 @@ bool Search::replace(const std::vector<int>& cells, const std::vector<Cell>& by,
           if (is_new) next.nodes.push_back(mesh_.nodes[*node]);
           *node = entry->second;
         }
-        moved.insert(*node);
+        if (may_move(next.nodes[*node])) moved.insert(*node);
       }
     next.cells.push_back(cell);
   }

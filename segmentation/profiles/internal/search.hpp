@@ -22,7 +22,8 @@ struct SearchInput {
 /// Divides windows of a mesh anew, one after the other, where that costs less.
 class Search {
  public:
-  Search(const SearchInput& input, CellMesh mesh, unsigned seed);
+  /// @param slide whether cuts of shared edges may be moved
+  Search(const SearchInput& input, CellMesh mesh, unsigned seed, bool slide = false);
 
   /// Until no triangle is left or a number of windows has been tried in vain.
   void remove_triangles(int tries);
@@ -50,7 +51,7 @@ class Search {
   bool divide_anew(int cell, const Try& what);
   void add_candidates(std::vector<Place>& places, int limit);
   bool add_nodes_inside(std::vector<Place>& places, int number, const std::vector<int>& cells);
-  bool add_ring_inside(std::vector<Place>& places, const Eigen::Vector2d& pole, double radius);
+  bool add_ring_inside(std::vector<Place>& places, const std::vector<Eigen::Vector2d>& outline);
   /// Places that a ring of nodes inside is put beside: corners, and more where the outline turns much.
   std::vector<std::size_t> ring_corners(const std::vector<Place>& places,
                                         const std::vector<SideShape>& shapes);
@@ -59,12 +60,14 @@ class Search {
   bool replace(const std::vector<int>& cells, const std::vector<Cell>& by, double gain,
                std::size_t nodes_before);
   double chance();
+  bool may_move(const Node& node) const;
 
   const SearchInput* input_;
   CellMesh mesh_;
   Neighbours neighbours_;
   std::vector<double> costs_;
   Random random_;
+  bool slide_;
 };
 
 }  // namespace isopatch::segmentation::planar

@@ -1,6 +1,7 @@
 #include "segmentation/profiles/internal/shared_cuts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
 #include <numbers>
@@ -84,19 +85,93 @@ std::vector<int> cuts_for_parity(const Profile& profile, const std::vector<Curve
   return result;
 }
 
-/// Halves the longest stretches.
+/// How much of a curve lies before each of its parameters: its length, and so much more where it bends.
+class Weight {
+ public:
+  /// @param share of the length, where a right angle counts 1
+  Weight(const Curve& curve, double share) : so_far_{0} {
+    for (int i = 0; i < samples; ++i) {
+      const double low = static_cast<double>(i) / samples, high = static_cast<double>(i + 1) / samples;
+      const Eigen::Vector2d a = curve.derivative(low), b = curve.derivative(high);
+      const double turn = std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
+      so_far_.push_back(so_far_.back() + turn / (pi / 2) +
+                        share * (curve.at(high) - curve.at(low)).norm() / curve.length());
+    }
+  }
+  double all() const { return so_far_.back(); }
+  double before(double parameter) const {  // goes on beyond 1
+    const double turns = std::floor(parameter), at = (parameter - turns) * samples;
+    const auto i = static_cast<std::size_t>(std::min(at, samples - 1.0));
+    return turns * all() + so_far_[i] + (at - static_cast<double>(i)) * (so_far_[i + 1] - so_far_[i]);
+  }
+  double parameter_at(double weight) const {
+    const double turns = std::floor(weight / all());
+    weight -= turns * all();
+    const auto above = std::upper_bound(so_far_.begin() + 1, so_far_.end() - 1, weight);
+    const double low = *(above - 1), part = (weight - low) / (*above - low);
+    return turns + (static_cast<double>(above - so_far_.begin()) - 1 + part) / samples;
+  }
+
+ private:
+  static constexpr int samples = 256;
+  std::vector<double> so_far_;
+};
+
+/// Halves the stretches that are longest, bends counted.
 void cut_further(const Curve& curve, std::vector<double>& places, int number) {
+  if (number <= 0) return;
+  const Weight weight(curve, 1);
   for (; number > 0; --number) {
     std::vector<double> ends = places;
     if (!curve.closed()) ends.insert(ends.begin(), 0.0);
     ends.push_back(curve.closed() ? ends.front() + 1 : 1.0);
+    const auto between = [&](std::size_t i) { return weight.before(ends[i + 1]) - weight.before(ends[i]); };
     std::size_t longest = 0;
     for (std::size_t i = 0; i + 1 < ends.size(); ++i)
-      if (ends[i + 1] - ends[i] > ends[longest + 1] - ends[longest] + 1e-9) longest = i;
-    const double middle = (ends[longest] + ends[longest + 1]) / 2;
+      if (between(i) > between(longest) + 1e-9) longest = i;
+    const double middle =
+        weight.parameter_at((weight.before(ends[longest]) + weight.before(ends[longest + 1])) / 2);
     places.push_back(middle - std::floor(middle));
     std::sort(places.begin(), places.end());
   }
+}
+
+/// Cuts a curve with ends into pieces that bend alike: at most so much, and less where most of its bending is
+/// within a quarter of it, since such sides fold quadrilaterals.
+void cut_where_it_bends(const Curve& curve, std::vector<double>& places, double most) {
+  const Weight weight(curve, 0.1);
+  for (double at = 0; at < 0.75; at += 1.0 / 32)
+    if (weight.before(at + 0.25) - weight.before(at) > 0.45 * weight.all())
+      most = std::min(most, 80 * pi / 180);
+  const int pieces = static_cast<int>(std::ceil(curve.turning() / most));
+  for (int i = 1; i < pieces; ++i) places.push_back(weight.parameter_at(weight.all() * i / pieces));
+}
+
+void make_even(const Profile& profile, const std::vector<Curve>& curves, CutPlaces& places) {
+  const std::vector<int> further = cuts_for_parity(profile, curves, places);
+  for (std::size_t e = 0; e < curves.size(); ++e) cut_further(curves[e], places[e], further[e]);
+}
+
+/// Enters the feet of points on a curve that are not close to its ends, its cuts and each other.
+bool cut_at_feet(const Curve& curve, const std::vector<Eigen::Vector2d>& points,
+                 std::vector<double>& places) {
+  constexpr double apart = 0.08;
+  bool any = false;
+  for (const Eigen::Vector2d& point : points) {
+    const double at = curve.nearest(point, 0, 1);
+    const auto is_close = [&](double place) { return std::abs(at - place) < apart; };
+    if (is_close(0) || is_close(1) || std::any_of(places.begin(), places.end(), is_close)) continue;
+    places.push_back(at);
+    any = true;
+  }
+  std::sort(places.begin(), places.end());
+  return any;
+}
+
+Eigen::Vector2d middle_of(const Curve& curve) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (int i = 0; i < 16; ++i) sum += curve.at(i / 16.0) / 16;
+  return sum;
 }
 
 }  // namespace
@@ -117,15 +192,47 @@ CutPlaces shared_places(const Profile& profile, const std::vector<Curve>& curves
       result[e] = places_of_directions(curves[e], cuts.diagonal ? pi / 4 : 0, pi / 2);
       for (double& at : result[e]) at -= std::floor(at);
       std::sort(result[e].begin(), result[e].end());
-    } else if (!curves[e].straight()) {
-      cut_further(curves[e], result[e],
-                  std::max(0, static_cast<int>(std::ceil(curves[e].turning() / most)) - 1));
+    } else {
+      cut_where_it_bends(curves[e], result[e], most);
     }
     if (result[e].empty() && curves[e].closed()) result[e] = {0, 0.25, 0.5, 0.75};
     cut_further(curves[e], result[e], cuts.more);
   }
-  const std::vector<int> further = cuts_for_parity(profile, curves, result);
-  for (std::size_t e = 0; e < curves.size(); ++e) cut_further(curves[e], result[e], further[e]);
+  make_even(profile, curves, result);
+  return result;
+}
+
+CutPlaces further_places(const Profile& profile, const std::vector<Curve>& curves, const CutPlaces& places,
+                         const std::vector<int>& regions) {
+  const std::vector<bool> shared = shared_edges(profile);
+  CutPlaces result = places;
+  for (const int region : regions) {
+    std::vector<int> edges;
+    std::vector<Eigen::Vector2d> bores;
+    for (const auto& loop : profile.regions[region].loops)
+      for (const geometry::EdgeUse& use : loop) {
+        const Curve& curve = curves[use.edge.value];
+        if (shared[use.edge.value]) edges.push_back(use.edge.value);
+        if (curve.closed() && loop != profile.regions[region].loops.front())
+          bores.push_back(middle_of(curve));
+      }
+    bool any = false;
+    for (const int edge : edges) {
+      std::vector<Eigen::Vector2d> points = bores;
+      for (const int other : edges)
+        for (const double at : places[other])
+          if (other != edge) points.push_back(curves[other].at(at));
+      if (curves[edge].straight()) any = cut_at_feet(curves[edge], points, result[edge]) || any;
+    }
+    if (any || edges.empty()) continue;
+    const auto stretch = [&](int edge) {
+      return Weight(curves[edge], 1).all() / static_cast<double>(result[edge].size() + 1);
+    };
+    const int longest =
+        *std::max_element(edges.begin(), edges.end(), [&](int a, int b) { return stretch(a) < stretch(b); });
+    cut_further(curves[longest], result[longest], 1);
+  }
+  make_even(profile, curves, result);
   return result;
 }
 

@@ -33,6 +33,7 @@ class Drawing {
     result.points.back() = result.points.front();
     return edge(result);
   }
+  int curve(int a, int b, const std::vector<Vector2d>& points) { return edge({a, b, points}); }
   /// Lines through points, closed; the edges in order.
   std::vector<int> polygon(const std::vector<Vector2d>& points) {
     std::vector<int> vertices, result;
@@ -181,6 +182,49 @@ inline std::vector<int> rounded(Drawing& drawing, double x0, double y0, double x
           drawing.line(e, f), drawing.arc(f, g, {x0 + r, y1 - r}),
           drawing.line(g, h), drawing.arc(h, a, {x0 + r, y0 + r})};
 }
+/// A plate and in it a long pocket, both divided; the pocket's four sides are smooth and join smoothly.
+inline Profile plate_with_smooth_pocket() {
+  Drawing drawing;
+  const auto out = drawing.rectangle(-3, -1.5, 3, 1.5);
+  const auto at = [](double angle) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    return Vector2d(2.2 * std::copysign(std::pow(std::abs(c), 0.8), c), (0.5 + 0.15 * c) * s + 0.15 * c * c);
+  };
+  const std::vector<double> joints = {0.5, 1.2, 2.8, 3.9};
+  std::vector<int> vertices, in;
+  for (const double joint : joints) vertices.push_back(drawing.vertex(at(joint).x(), at(joint).y()));
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const std::size_t next = (i + 1) % joints.size();
+    const double end = joints[next] + (next == 0 ? 2 * std::numbers::pi : 0);
+    std::vector<Vector2d> points;
+    for (int k = 0; k <= 48; ++k) points.push_back(at(joints[i] + (end - joints[i]) * k / 48));
+    in.push_back(drawing.curve(vertices[i], vertices[next], points));
+  }
+  drawing.region({out, Drawing::backwards(in)});
+  drawing.region({in});
+  return drawing.profile;
+}
+
+/// Narrow and wide strips side by side, with two bores far apart in every second wide one: fins on a plate.
+inline Profile strips_with_bores() {
+  Drawing drawing;
+  const std::vector<double> places = {0, 0.2, 1.2, 1.4, 2.4, 2.6};
+  std::vector<int> low, high, lines;
+  for (const double x : places) {
+    low.push_back(drawing.vertex(x, 0));
+    high.push_back(drawing.vertex(x, 6));
+    lines.push_back(drawing.line(low.back(), high.back()));
+  }
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+    const int bottom = drawing.line(low[i], low[i + 1]), top = drawing.line(high[i], high[i + 1]);
+    std::vector<std::vector<int>> loops = {{bottom, lines[i + 1], ~top, ~lines[i]}};
+    if (i == 1)
+      for (const double y : {1.0, 5.0}) loops.push_back({~drawing.circle({places[i] + 0.5, y}, 0.2)});
+    drawing.region(loops);
+  }
+  return drawing.profile;
+}
+
 inline Profile rounded_plate() {
   Drawing drawing;
   drawing.region({rounded(drawing, 0, 0, 4, 3, 0.6)});

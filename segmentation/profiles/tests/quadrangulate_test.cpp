@@ -144,6 +144,8 @@ TEST(Quadrangulate, DISABLED_TableOfTheReadme) {
       {"slot", slot(1)},
       {"plate with a slot", plate_with_slot()},
       {"plate with a pocket, both divided", plate_with_pocket()},
+      {"plate with a smooth pocket, both divided", plate_with_smooth_pocket()},
+      {"strips, two bores in one", strips_with_bores()},
       {"plate with round corners", rounded_plate()},
       {"thin frame with round inner corners", frame(0.1, 0.3)},
       {"shaft with a keyway", keyway()},
@@ -162,6 +164,16 @@ TEST(Quadrangulate, DISABLED_TableOfTheReadme) {
 
 TEST(Quadrangulate, PocketsShareTheirOutline) {
   EXPECT_LE(count_of(plate_with_pocket()), 14U);
+}
+
+TEST(Quadrangulate, SmoothPocketsGetARing) {
+  EXPECT_LE(count_of(plate_with_smooth_pocket()), 24U);
+}
+
+TEST(Quadrangulate, SharedEdgesAreCutOppositeBores) {
+  const Profile profile = strips_with_bores();
+  EXPECT_LE(count_of(profile), 24U);
+  EXPECT_GE(checks::angles_of(profile, quadrangulate(profile)).first, 25);  // 15 without
 }
 
 }  // namespace
