@@ -141,7 +141,7 @@ void cut_further(const Curve& curve, std::vector<double>& places, int number) {
 void cut_where_it_bends(const Curve& curve, std::vector<double>& places, double most) {
   const Weight weight(curve, 0.1);
   for (double at = 0; at < 0.75; at += 1.0 / 32)
-    if (weight.before(at + 0.25) - weight.before(at) > 0.45 * weight.all())
+    if (weight.before(at + 0.25) - weight.before(at) > 0.35 * weight.all())
       most = std::min(most, 80 * pi / 180);
   const int pieces = static_cast<int>(std::ceil(curve.turning() / most));
   for (int i = 1; i < pieces; ++i) places.push_back(weight.parameter_at(weight.all() * i / pieces));
