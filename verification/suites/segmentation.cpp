@@ -110,13 +110,34 @@ TEST(Segmentation, OwnSolids) {
   for (const char* model : {"l_shape.off", "house.off", "steps.off"}) expect_segmented(model, 0);
 }
 
-/// Parts of segmentation.json that become hexahedra so far. The others, which have figures too: bracket,
-/// flange (whose round is in the way, and counts in its figures).
-constexpr std::array parts_that_are_cut = {"parts/chamfered_block.step", "parts/bored_block.step",
-                                           "parts/link.step"};
+/// A part, and the refinement of the coarsest of its three meshes.
+struct Part {
+  const char* model;
+  int from;
+};
+/// Those of segmentation.json that become hexahedra so far; the fewer these are, the finer they have to be.
+/// The others, which have figures too: bracket, flange (whose round is in the way, and counts in its
+/// figures).
+constexpr std::array parts_that_are_cut = {Part{"parts/chamfered_block.step", 0},
+                                           Part{"parts/bored_block.step", 2}, Part{"parts/link.step", 1}};
 
 TEST(FullSegmentation, Parts) {
-  for (const char* part : parts_that_are_cut) expect_segmented(part, 0);
+  for (const Part& part : parts_that_are_cut) expect_segmented(part.model, part.from);
+}
+
+// The TERRIFIC demonstrator as one CAD solid, 0.13 % larger than the published patches, against what these
+// give.
+TEST(FullSegmentation, DemonstratorFromCad) {
+  const SolvedStudy study = solved("examples/parts/demonstrator.toml",
+                                   {"model.file=" + path_of("parts/demonstrator.step").string()});
+  const auto& results = study.run.solution.results;
+  const Tolerance near{1e-2, "other pockets' corners, and 0.13 % more material"};
+  expect(Claim{"demonstrator from CAD: largest displacement", "m", ReferenceKind::other_method,
+               "the 15 published patches of examples/terrific, degree 3", 6.986e-3,
+               results.max_displacement.value, near, study.named});
+  expect(Claim{"demonstrator from CAD: energy", "J", ReferenceKind::other_method,
+               "the 15 published patches of examples/terrific, degree 3", 70.025, results.internal_energy,
+               near, study.named});
 }
 
 TEST(Segmentation, House) {
