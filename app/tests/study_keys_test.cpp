@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "app/study/parse_study.hpp"
 #include "app/tests/study_words.hpp"
 #include "geometry/base/error.hpp"
 

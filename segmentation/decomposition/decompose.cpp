@@ -229,10 +229,17 @@ class Decomposer {
     if (!best_ || way.report.hexahedra < best_->report.hexahedra) best_ = std::move(way);
   }
 
+  std::string late_to_meet() const {
+    return fmt::format(
+        "its parts could not be made to meet side to side in {:.3g} s; raise time_limit, or cut "
+        "the solid in the CAD program where they join",
+        options_.time_limit);
+  }
+
   [[noreturn]] void give_up() const {
     if (!cut_.empty())
-      throw unfinished_meeting(Error(ErrorCode::unsupported, why_not_), solid_, cut_.front().parts,
-                               cut_.front().t_joints);
+      throw unfinished_meeting(Error(ErrorCode::unsupported, why_not_.empty() ? late_to_meet() : why_not_),
+                               solid_, cut_.front().parts, cut_.front().t_joints);
     if (!unfinished_) throw Error(ErrorCode::unsupported, why_not_);
     if (store_.time_is_up())
       throw unfinished_search(

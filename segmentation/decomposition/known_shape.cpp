@@ -6,6 +6,7 @@
 
 #include "geometry/base/error.hpp"
 #include "geometry/base/stopwatch.hpp"
+#include "segmentation/decomposition/prepare.hpp"
 #include "segmentation/sweeps/swept_cells.hpp"
 
 namespace isopatch::segmentation {
@@ -16,6 +17,16 @@ std::string direction_text(const Eigen::Vector3d& direction) {
   for (int i = 0; i < 3; ++i)
     if (std::abs(direction[i]) > 1 - 1e-12) return std::string(1, "xyz"[i]);
   return fmt::format("({:.3g}, {:.3g}, {:.3g})", direction.x(), direction.y(), direction.z());
+}
+
+/// Whether planes come in several faces, as of triangulations: their outlines would all be drawn.
+bool planes_are_divided(const geometry::Brep& solid) {
+  try {
+    const geometry::CellComplex merged = prepared(solid);
+    return merged.cells.front().faces.size() < solid.faces().size();
+  } catch (const Error&) {
+    return false;  // faces with holes or seams are of no triangulation
+  }
 }
 
 std::string text_of(const SweptCells& swept) {
@@ -29,6 +40,7 @@ KnownShape known_shape(const geometry::Brep& solid, const DecompositionOptions& 
   const Stopwatch watch;
   KnownShape result;
   if (options.method == Method::cuts || options.t_joints == TJoints::keep) return result;
+  if (planes_are_divided(solid)) return result;
   try {
     const std::optional<SweptCells> swept = swept_cells(solid);
     if (!swept) return result;

@@ -11,6 +11,7 @@
 
 #include "geometry/base/error.hpp"
 #include "geometry/base/union_find.hpp"
+#include "segmentation/decomposition/combinatorics/base_solid.hpp"
 #include "segmentation/decomposition/cutting/auxiliary_curve.hpp"
 #include "segmentation/decomposition/cutting/cell_sides.hpp"
 #include "segmentation/decomposition/cutting/cutting_surface.hpp"

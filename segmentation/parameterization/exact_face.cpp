@@ -7,6 +7,8 @@
 #include "segmentation/parameterization/internal/edge_samples.hpp"
 
 namespace isopatch::segmentation {
+
+using geometry::KnotVector;
 namespace {
 
 /// Of the distance that is good enough: nearer is exact, and no other net need be looked at.

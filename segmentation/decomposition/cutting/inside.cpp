@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/brep/cell_solids.hpp"
+#include "segmentation/decomposition/cutting/cell_sides.hpp"
 
 namespace isopatch::segmentation {
 

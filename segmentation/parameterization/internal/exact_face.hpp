@@ -2,7 +2,9 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
+#include "geometry/splines/knot_vector.hpp"
 #include "segmentation/parameterization/deviation_grid.hpp"
 #include "segmentation/parameterization/internal/face_map.hpp"
 #include "segmentation/parameterization/internal/rational_net.hpp"
@@ -24,7 +26,7 @@ struct ExactFace {
 /// @param at        parameters to look at
 /// @param distance  from the surface that is good enough, model units
 /// @return  nothing where none is that near
-std::optional<ExactFace> exact_face(const FaceMap& map, const std::array<KnotVector, 2>& knots,
+std::optional<ExactFace> exact_face(const FaceMap& map, const std::array<geometry::KnotVector, 2>& knots,
                                     const RationalNet& framed, const std::array<std::vector<double>, 2>& at,
                                     double distance);
 

@@ -153,7 +153,7 @@ void flip(const std::vector<Vector2d>& points, const std::vector<std::vector<int
   std::vector<std::pair<int, int>> todo;
   for (const auto& [edge, t] : of) todo.push_back(edge);
   for (std::size_t rounds = 50 * todo.size(); !todo.empty() && rounds > 0; --rounds) {
-    const auto [a, b] = todo.back();
+    const int a = todo.back().first, b = todo.back().second;  // no bindings: a lambda takes them
     todo.pop_back();
     const auto one = of.find({a, b}), two = of.find({b, a});
     if (one == of.end() || two == of.end() || fixed.contains({a, b}) || fixed.contains({b, a})) continue;
