@@ -53,7 +53,7 @@ ExactCurve arc_of(const Brep& brep, EdgeId edge) {
     points.col(2 * i + 2) = brep.point(edge, (i + 1.0) / pieces);
     const Eigen::Vector3d middle = (points.col(2 * i) + points.col(2 * i + 2)) / 2;
     points.col(2 * i + 1) = shoulder + (shoulder - middle) / weight;
-    weights[2 * i + 1] = weight;
+    weights[2 * Eigen::Index(i) + 1] = weight;
   }
   return {NurbsCurve({KnotVector::uniform(2, pieces, 2)}, points, weights),
           [pieces, half_of_piece](double u) { return share_of_angle(u, pieces, half_of_piece); }};
@@ -91,7 +91,7 @@ std::optional<ExactCurve> exact_curve(const Brep& brep, EdgeId edge) {
   const CurveKind kind = brep.edge(edge).kind;
   if (kind == CurveKind::line || brep.edge(edge).start == brep.edge(edge).end) return std::nullopt;
   try {
-    const std::optional<ExactCurve> found =
+    std::optional<ExactCurve> found =
         kind == CurveKind::circle || kind == CurveKind::ellipse ? arc_of(brep, edge) : own_form(brep, edge);
     if (found && agrees(brep, edge, *found)) return found;
   } catch (const Error&) {  // no rational form

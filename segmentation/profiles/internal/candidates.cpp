@@ -23,7 +23,7 @@ std::vector<Vector2d> features_of(const Profile& profile, const std::vector<Curv
   return result;
 }
 
-void enter_feet(const Curve& curve, std::vector<Vector2d> features, std::vector<double>& places) {
+void enter_feet(const Curve& curve, const std::vector<Vector2d>& features, std::vector<double>& places) {
   constexpr std::size_t most = 12;
   std::vector<std::pair<double, double>> feet;
   for (const Vector2d& feature : features) {

@@ -223,7 +223,8 @@ double cost_of(const ShapeRules& rules, const std::array<const SideShape*, 4>& s
   for (const SideShape* side : sides)
     if (side->turning > rules.largest_turn) return refused;
   if (!(sum < refused)) return refused;
-  return map_stands(sides, rules.smallest_jacobian) ? sum : refused;
+  if (!map_stands(sides, rules.smallest_jacobian)) return refused;
+  return sum;
 }
 
 double cost_of(const ShapeRules& rules, const std::vector<Curve>& curves, const CellMesh& mesh,

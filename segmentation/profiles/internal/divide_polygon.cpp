@@ -182,7 +182,8 @@ class PolygonDivider {
         if (!(so_far < best)) continue;
         try_quads(i, k, j, ik, first, closing, so_far, best, choice, root);
       }
-    return best < bound ? best : refused;
+    if (best < bound) return best;
+    return refused;
   }
 
   void try_quads(int i, int k, int j, Way ik, const Link& first, const Link& closing, double so_far,
