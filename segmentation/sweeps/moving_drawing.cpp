@@ -34,6 +34,11 @@ NurbsCurve blend(const NurbsCurve& a, const NurbsCurve& b, double share) {
                                       (1 - share) * points.leftCols(count) + share * points.rightCols(count));
 }
 
+/// How far a height is from those of a track; 0 between its lowest and its highest.
+double distance(double lowest, double highest, double height) {
+  return std::max({0.0, lowest - height, height - highest});
+}
+
 }  // namespace
 
 MovingDrawing::MovingDrawing(const Brep& solid, const SweepFrame& frame, const SweptDrawing& drawing,
@@ -75,7 +80,7 @@ void MovingDrawing::find_vertex_tracks() {
 
 const MovingDrawing::Piece* MovingDrawing::at_height(const std::vector<Piece>& pieces, double height) {
   const auto off = [&](const Piece& piece) {
-    return std::max({0.0, piece.track->at.front().height - height, height - piece.track->at.back().height});
+    return distance(piece.track->at.front().height, piece.track->at.back().height, height);
   };
   const auto nearest = std::min_element(pieces.begin(), pieces.end(),
                                         [&](const Piece& a, const Piece& b) { return off(a) < off(b); });
@@ -159,7 +164,7 @@ std::optional<Eigen::Vector2d> MovingDrawing::tracked_place(int vertex, double h
   }
   if (const auto known = vertex_tracks_.find(vertex); known != vertex_tracks_.end()) {
     const auto off = [&](const VertexTrack* track) {
-      return std::max({0.0, track->at.front().first - height, height - track->at.back().first});
+      return distance(track->at.front().first, track->at.back().first, height);
     };
     const VertexTrack* nearest =
         *std::min_element(known->second.begin(), known->second.end(),
@@ -239,14 +244,6 @@ NurbsCurve MovingDrawing::curve(int number, double height) const {
   if (drawn.profile_edge < 0 || (still.degree(0) == 1 && still.size() == 2))
     return geometry::segment(place(drawn.start, height), place(drawn.end, height));
   return pushed(still, frame_, height);
-}
-
-bool MovingDrawing::moves(int number) const {
-  const QuadEdge& drawn = edge(number);
-  for (const int vertex : {drawn.start, drawn.end})
-    if (vertex_tracks_.contains(vertex) || on_track_.contains(vertex) || vertex_rings_.contains(vertex))
-      return true;
-  return !pieces_[static_cast<std::size_t>(number)].empty();
 }
 
 std::vector<double> MovingDrawing::kinks(int number) const {

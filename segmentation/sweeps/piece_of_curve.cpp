@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "geometry/base/angle.hpp"
 #include "geometry/base/error.hpp"
 #include "geometry/splines/arc.hpp"
 #include "geometry/splines/refine.hpp"
@@ -32,10 +33,10 @@ NurbsCurve conic_piece(const Brep& brep, EdgeId edge, double low, double high) {
   const Eigen::Vector3d in = brep.tangent(edge, wrapped(high)).normalized();
   const Eigen::Vector3d normal = out.cross(in);
   const double turn = std::atan2(normal.norm(), out.dot(in));
-  constexpr double largest_turn = 170.0 / 180.0 * 3.14159265358979323846;
+  constexpr double largest_turn = Angle::degrees(170).radians();
   if (turn > largest_turn)
     throw Error(ErrorCode::unsupported, fmt::format("an arc of {:.0f} degrees on edge {} has to be divided",
-                                                    turn * 57.29577951, edge.value));
+                                                    Angle::radians(turn).degrees(), edge.value));
   // Where the tangents meet.
   const double along = (end - start).cross(in).dot(normal) / normal.squaredNorm();
   const Eigen::Vector3d apex = start + along * out;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
-#include <numeric>
+#include <numbers>
 #include <set>
-#include <string>
 
 #include <fmt/format.h>
 
@@ -18,6 +18,18 @@ namespace {
 
 using geometry::Brep;
 using geometry::EdgeUse;
+
+/// Between values known at heights on straight lines, above and below as the nearest.
+template <class Value>
+Value at_height(const std::vector<std::pair<double, Value>>& known, double height) {
+  const auto above =
+      std::find_if(known.begin(), known.end(), [&](const auto& at) { return at.first >= height; });
+  if (above == known.begin()) return above->second;
+  if (above == known.end()) return known.back().second;
+  const auto below = std::prev(above);
+  const double share = (height - below->first) / (above->first - below->first);
+  return below->second + share * (above->second - below->second);
+}
 
 class Tracker {
  public:
@@ -92,7 +104,7 @@ class Tracker {
       }
     if (lengths.size() != 2) return std::nullopt;
     for (const auto& [height, length] : lengths)
-      if (std::abs(length - 2 * 3.14159265358979323846 * radii[height]) > 1e-6 * length) return std::nullopt;
+      if (std::abs(length - 2 * std::numbers::pi * radii[height]) > 1e-6 * length) return std::nullopt;
     return Ring{face, centre, {*radii.begin(), *radii.rbegin()}};
   }
 
@@ -296,24 +308,11 @@ Tracks tracks(const Brep& solid, const SweepFrame& frame) {
 }
 
 double growth(const RingTrack& track, double height) {
-  const auto above = std::find_if(track.at.begin(), track.at.end(),
-                                  [&](const auto& known) { return known.first >= height; });
-  const double drawn = track.at.front().second;
-  if (above == track.at.begin()) return 1;
-  if (above == track.at.end()) return track.at.back().second / drawn;
-  const auto below = std::prev(above);
-  const double share = (height - below->first) / (above->first - below->first);
-  return (below->second + share * (above->second - below->second)) / drawn;
+  return at_height(track.at, height) / track.at.front().second;
 }
 
 Eigen::Vector2d place(const VertexTrack& track, double height) {
-  const auto above = std::find_if(track.at.begin(), track.at.end(),
-                                  [&](const auto& known) { return known.first >= height; });
-  if (above == track.at.begin()) return above->second;
-  if (above == track.at.end()) return track.at.back().second;
-  const auto below = std::prev(above);
-  const double share = (height - below->first) / (above->first - below->first);
-  return below->second + share * (above->second - below->second);
+  return at_height(track.at, height);
 }
 
 }  // namespace isopatch::segmentation

@@ -159,7 +159,7 @@ CellMesh best_mesh(const SearchInput& input, const Profile& profile, const Quadr
     }
   };
   consider({});
-  const SharedCuts diagonal{true, 0};
+  const SharedCuts diagonal{true};
   if (shared_places(profile, input.curves, diagonal) != shared_places(profile, input.curves, {}))
     consider(diagonal);
   Search last(input, std::move(best->mesh), options.seed, true);

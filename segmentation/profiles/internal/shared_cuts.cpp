@@ -196,7 +196,6 @@ CutPlaces shared_places(const Profile& profile, const std::vector<Curve>& curves
       cut_where_it_bends(curves[e], result[e], most);
     }
     if (result[e].empty() && curves[e].closed()) result[e] = {0, 0.25, 0.5, 0.75};
-    cut_further(curves[e], result[e], cuts.more);
   }
   make_even(profile, curves, result);
   return result;

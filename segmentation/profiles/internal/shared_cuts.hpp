@@ -12,7 +12,6 @@ std::vector<bool> shared_edges(const Profile& profile);
 /// How shared edges, whose cuts two regions must agree on, are cut at the start.
 struct SharedCuts {
   bool diagonal = false;  ///< closed curves between the axes instead of on them
-  int more = 0;           ///< further cuts on each edge
 };
 
 /// Cuts of shared edges, so few that sides turn little and each region can have an even number of corners.

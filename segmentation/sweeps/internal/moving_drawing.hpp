@@ -21,7 +21,6 @@ class MovingDrawing {
   Eigen::Vector3d place(int vertex, double height) const;
   /// Exact, over [0, 1] from start to end, in space.
   geometry::NurbsCurve curve(int edge, double height) const;
-  bool moves(int edge) const;
   /// Heights where walls beside an edge of the drawing begin, end or change their slope.
   std::vector<double> kinks(int edge) const;
 
