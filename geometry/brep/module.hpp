@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -55,6 +57,12 @@ struct KernelOverlay {
   std::vector<std::vector<int>> covered_by;
 };
 
+/// As `CutPart`.
+struct KernelPart {
+  KernelSolid solid;
+  std::vector<std::optional<FaceId>> origin;
+};
+
 /// What the module of the CAD library offers besides the solids themselves. Lengths in m.
 class BrepModule {
  public:
@@ -78,7 +86,11 @@ class BrepModule {
   /// As `overlay`.
   virtual KernelOverlay overlay(const BrepKernel& source, const std::vector<FaceId>& faces,
                                 const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
-                                const Redrawn& redrawn) const = 0;
+                                const Redrawn& redrawn,
+                                const std::vector<std::array<Eigen::Vector3d, 2>>& lines) const = 0;
+  /// As `cut_by_plane`; what comes of it is to be checked.
+  virtual std::vector<KernelPart> cut_by_plane(const BrepKernel& source, const Eigen::Vector3d& point,
+                                               const Eigen::Vector3d& normal) const = 0;
   /// As `without_faces`; what comes of it is to be checked.
   virtual KernelSolid without_faces(const BrepKernel& source, const std::vector<FaceId>& faces) const = 0;
   /// As `recognise_carriers`; no kernel where nothing is recognised.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "geometry/brep/brep.hpp"
@@ -21,9 +22,11 @@ struct Overlay {
 /// @param origin     of the plane, m
 /// @param direction  unit
 /// @param redrawn    edges that are not drawn as they are
+/// @param lines      from point to point in the plane, m: drawn as well, inside the outlines or on them
 /// @throws Error unsupported  the CAD library cannot lay them over each other
 /// @cost  that of a general fuse: some milliseconds a face
 Overlay overlay(const Brep& solid, const std::vector<FaceId>& faces, const Eigen::Vector3d& origin,
-                const Eigen::Vector3d& direction, const Redrawn& redrawn = {});
+                const Eigen::Vector3d& direction, const Redrawn& redrawn = {},
+                const std::vector<std::array<Eigen::Vector3d, 2>>& lines = {});
 
 }  // namespace isopatch::geometry

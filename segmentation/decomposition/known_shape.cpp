@@ -7,6 +7,7 @@
 #include "geometry/base/error.hpp"
 #include "geometry/base/stopwatch.hpp"
 #include "segmentation/decomposition/prepare.hpp"
+#include "segmentation/pieces/pieced_cells.hpp"
 #include "segmentation/sweeps/swept_cells.hpp"
 
 namespace isopatch::segmentation {
@@ -34,6 +35,33 @@ std::string text_of(const SweptCells& swept) {
                      swept.quadrilaterals, swept.quadrilaterals == 1 ? "" : "s", swept.levels);
 }
 
+/// "4 pieces swept along z, y, z and x".
+std::string text_of(const PiecedCells& cells) {
+  std::string text = fmt::format("{} pieces swept along", cells.pieces.size());
+  for (std::size_t p = 0; p < cells.pieces.size(); ++p)
+    text += fmt::format("{}{}", p == 0 ? " " : p + 1 < cells.pieces.size() ? ", " : " and ",
+                        direction_text(cells.pieces[p].along));
+  return text;
+}
+
+Decomposition known_cells(const geometry::CellComplex& complex, std::string seen_as) {
+  Decomposition result{complex, complex, {}, {}};
+  result.report.cells = result.report.hexahedra = static_cast<int>(complex.cells.size());
+  result.report.seen_as = std::move(seen_as);
+  return result;
+}
+
+std::optional<Decomposition> swept_or_pieced(const geometry::Brep& solid, std::string& why_not) {
+  try {
+    if (const auto swept = swept_cells(solid)) return known_cells(swept->complex, text_of(*swept));
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::internal) throw;
+    why_not = error.what();
+  }
+  if (const auto pieced = pieced_cells(solid)) return known_cells(pieced->complex, text_of(*pieced));
+  return std::nullopt;
+}
+
 }  // namespace
 
 KnownShape known_shape(const geometry::Brep& solid, const DecompositionOptions& options) {
@@ -42,12 +70,8 @@ KnownShape known_shape(const geometry::Brep& solid, const DecompositionOptions& 
   if (options.method == Method::cuts || options.t_joints == TJoints::keep) return result;
   if (planes_are_divided(solid)) return result;
   try {
-    const std::optional<SweptCells> swept = swept_cells(solid);
-    if (!swept) return result;
-    Decomposition& made = result.decomposition.emplace(Decomposition{swept->complex, swept->complex, {}, {}});
-    made.report.cells = made.report.hexahedra = static_cast<int>(made.complex.cells.size());
-    made.report.seen_as = text_of(*swept);
-    made.report.seconds = watch.seconds();
+    result.decomposition = swept_or_pieced(solid, result.why_not);
+    if (result.decomposition) result.decomposition->report.seconds = watch.seconds();
   } catch (const Error& error) {
     if (error.code() == ErrorCode::internal) throw;
     result.why_not = error.what();

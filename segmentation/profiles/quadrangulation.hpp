@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "geometry/base/angle.hpp"
@@ -10,12 +11,14 @@
 
 namespace isopatch::segmentation {
 
-/// A side of quadrilaterals: a piece of a profile's edge, run in that edge's direction, or a straight chord.
+/// A side of quadrilaterals: a piece of a profile's edge, run in that edge's direction, or a straight chord, or
+/// a parabola.
 struct QuadEdge {
   int start = -1, end = -1;  ///< vertices of the quadrangulation
   int profile_edge = -1;     ///< -1: a chord
   double low = 0, high = 1;  ///< of the profile's edge's parameter; above 1 where the piece of a closed edge
                              ///< runs over its end
+  std::optional<Eigen::Vector2d> apex = {};  ///< of a parabola: where the tangents at its ends meet
 };
 
 struct Quad {

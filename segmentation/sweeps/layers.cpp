@@ -43,8 +43,10 @@ bool divide(Column& column, const Column& by) {
 
 /// Ascending; those that differ by less than a tolerance are one.
 std::vector<double> levels(const Quadrangulation& drawing, const std::vector<std::vector<Slab>>& slabs,
-                           const MovingDrawing& moving, double tolerance) {
+                           const MovingDrawing& moving, const std::vector<std::vector<double>>& asked,
+                           double tolerance) {
   std::vector<double> all;
+  for (const std::vector<double>& heights : asked) all.insert(all.end(), heights.begin(), heights.end());
   for (const auto& at : slabs)
     for (const Slab& slab : at) all.insert(all.end(), {slab.low, slab.high});
   for (int e = 0; e < static_cast<int>(drawing.edges.size()); ++e) {
@@ -60,21 +62,26 @@ std::vector<double> levels(const Quadrangulation& drawing, const std::vector<std
 }  // namespace
 
 Layers layers(const Quadrangulation& drawing, const std::vector<std::vector<Slab>>& slabs,
-              const MovingDrawing& moving, double tolerance) {
+              const MovingDrawing& moving, const std::vector<std::vector<double>>& asked, double tolerance) {
   Layers result;
-  result.levels = levels(drawing, slabs, moving, tolerance);
+  result.levels = levels(drawing, slabs, moving, asked, tolerance);
   const auto level = [&](double height) {
     return static_cast<int>(std::lower_bound(result.levels.begin(), result.levels.end(), height - tolerance) -
                             result.levels.begin());
   };
   std::vector<Column> columns;
-  for (const Quad& quad : drawing.quads) {
+  for (std::size_t q = 0; q < drawing.quads.size(); ++q) {
+    const Quad& quad = drawing.quads[q];
     Column& column = columns.emplace_back();
     for (const Slab& slab : slabs[static_cast<std::size_t>(quad.region)]) {
       Stretch stretch{slab, {level(slab.low), level(slab.high)}};
+      const auto cut_at = [&](double height) {
+        if (height > slab.low + tolerance && height < slab.high - tolerance)
+          stretch.cuts.insert(level(height));
+      };
+      if (!asked.empty()) std::for_each(asked[q].begin(), asked[q].end(), cut_at);
       for (const geometry::EdgeUse& side : quad.sides)
-        for (const double kink : moving.kinks(side.edge.value))
-          if (kink > slab.low + tolerance && kink < slab.high - tolerance) stretch.cuts.insert(level(kink));
+        for (const double kink : moving.kinks(side.edge.value)) cut_at(kink);
       column.push_back(std::move(stretch));
     }
   }

@@ -215,6 +215,14 @@ Eigen::Vector3d MovingDrawing::place(int vertex, double height) const {
   return frame_.point(places_[v] + shifts(height)[v], height);
 }
 
+/// Moves by the mean of the ends.
+Eigen::Vector3d MovingDrawing::apex(const QuadEdge& drawn, double height) const {
+  const auto start = static_cast<std::size_t>(drawn.start), end = static_cast<std::size_t>(drawn.end);
+  const Eigen::Vector3d moved = place(drawn.start, height) - frame_.point(places_[start], height) +
+                                place(drawn.end, height) - frame_.point(places_[end], height);
+  return frame_.point(*drawn.apex, height) + moved / 2;
+}
+
 NurbsCurve MovingDrawing::member_curve(const EdgeTrack::At& at, const Piece& piece, double height) const {
   double low = at.reversed ? 1 - piece.low : piece.low, high = at.reversed ? 1 - piece.high : piece.high;
   const bool turned = low > high;
@@ -240,6 +248,11 @@ NurbsCurve MovingDrawing::curve(int number, double height) const {
                             (factor * (still.control_points().colwise() - centre)).colwise() + centre,
                             still.weights());
     return pushed(scaled, frame_, height);
+  }
+  if (drawn.apex) {
+    Eigen::Matrix3Xd points(3, 3);
+    points << place(drawn.start, height), apex(drawn, height), place(drawn.end, height);
+    return NurbsCurve({geometry::KnotVector(2, {0, 0, 0, 1, 1, 1})}, points);
   }
   if (drawn.profile_edge < 0 || (still.degree(0) == 1 && still.size() == 2))
     return geometry::segment(place(drawn.start, height), place(drawn.end, height));

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "geometry/brep/edge_angles.hpp"
-#include "segmentation/sweeps/internal/sweep_frame.hpp"
+#include "segmentation/sweeps/sweep_frame.hpp"
 
 namespace isopatch::segmentation {
 namespace {

@@ -1,4 +1,4 @@
-#include "segmentation/sweeps/internal/sweep_frame.hpp"
+#include "segmentation/sweeps/sweep_frame.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -105,9 +105,14 @@ std::vector<Slab> slabs_at(const SweepFrame& frame, const std::vector<Floor>& fl
 
 }  // namespace
 
-SweptDrawing swept_drawing(const Brep& solid, const SweepFrame& frame) {
+SweptDrawing swept_drawing(const Brep& solid, const SweepFrame& frame,
+                           const std::vector<std::array<Eigen::Vector3d, 2>>& lines) {
   Tracks moving = tracks(solid, frame);
-  geometry::Overlay laid = geometry::overlay(solid, frame.floors, frame.origin, frame.along, moving.redrawn);
+  std::vector<std::array<Eigen::Vector3d, 2>> flat;
+  for (const auto& [start, end] : lines)
+    flat.push_back({frame.point(frame.flat(start), 0), frame.point(frame.flat(end), 0)});
+  geometry::Overlay laid =
+      geometry::overlay(solid, frame.floors, frame.origin, frame.along, moving.redrawn, flat);
   SweptDrawing result{std::move(moving), std::move(laid.sheet), {}, {}};
   draw_edges(result.sheet, frame, result.profile);
   const std::vector<Floor> floors = floors_by_height(solid, frame);

@@ -91,9 +91,17 @@ class OpenCascade final : public BrepModule {
 
   KernelOverlay overlay(const BrepKernel& source, const std::vector<FaceId>& faces,
                         const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
-                        const Redrawn& redrawn) const override {
+                        const Redrawn& redrawn,
+                        const std::vector<std::array<Eigen::Vector3d, 2>>& lines) const override {
     return guarded("laying faces over each other", [&] {
-      return overlay_of(dynamic_cast<const ShapeKernel&>(source), faces, origin, direction, redrawn);
+      return overlay_of(dynamic_cast<const ShapeKernel&>(source), faces, origin, direction, redrawn, lines);
+    });
+  }
+
+  std::vector<KernelPart> cut_by_plane(const BrepKernel& source, const Eigen::Vector3d& point,
+                                       const Eigen::Vector3d& normal) const override {
+    return guarded("cutting by a plane", [&] {
+      return parts_cut_by_plane(dynamic_cast<const ShapeKernel&>(source), point, normal);
     });
   }
 

@@ -29,12 +29,14 @@ class Overlayer {
         redrawn_(redrawn),
         plane_(to_point(origin_), gp_Dir(direction.x(), direction.y(), direction.z())) {}
 
-  KernelOverlay make(const std::vector<FaceId>& faces) {
+  KernelOverlay make(const std::vector<FaceId>& faces,
+                     const std::vector<std::array<Eigen::Vector3d, 2>>& lines) {
     std::vector<TopoDS_Shape> flat;
     flat.reserve(faces.size());
     for (const FaceId face : faces) flat.push_back(pushed(face));
     BOPAlgo_Builder builder;
     for (const TopoDS_Shape& face : flat) builder.AddArgument(face);
+    for (const auto& ends : lines) builder.AddArgument(line(ends));
     const auto& box = source_.tables().box;
     builder.SetFuzzyValue(1e-7 * (box[1] - box[0]).norm() / metres_);
     builder.SetRunParallel(false);
@@ -74,7 +76,10 @@ class Overlayer {
       const TopoDS_Edge other = edge(use->edge);
       return use->reversed ? TopoDS::Edge(other.Reversed()) : other;
     }
-    const auto& ends = std::get<std::array<Eigen::Vector3d, 2>>(as);
+    return line(std::get<std::array<Eigen::Vector3d, 2>>(as));
+  }
+
+  TopoDS_Edge line(const std::array<Eigen::Vector3d, 2>& ends) const {
     BRepBuilderAPI_MakeEdge maker(to_point(ends[0] / metres_), to_point(ends[1] / metres_));
     if (!maker.IsDone()) fail();
     return maker.Edge();
@@ -143,8 +148,8 @@ class Overlayer {
 
 KernelOverlay overlay_of(const ShapeKernel& source, const std::vector<FaceId>& faces,
                          const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
-                         const Redrawn& redrawn) {
-  return Overlayer(source, origin, direction, redrawn).make(faces);
+                         const Redrawn& redrawn, const std::vector<std::array<Eigen::Vector3d, 2>>& lines) {
+  return Overlayer(source, origin, direction, redrawn).make(faces, lines);
 }
 
 }  // namespace isopatch::geometry

@@ -20,9 +20,10 @@ struct Layers {
 };
 
 /// Divides what stands over each quadrilateral so that columns side by side meet in whole sides: at the
-/// heights where a neighbour ends or is divided or a wall beside it changes its slope, no others.
+/// heights where a neighbour ends or is divided or a wall beside it changes its slope, and where asked.
+/// @param asked      heights by quadrilateral; empty for none
 /// @param tolerance  m, of heights that are one
 Layers layers(const Quadrangulation& drawing, const std::vector<std::vector<Slab>>& slabs,
-              const MovingDrawing& moving, double tolerance);
+              const MovingDrawing& moving, const std::vector<std::vector<double>>& asked, double tolerance);
 
 }  // namespace isopatch::segmentation

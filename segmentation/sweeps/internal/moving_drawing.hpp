@@ -49,6 +49,7 @@ class MovingDrawing {
   static Between between(const EdgeTrack& track, double height);
   Eigen::Vector2d track_place(const EdgeTrack& track, double t, double height) const;
   geometry::NurbsCurve member_curve(const EdgeTrack::At& at, const Piece& piece, double height) const;
+  Eigen::Vector3d apex(const QuadEdge& drawn, double height) const;
   const QuadEdge& edge(int number) const { return quads_.edges[static_cast<std::size_t>(number)]; }
 
   const geometry::Brep& solid_;

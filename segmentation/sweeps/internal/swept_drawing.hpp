@@ -1,10 +1,11 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "segmentation/profiles/profile.hpp"
-#include "segmentation/sweeps/internal/sweep_frame.hpp"
 #include "segmentation/sweeps/internal/tracks.hpp"
+#include "segmentation/sweeps/sweep_frame.hpp"
 
 namespace isopatch::segmentation {
 
@@ -23,7 +24,9 @@ struct SweptDrawing {
   std::vector<std::vector<Slab>> slabs;  ///< by region, from low to high
 };
 
+/// @param lines  on floors, m: drawn as well
 /// @throws Error unsupported  floors that do not bound material by turns: the solid is no such stack
-SweptDrawing swept_drawing(const geometry::Brep& solid, const SweepFrame& frame);
+SweptDrawing swept_drawing(const geometry::Brep& solid, const SweepFrame& frame,
+                           const std::vector<std::array<Eigen::Vector3d, 2>>& lines = {});
 
 }  // namespace isopatch::segmentation

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/brep/redrawn.hpp"
-#include "segmentation/sweeps/internal/sweep_frame.hpp"
+#include "segmentation/sweeps/sweep_frame.hpp"
 
 namespace isopatch::segmentation {
 

@@ -27,7 +27,10 @@ std::vector<KernelSolid> solids_of_cells(const ShapeKernel& source, const CellCo
 /// As `overlay`.
 KernelOverlay overlay_of(const ShapeKernel& source, const std::vector<FaceId>& faces,
                          const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
-                         const Redrawn& redrawn);
+                         const Redrawn& redrawn, const std::vector<std::array<Eigen::Vector3d, 2>>& lines);
+/// As `cut_by_plane`.
+std::vector<KernelPart> parts_cut_by_plane(const ShapeKernel& source, const Eigen::Vector3d& point,
+                                           const Eigen::Vector3d& normal);
 /// As `without_faces`; what comes of it is to be checked.
 KernelSolid solid_without_faces(const ShapeKernel& source, const std::vector<FaceId>& faces);
 

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "segmentation/pieces/internal/piece.hpp"
+
+namespace isopatch::segmentation {
+
+/// Ways to cut a solid into stacks by planes, those with the fewest pieces first: a beam search that cuts the
+/// piece that is least like a stack, and keeps the cuts after which the least is missing.
+/// @return  all that take the fewest cuts; empty where none was found
+/// @cost  100 cuts at most
+std::vector<std::vector<Piece>> ways_to_cut(const geometry::Brep& solid);
+
+}  // namespace isopatch::segmentation

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "geometry/brep/brep.hpp"
+#include "geometry/brep/cell_complex.hpp"
+
+namespace isopatch::segmentation {
+
+/// Planes worth cutting a solid by: those of plane faces at concave edges, extended, and those across
+/// straight edges where a round begins. Each once; only such that have some of the solid on both sides.
+std::vector<geometry::PlaneSurface> cut_planes(const geometry::Brep& solid);
+
+}  // namespace isopatch::segmentation

@@ -1,0 +1,134 @@
+#include "segmentation/pieces/internal/joined_complex.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "geometry/base/error.hpp"
+#include "geometry/splines/refine.hpp"
+
+namespace isopatch::segmentation {
+namespace {
+
+using geometry::CellComplex;
+using geometry::CurveId;
+using geometry::EdgeUse;
+using geometry::NurbsCurve;
+using geometry::SurfaceId;
+
+class Joiner {
+ public:
+  explicit Joiner(double tolerance) : tolerance_(tolerance) {}
+
+  void add(const Piece& piece, const CellComplex& part) {
+    const auto first_surface = static_cast<int>(result_.surfaces.size());
+    result_.surfaces.insert(result_.surfaces.end(), part.surfaces.begin(), part.surfaces.end());
+    const auto surface = [&](SurfaceId id) { return SurfaceId(first_surface + id.value); };
+    std::vector<VertexId> vertices;
+    for (const Eigen::Vector3d& place : part.vertices) vertices.push_back(vertex(place));
+    std::vector<EdgeUse> edges;
+    for (const geometry::CellEdge& edge : part.edges) {
+      geometry::CellCurve curve = part.curve(edge.curve);
+      for (geometry::CellCurve::Trace& trace : curve.traces) trace.surface = surface(trace.surface);
+      edges.push_back(this->edge(std::move(curve), vertices[static_cast<std::size_t>(edge.start.value)],
+                                 vertices[static_cast<std::size_t>(edge.end.value)]));
+    }
+    std::vector<geometry::CellFaceUse> faces;
+    for (const geometry::CellFace& face : part.faces) {
+      geometry::CellFace made{surface(face.surface), {}, {}};
+      if (face.origin) made.origin = piece.origin[static_cast<std::size_t>(face.origin->value)];
+      for (const EdgeUse& use : face.loop) {
+        const EdgeUse& joined = edges[static_cast<std::size_t>(use.edge.value)];
+        made.loop.push_back({joined.edge, joined.reversed != use.reversed});
+      }
+      faces.push_back(this->face(std::move(made), face.origin.has_value()));
+    }
+    for (geometry::Cell cell : part.cells) {
+      for (geometry::CellFaceUse& use : cell.faces) {
+        const geometry::CellFaceUse& joined = faces[static_cast<std::size_t>(use.face.value)];
+        use.face = joined.face;
+        use.reversed = use.reversed != joined.reversed;
+      }
+      result_.cells.push_back(std::move(cell));
+    }
+  }
+
+  CellComplex make() {
+    for (const auto& [edges, face] : open_) {
+      Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+      for (const EdgeUse& use : result_.face(face).loop)
+        middle += result_.vertex(result_.from(use)) / static_cast<double>(result_.face(face).loop.size());
+      throw Error(ErrorCode::unsupported,
+                  fmt::format("its pieces do not meet side to side at ({:.6g}, {:.6g}, {:.6g}) m", middle.x(),
+                              middle.y(), middle.z()));
+    }
+    return std::move(result_);
+  }
+
+ private:
+  VertexId vertex(const Eigen::Vector3d& place) {
+    for (std::size_t v = 0; v < result_.vertices.size(); ++v)
+      if ((result_.vertices[v] - place).norm() < tolerance_) return VertexId(static_cast<int>(v));
+    result_.vertices.push_back(place);
+    return VertexId(static_cast<int>(result_.vertices.size()) - 1);
+  }
+
+  static Eigen::Vector3d middle(const geometry::CellCurve& curve) {
+    return std::get<NurbsCurve>(curve.shape).point(Eigen::Matrix<double, 1, 1>(0.5));
+  }
+
+  /// The one with these ends and that middle, used as the given curve runs.
+  EdgeUse edge(geometry::CellCurve curve, VertexId start, VertexId end) {
+    std::vector<EdgeId>& known = edges_[std::minmax(start.value, end.value)];
+    for (const EdgeId id : known) {
+      geometry::CellCurve& other = result_.curves[static_cast<std::size_t>(result_.edge(id).curve.value)];
+      if ((middle(other) - middle(curve)).norm() > tolerance_) continue;
+      const bool reversed = result_.edge(id).start != start;
+      for (geometry::CellCurve::Trace& trace : curve.traces) {
+        if (reversed) trace.domain = geometry::reversed(trace.domain, 0);
+        other.traces.push_back(std::move(trace));
+      }
+      return {id, reversed};
+    }
+    result_.curves.push_back(std::move(curve));
+    known.emplace_back(static_cast<int>(result_.edges.size()));
+    result_.edges.push_back({CurveId(static_cast<int>(result_.curves.size()) - 1), 0, 1, start, end});
+    return {known.back(), false};
+  }
+
+  /// The one of the other side, if it is there; used as the given one looks.
+  geometry::CellFaceUse face(geometry::CellFace made, bool outer) {
+    std::vector<EdgeId> key;
+    for (const EdgeUse& use : made.loop) key.push_back(use.edge);
+    std::sort(key.begin(), key.end());
+    if (const auto other = open_.find(key); other != open_.end()) {
+      const FaceId face = other->second;
+      open_.erase(other);
+      return {face, true};
+    }
+    const FaceId fresh(static_cast<int>(result_.faces.size()));
+    if (outer && !made.origin) open_[key] = fresh;
+    result_.faces.push_back(std::move(made));
+    return {fresh, false};
+  }
+
+  double tolerance_;
+  CellComplex result_;
+  std::map<std::pair<int, int>, std::vector<EdgeId>> edges_;  // by vertices
+  std::map<std::vector<EdgeId>, FaceId> open_;                // sides of cuts that wait for another piece
+};
+
+}  // namespace
+
+CellComplex joined_complex(const std::vector<Piece>& pieces, const std::vector<CellComplex>& complexes) {
+  double size = 0;
+  for (const Piece& piece : pieces) size = std::max(size, piece.brep.size());
+  Joiner joiner(1e-6 * size);
+  for (std::size_t p = 0; p < pieces.size(); ++p) joiner.add(pieces[p], complexes[p]);
+  return joiner.make();
+}
+
+}  // namespace isopatch::segmentation

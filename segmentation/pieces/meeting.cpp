@@ -1,0 +1,258 @@
+#include "segmentation/pieces/internal/meeting.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "geometry/base/error.hpp"
+
+namespace isopatch::segmentation {
+namespace {
+
+using geometry::Brep;
+using geometry::PlaneSurface;
+
+bool is_floor(const Piece& piece, const PlaneSurface& plane) {
+  return std::abs(piece.frame.along.dot(plane.normal())) > 0.5;
+}
+
+double tolerance_of(const std::vector<Piece>& pieces) {
+  double size = 0;
+  for (const Piece& piece : pieces) size = std::max(size, piece.brep.size());
+  return 1e-6 * size;
+}
+
+/// Whether faces in one plane have a common area, as far as their boxes tell.
+bool overlap(const Brep& a, FaceId face_a, const Brep& b, FaceId face_b, const PlaneSurface& plane,
+             double tolerance) {
+  const auto box = [&](const Brep& brep, FaceId face) {
+    Eigen::AlignedBox2d result;
+    for (const auto& loop : brep.face(face).loops)
+      for (const geometry::EdgeUse& use : loop)
+        for (int i = 0; i <= 8; ++i) result.extend(plane.domain_point(brep.point(use.edge, i / 8.0)));
+    return result;
+  };
+  const Eigen::AlignedBox2d both = box(a, face_a).intersection(box(b, face_b));
+  return !both.isEmpty() && both.sizes().minCoeff() > tolerance;
+}
+
+/// With x along a piece that has it as a wall.
+PlaneSurface ruled(const PlaneSurface& plane, const Piece& first, const Piece& second) {
+  const bool of_first = !is_floor(first, plane);
+  if (!of_first && is_floor(second, plane))
+    throw Error(ErrorCode::unsupported,
+                fmt::format("pieces that are swept in one direction meet at ({:.6g}, {:.6g}, {:.6g}) m",
+                            plane.origin.x(), plane.origin.y(), plane.origin.z()));
+  const Eigen::Vector3d x = of_first ? first.frame.along : second.frame.along;
+  const PlaneSurface result{plane.origin, x, plane.normal().cross(x)};
+  if (of_first && !is_floor(second, plane)) {
+    const double turn = std::abs(x.dot(second.frame.along));
+    if (turn > 1e-7 && turn < 1 - 1e-7)
+      throw Error(ErrorCode::unsupported, "pieces meet that are swept in directions at no right angle");
+  }
+  return result;
+}
+
+/// A line in a plane along its x (axis 0) or y (axis 1), at a value of the other.
+struct Segment {
+  int axis;
+  double at, low, high;
+};
+
+class Settler {
+ public:
+  Settler(const std::vector<Piece>& pieces, std::vector<Meeting> places)
+      : pieces_(pieces), places_(std::move(places)), tolerance_(tolerance_of(pieces)) {
+    stacks_.resize(pieces.size());
+  }
+
+  std::vector<Stack> make() {
+    for (const int number : order()) {
+      const auto n = static_cast<std::size_t>(number);
+      stacks_[n].emplace(pieces_[n].brep, pieces_[n].frame, lines_on(number));
+      settle_outlines(number);
+    }
+    settle();
+    std::vector<Stack> result;
+    for (std::optional<Stack>& stack : stacks_) result.push_back(std::move(*stack));
+    return result;
+  }
+
+ private:
+  const Piece& piece(int number) const { return pieces_[static_cast<std::size_t>(number)]; }
+  Stack& stack(int number) { return *stacks_[static_cast<std::size_t>(number)]; }
+
+  /// Walls before floors.
+  std::vector<int> order() const {
+    std::vector<int> result;
+    std::vector<bool> done(pieces_.size(), false);
+    const auto waits = [&](int number) {
+      return std::any_of(places_.begin(), places_.end(), [&](const Meeting& place) {
+        if (place.first != number && place.second != number) return false;
+        const int other = place.first == number ? place.second : place.first;
+        return !done[static_cast<std::size_t>(other)] && is_floor(piece(number), place.plane);
+      });
+    };
+    while (result.size() < pieces_.size()) {
+      int next = -1;
+      for (int p = 0; p < static_cast<int>(pieces_.size()); ++p)
+        if (!done[static_cast<std::size_t>(p)] && (next < 0 || (waits(next) && !waits(p)))) next = p;
+      done[static_cast<std::size_t>(next)] = true;
+      result.push_back(next);
+    }
+    return result;
+  }
+
+  /// Sides of pieces that stand on a floor of this one.
+  std::vector<Line> lines_on(int number) {
+    std::vector<Line> result;
+    for (const Meeting& place : places_) {
+      if (place.first != number && place.second != number) continue;
+      const int other = place.first == number ? place.second : place.first;
+      if (!stacks_[static_cast<std::size_t>(other)] || !is_floor(piece(number), place.plane)) continue;
+      for (const StackSide& side : stack(other).sides_on(place.plane, tolerance_)) {
+        if (!is_cut(piece(other), place.plane.point((side.low + side.high) / 2))) continue;
+        const std::array<Eigen::Vector2d, 4> corners = {
+            side.low, Eigen::Vector2d(side.high.x(), side.low.y()), side.high,
+            Eigen::Vector2d(side.low.x(), side.high.y())};
+        for (std::size_t k = 0; k < 4; ++k)
+          add_line({place.plane.point(corners[k]), place.plane.point(corners[(k + 1) % 4])}, result);
+      }
+    }
+    return result;
+  }
+
+  void add_line(const Line& line, std::vector<Line>& lines) const {
+    const auto same = [&](const Line& a, const Line& b) {
+      return (a[0] - b[0]).norm() < tolerance_ && (a[1] - b[1]).norm() < tolerance_;
+    };
+    if (std::none_of(lines.begin(), lines.end(), [&](const Line& known) {
+          return same(known, line) || same(known, {line[1], line[0]});
+        }))
+      lines.push_back(line);
+  }
+
+  bool is_cut(const Piece& of, const Eigen::Vector3d& point) const {
+    const std::vector<FaceId> faces = cut_faces(of);
+    return std::any_of(faces.begin(), faces.end(), [&](FaceId face) {
+      const geometry::FaceProjection nearest = of.brep.project(face, point);
+      return nearest.distance < tolerance_ && of.brep.contains(face, nearest.uv);
+    });
+  }
+
+  std::optional<Segment> segment(const PlaneSurface& plane, const Line& line) const {
+    for (const Eigen::Vector3d& end : line)
+      if (std::abs((end - plane.origin).dot(plane.normal())) > tolerance_) return std::nullopt;
+    const Eigen::Vector2d a = plane.domain_point(line[0]), b = plane.domain_point(line[1]);
+    for (const int axis : {0, 1})
+      if (std::abs(a[1 - axis] - b[1 - axis]) < tolerance_)
+        return Segment{axis, a[1 - axis], std::min(a[axis], b[axis]), std::max(a[axis], b[axis])};
+    return std::nullopt;
+  }
+
+  std::vector<Segment> outlines(const Piece& of, const PlaneSurface& plane) const {
+    std::vector<Segment> result;
+    for (const FaceId face : cut_faces(of))
+      for (const auto& loop : of.brep.face(face).loops)
+        for (const geometry::EdgeUse& use : loop)
+          if (of.brep.edge(use.edge).kind == geometry::CurveKind::line)
+            if (const auto made = segment(plane, {of.brep.point(use.edge, 0), of.brep.point(use.edge, 1)}))
+              result.push_back(*made);
+    return result;
+  }
+
+  static std::vector<Segment> outlines(const std::vector<StackSide>& sides) {
+    std::vector<Segment> result;
+    for (const StackSide& side : sides)
+      for (const int axis : {0, 1})
+        for (const Eigen::Vector2d& at : {side.low, side.high})
+          result.push_back({axis, at[1 - axis], side.low[axis], side.high[axis]});
+    return result;
+  }
+
+  /// Divides one side that a segment crosses.
+  /// @return  whether there was one
+  bool divide_once(int number, const PlaneSurface& plane, const std::vector<Segment>& by) {
+    for (const StackSide& side : stack(number).sides_on(plane, tolerance_))
+      for (const Segment& segment : by) {
+        const int axis = 1 - segment.axis;  // what it divides
+        if (segment.at < side.low[axis] + tolerance_ || segment.at > side.high[axis] - tolerance_ ||
+            segment.high < side.low[1 - axis] + tolerance_ || segment.low > side.high[1 - axis] - tolerance_)
+          continue;
+        stack(number).divide(plane, side, axis,
+                             (segment.at - side.low[axis]) / (side.high[axis] - side.low[axis]));
+        if (++divisions_ > most_divisions)
+          throw Error(ErrorCode::unsupported,
+                      "pieces could not be made to meet: divisions of one call for "
+                      "divisions of the other without end");
+        return true;
+      }
+    return false;
+  }
+
+  /// Sides end where faces that were cut end.
+  void settle_outlines(int number) {
+    for (const Meeting& place : places_)
+      if (place.first == number || place.second == number) {
+        const std::vector<Segment> by = outlines(piece(number), place.plane);
+        while (divide_once(number, place.plane, by)) continue;
+      }
+  }
+
+  void settle() {
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (const Meeting& place : places_)
+        for (const auto& [number, other] :
+             {std::pair(place.first, place.second), std::pair(place.second, place.first)}) {
+          const std::vector<Segment> by = outlines(stack(other).sides_on(place.plane, tolerance_));
+          while (divide_once(number, place.plane, by)) changed = true;
+        }
+    }
+  }
+
+  static constexpr int most_divisions = 300;
+  const std::vector<Piece>& pieces_;
+  std::vector<Meeting> places_;
+  double tolerance_;
+  std::vector<std::optional<Stack>> stacks_;
+  int divisions_ = 0;
+};
+
+}  // namespace
+
+std::vector<Meeting> meetings(const std::vector<Piece>& pieces) {
+  const double tolerance = tolerance_of(pieces);
+  std::vector<Meeting> result;
+  const auto known = [&](int a, int b, const PlaneSurface& plane) {
+    return std::any_of(result.begin(), result.end(), [&](const Meeting& other) {
+      return other.first == a && other.second == b &&
+             std::abs(other.plane.normal().dot(plane.normal())) > 0.5 &&
+             std::abs((plane.origin - other.plane.origin).dot(plane.normal())) < tolerance;
+    });
+  };
+  for (int a = 0; a < static_cast<int>(pieces.size()); ++a)
+    for (int b = a + 1; b < static_cast<int>(pieces.size()); ++b) {
+      const Piece &first = pieces[static_cast<std::size_t>(a)], &second = pieces[static_cast<std::size_t>(b)];
+      for (const FaceId face_a : cut_faces(first))
+        for (const FaceId face_b : cut_faces(second)) {
+          const PlaneSurface here = plane_of(first.brep, face_a), there = plane_of(second.brep, face_b);
+          if (here.normal().dot(there.normal()) > -1 + 1e-9 ||
+              std::abs((there.origin - here.origin).dot(here.normal())) > tolerance || known(a, b, here) ||
+              !overlap(first.brep, face_a, second.brep, face_b, here, tolerance))
+            continue;
+          result.push_back({ruled(here, first, second), a, b});
+        }
+    }
+  return result;
+}
+
+std::vector<Stack> met_stacks(const std::vector<Piece>& pieces) {
+  return Settler(pieces, meetings(pieces)).make();
+}
+
+}  // namespace isopatch::segmentation

@@ -1,0 +1,44 @@
+#include "segmentation/pieces/pieced_cells.hpp"
+
+#include <utility>
+
+#include "geometry/base/error.hpp"
+#include "segmentation/pieces/internal/cut_into_stacks.hpp"
+#include "segmentation/pieces/internal/joined_complex.hpp"
+#include "segmentation/pieces/internal/meeting.hpp"
+
+namespace isopatch::segmentation {
+namespace {
+
+PiecedCells cells_of(const std::vector<Piece>& pieces) {
+  PiecedCells result;
+  std::vector<geometry::CellComplex> complexes;
+  for (const Stack& stack : met_stacks(pieces)) {
+    complexes.push_back(stack.complex());
+    result.pieces.push_back({stack.frame().along, static_cast<int>(complexes.back().cells.size())});
+  }
+  result.complex = joined_complex(pieces, complexes);
+  return result;
+}
+
+}  // namespace
+
+std::optional<PiecedCells> pieced_cells(const geometry::Brep& solid) {
+  std::optional<PiecedCells> best;
+  std::optional<Error> refusal;
+  constexpr std::size_t most_ways = 4;
+  const std::vector<std::vector<Piece>> ways = ways_to_cut(solid);
+  for (std::size_t w = 0; w < std::min(ways.size(), most_ways); ++w) {
+    try {
+      PiecedCells made = cells_of(ways[w]);
+      if (!best || made.complex.cells.size() < best->complex.cells.size()) best = std::move(made);
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::internal) throw;
+      refusal = error;
+    }
+  }
+  if (!best && refusal) throw *refusal;
+  return best;
+}
+
+}  // namespace isopatch::segmentation

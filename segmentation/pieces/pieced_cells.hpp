@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "geometry/brep/brep.hpp"
+#include "geometry/brep/cell_complex.hpp"
+
+namespace isopatch::segmentation {
+
+/// A solid as stacks of several directions that meet side to side.
+struct PiecedCells {
+  struct Piece {
+    Eigen::Vector3d along;  ///< unit
+    int hexahedra = 0;
+  };
+  geometry::CellComplex complex;  ///< of hexahedra that meet side to side
+  std::vector<Piece> pieces;
+};
+
+/// Divides a solid that is no stack, but becomes several when it is cut by planes of its faces: a bracket, a
+/// fork, a bent sheet. Each piece is divided as a stack (see `swept_cells`); then what divides one piece
+/// where it meets another is carried on into the other.
+/// @return  nothing for a solid of which no such pieces were found
+/// @throws Error unsupported  it was cut so, but a piece cannot be divided, or the pieces cannot be made to
+/// meet: says where
+/// @cost  some 50 ms for each plane that is tried, 100 of them at most, and what the stacks take
+std::optional<PiecedCells> pieced_cells(const geometry::Brep& solid);
+
+}  // namespace isopatch::segmentation
