@@ -147,6 +147,30 @@ void cut_where_it_bends(const Curve& curve, std::vector<double>& places, double 
   for (int i = 1; i < pieces; ++i) places.push_back(weight.parameter_at(weight.all() * i / pieces));
 }
 
+/// Cuts shared edges until every region has four corners: what lies between an arc and its chord has two.
+void give_four_corners(const Profile& profile, const std::vector<Curve>& curves,
+                       const std::vector<bool>& shared, CutPlaces& places) {
+  for (const ProfileRegion& region : profile.regions) {
+    if (!region.wanted || region.loops.size() > 1) continue;
+    std::vector<int> edges;
+    std::size_t corners = 0;
+    for (const geometry::EdgeUse& use : region.loops.front()) {
+      const auto e = static_cast<std::size_t>(use.edge.value);
+      corners += shared[e] || curves[e].closed() ? places[e].size() + 1 : curves[e].straight() ? 1 : 2;
+      if (shared[e] && !curves[e].closed()) edges.push_back(use.edge.value);
+    }
+    if (edges.empty()) continue;
+    const auto stretch = [&](int edge) {
+      return Weight(curves[edge], 1).all() / static_cast<double>(places[edge].size() + 1);
+    };
+    for (; corners < 4; ++corners) {
+      const int longest = *std::max_element(edges.begin(), edges.end(),
+                                            [&](int a, int b) { return stretch(a) < stretch(b); });
+      cut_further(curves[longest], places[longest], 1);
+    }
+  }
+}
+
 void make_even(const Profile& profile, const std::vector<Curve>& curves, CutPlaces& places) {
   const std::vector<int> further = cuts_for_parity(profile, curves, places);
   for (std::size_t e = 0; e < curves.size(); ++e) cut_further(curves[e], places[e], further[e]);
@@ -197,6 +221,7 @@ CutPlaces shared_places(const Profile& profile, const std::vector<Curve>& curves
     }
     if (result[e].empty() && curves[e].closed()) result[e] = {0, 0.25, 0.5, 0.75};
   }
+  give_four_corners(profile, curves, shared, result);
   make_even(profile, curves, result);
   return result;
 }
