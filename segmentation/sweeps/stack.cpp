@@ -68,17 +68,6 @@ struct Stack::Parts {
 Stack::Stack(const Brep& solid, SweepFrame frame, const std::vector<Line>& lines,
              const QuadrangulationOptions& options)
     : parts_(std::make_unique<Parts>(solid, std::move(frame), lines)) {
-  if (std::getenv("DBG")) {
-    FILE* f = fopen((std::string(std::getenv("DBG")) + std::to_string(rand()%1000) + ".svg").c_str(), "w");
-    const Profile& pr = parts_->drawing.profile;
-    Eigen::Vector2d lo(1e9,1e9), hi(-1e9,-1e9);
-    for (auto& e : pr.edges) for (auto& q : e.points) lo = lo.cwiseMin(q), hi = hi.cwiseMax(q);
-    double w = (hi-lo).maxCoeff();
-    fprintf(f, "<svg xmlns='http://www.w3.org/2000/svg' viewBox='%g %g %g %g' width='900' height='900'>\n", lo.x()-0.05*w, -hi.y()-0.05*w, (hi-lo).x()+0.1*w, (hi-lo).y()+0.1*w);
-    for (size_t e = 0; e < pr.edges.size(); ++e) { fprintf(f, "<polyline fill='none' stroke='hsl(%d,80%%,40%%)' stroke-width='%g' points='", int(e*67%360), w/300); for (auto& q : pr.edges[e].points) fprintf(f, "%g,%g ", q.x(), -q.y()); fprintf(f, "'/>\n"); auto m = pr.edges[e].points[pr.edges[e].points.size()/2]; fprintf(f, "<text x='%g' y='%g' font-size='%g'>%d:%d-%d</text>\n", m.x(), -m.y(), w/60, int(e), pr.edges[e].start, pr.edges[e].end); }
-    for (size_t r = 0; r < pr.regions.size(); ++r) { fprintf(f, "<!-- region %d wanted %d loops", int(r), int(pr.regions[r].wanted)); for (auto& l : pr.regions[r].loops) { fprintf(f, " ["); for (auto& u : l) fprintf(f, " %s%d", u.reversed ? "-" : "", u.edge.value); fprintf(f, " ]"); } fprintf(f, "-->\n"); }
-    fprintf(f, "</svg>\n"); fclose(f);
-  }
   parts_->quads = quadrangulate(parts_->drawing.profile, options);
   parts_->asked.resize(parts_->quads.quads.size());
 }

@@ -43,5 +43,16 @@ TEST(Overlay, DrawsEdgesInOtherSizes) {
   EXPECT_NEAR(laid.sheet.area(FaceId(0)), 600e-6 - 6.25e-6 * 3.14159265358979323846, 1e-12);
 }
 
+TEST(Overlay, DrawsLinesToo) {
+  // The block's top and bottom, with a line across and one that ends inside.
+  const Brep solid = test::made_brep("block");
+  const Overlay laid = overlay(solid, floors(solid), {0, 0, 0}, {0, 0, 1}, {},
+                               {{Eigen::Vector3d(0.01, 0, 0), Eigen::Vector3d(0.01, 0.02, 0)},
+                                {Eigen::Vector3d(0.02, 0, 0), Eigen::Vector3d(0.02, 0.005, 0)}});
+  ASSERT_EQ(laid.sheet.faces().size(), 2U);
+  EXPECT_NEAR(laid.sheet.area(FaceId(0)) * laid.sheet.area(FaceId(1)), 200e-6 * 400e-6, 1e-16);
+  for (const auto& floors_over : laid.covered_by) EXPECT_EQ(floors_over.size(), 2U);
+}
+
 }  // namespace
 }  // namespace isopatch::geometry

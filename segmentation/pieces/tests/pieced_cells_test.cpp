@@ -2,13 +2,39 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "geometry/brep/tests/made_solids.hpp"
+#include "segmentation/sweeps/tests/sound_cells.hpp"
 
 namespace isopatch::segmentation {
 namespace {
 
-TEST(PiecedCells, AreNoneOfASphere) {
-  EXPECT_FALSE(pieced_cells(geometry::test::made_brep("sphere")));
+struct Sample {
+  const char* name;
+  std::size_t pieces;  ///< and their hexahedra, at most
+  std::size_t hexahedra;
+};
+
+class PiecedSolids : public testing::TestWithParam<Sample> {};
+
+TEST_P(PiecedSolids, FillTheSolidAndMeetSideToSide) {
+  const geometry::Brep solid = geometry::test::made_brep(GetParam().name);
+  const auto made = pieced_cells(solid);
+  ASSERT_TRUE(made);
+  EXPECT_LE(made->pieces.size(), GetParam().pieces);
+  EXPECT_LE(made->complex.cells.size(), GetParam().hexahedra);
+  test::expect_sound(solid, made->complex);
+}
+
+INSTANTIATE_TEST_SUITE_P(Solids, PiecedSolids,
+                         testing::Values(Sample{"angle", 2, 9}, Sample{"bent_sheet", 3, 9},
+                                         Sample{"fork", 3, 14}, Sample{"lugs", 3, 19}),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST(PiecedCells, AreNoneOfRoundSolids) {
+  for (const char* name : {"sphere", "torus", "round_corner"})
+    EXPECT_FALSE(pieced_cells(geometry::test::made_brep(name))) << name;
 }
 
 }  // namespace

@@ -31,6 +31,9 @@ class Shapes {
   Vector2d at(const geometry::EdgeUse& use, double share) const {
     const QuadEdge& edge = quads_.edges[use.edge.value];
     const double s = use.reversed ? 1 - share : share;
+    if (edge.apex)
+      return (1 - s) * (1 - s) * quads_.vertices[edge.start] + 2 * s * (1 - s) * *edge.apex +
+             s * s * quads_.vertices[edge.end];
     if (edge.profile_edge < 0) return (1 - s) * quads_.vertices[edge.start] + s * quads_.vertices[edge.end];
     return curves_[edge.profile_edge].at(edge.low + s * (edge.high - edge.low));
   }

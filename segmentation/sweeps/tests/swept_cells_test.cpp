@@ -2,44 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
-#include <set>
 #include <string>
 
-#include "geometry/brep/cell_solids.hpp"
-#include "geometry/brep/make_brep.hpp"
 #include "geometry/brep/tests/made_solids.hpp"
+#include "segmentation/sweeps/tests/sound_cells.hpp"
 
 namespace isopatch::segmentation {
 namespace {
 
 using geometry::Brep;
-using geometry::CellComplex;
-
-/// Hexahedra that fill the solid and meet side to side; what lies on its faces has their areas, face by face.
-void expect_sound(const Brep& solid, const CellComplex& complex) {
-  double volume = 0;
-  std::map<FaceId, double> areas;
-  std::map<FaceId, int> uses;
-  const std::vector<Brep> cells = geometry::cell_solids(solid, complex);
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    EXPECT_GT(cells[c].volume(), 0);
-    volume += cells[c].volume();
-    ASSERT_EQ(cells[c].faces().size(), 6U);
-    ASSERT_EQ(cells[c].edges().size(), 12U);
-    ASSERT_EQ(cells[c].vertices().cols(), 8);
-    for (std::size_t f = 0; f < 6; ++f) {
-      const FaceId face = complex.cells[c].faces[f].face;
-      ++uses[face];
-      if (const auto origin = complex.face(face).origin)
-        areas[*origin] += cells[c].area(FaceId(static_cast<int>(f)));
-    }
-  }
-  EXPECT_NEAR(volume, solid.volume(), 1e-9 * solid.volume());
-  for (const auto& [face, count] : uses) EXPECT_EQ(count, complex.face(face).origin ? 1 : 2);
-  ASSERT_EQ(areas.size(), solid.faces().size());
-  for (const auto& [face, area] : areas) EXPECT_NEAR(area, solid.area(face), 1e-9 * solid.area());
-}
 
 struct Sample {
   const char* name;
@@ -53,7 +24,7 @@ TEST_P(SweptCells, FillTheSolidAndMeetSideToSide) {
   const auto swept = swept_cells(solid);
   ASSERT_TRUE(swept);
   EXPECT_LE(static_cast<int>(swept->complex.cells.size()), GetParam().hexahedra);
-  expect_sound(solid, swept->complex);
+  test::expect_sound(solid, swept->complex);
 }
 
 INSTANTIATE_TEST_SUITE_P(Solids, SweptCells,
