@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <variant>
+
 namespace isopatch::app {
 namespace {
 
@@ -45,6 +47,17 @@ Key<S> count_key(const std::string& name, int most, Member member, std::string m
   return key;
 }
 
+segmentation::GivenPlane read_given_plane(const ConfigValue& value, const std::string& heading) {
+  auto result = read_table<segmentation::GivenPlane>(read_subtable(value, heading), value.place, heading,
+                                                     given_plane_keys());
+  try {
+    segmentation::validate(result);
+  } catch (const Error& error) {
+    throw error_at(value.place, fmt::format("{}: {}", heading, error.what()));
+  }
+  return result;
+}
+
 }  // namespace
 
 const Choices<segmentation::TJoints>& t_joint_choices() {
@@ -63,6 +76,27 @@ const Choices<segmentation::Blends>& blend_choices() {
   static const Choices<segmentation::Blends> choices = {{"keep", segmentation::Blends::keep},
                                                         {"remove", segmentation::Blends::remove}};
   return choices;
+}
+
+const Keys<segmentation::GivenPlane>& given_plane_keys() {
+  using P = segmentation::GivenPlane;
+  static const Keys<P> keys = {
+      custom_key<P>(
+          "normal", "3 numbers, or \"x\", \"-x\", \"y\", ...",
+          "Across the plane. One of `normal`, `face` and `through` is needed.",
+          [](P& target, const ConfigValue& value) { target.normal = read_direction(value, "normal"); }),
+      vector_key<P>("point", &P::point, dimensions::length,
+                    "With `normal`, a point of the plane; without it, the middle of the body's box."),
+      text_key<P>("face", &P::face,
+                  "A plane face that is extended through the body, by its name or as \"face 3\"."),
+      custom_key<P>("through", "array of 3 or more points, each 3 of length (m)",
+                    "Points of the plane, such as the corners of a loop around the body.",
+                    [](P& target, const ConfigValue& value) {
+                      for (const ConfigValue& point : read_array(value, "through"))
+                        target.through.push_back(read_vector(point, "through", dimensions::length));
+                    }),
+  };
+  return keys;
 }
 
 const Keys<SegmentationKeys>& segmentation_keys() {
@@ -104,6 +138,26 @@ const Keys<SegmentationKeys>& segmentation_keys() {
           "it as an idle one), after which the best way found is taken, or the body "
           "given up; once "
           "a way is known, a sixth of it is left for better ones."),
+      custom_key<S>(
+          "cut", "array of tables, see below",
+          "Planes that cut the body first, wherever its pieces join; pieces that are no stacks then are cut "
+          "further as without them.",
+          [](S& target, const ConfigValue& value) {
+            for (const ConfigValue& cut : read_array(value, "cut"))
+              target.options.cuts.push_back(read_given_plane(cut, "[[segmentation.cut]]"));
+          }),
+      custom_key<S>(
+          "symmetry", "\"x\", \"y\", \"z\", or a table as those of `cut`",
+          "The body is symmetric about the plane across this axis through the middle of its box, or about "
+          "the plane given: one half is divided, and mirrored.",
+          [](S& target, const ConfigValue& value) {
+            if (std::holds_alternative<ConfigTable>(value.value)) {
+              target.options.symmetry = read_given_plane(value, "symmetry");
+            } else {
+              target.options.symmetry.emplace();
+              target.options.symmetry->normal = read_direction(value, "symmetry");
+            }
+          }),
       count_key(
           "max_cells", 1000000, [](DecompositionOptions& o) -> int& { return o.max_cells; },
           "Most hexahedra that a body may become while its parts are made to meet side to side."),

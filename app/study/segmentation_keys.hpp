@@ -11,6 +11,8 @@ struct SegmentationKeys {
 };
 
 const Keys<SegmentationKeys>& segmentation_keys();
+/// Of [[segmentation.cut]].
+const Keys<segmentation::GivenPlane>& given_plane_keys();
 
 /// "remove" or "keep".
 const Choices<segmentation::TJoints>& t_joint_choices();

@@ -74,7 +74,11 @@ std::vector<SectionText> study_sections() {
        "their boundaries, through "
        "concave edges first, until all parts are hexahedra, prisms over triangles or tetrahedra, which then "
        "become hexahedra.",
-       texts(segmentation_keys())}};
+       texts(segmentation_keys())},
+      {"segmentation.cut", "[[segmentation.cut]]",
+       "A plane that cuts the body. Bodies that are cut by hand become pieces that are swept, or are "
+       "refused.",
+       texts(given_plane_keys())}};
   for (const GeneratedModel& model : generated_models())
     sections.push_back({"model." + model.name, fmt::format("[model] with generate = \"{}\"", model.name),
                         model.meaning + " Plain numbers are model units, see `length_unit`.", model.keys});

@@ -69,12 +69,25 @@ std::string words_of(const geometry::PatchSet& set) {
 std::string words_of_cutting(const BlocksInput& blocks) {
   if (!blocks.decomposition) return "";
   const segmentation::DecompositionOptions& o = *blocks.decomposition;
-  return fmt::format(
-      "cutting seconds {:g}\ncells {}\nbeam {}\nbranches {}\nsmallest cut angle {:.4g}\nlargest cut angle "
-      "{:.4g}\ncut edge {:g}\nT-joints {}\nmethod {}\nblends {} up to {:g}\n",
-      o.time_limit, o.max_cells, o.search.beam, o.search.branches, o.cut.smallest_angle.degrees(),
-      o.cut.largest_angle.degrees(), o.cut.shortest_edge, static_cast<int>(o.t_joints),
-      static_cast<int>(o.method), static_cast<int>(o.blends), o.largest_blend);
+  std::string planes;
+  std::vector<segmentation::GivenPlane> given = o.cuts;
+  if (o.symmetry) given.push_back(*o.symmetry);
+  for (const segmentation::GivenPlane& plane : given) {
+    planes += "plane";
+    if (plane.normal) planes += " across " + words_of(*plane.normal);
+    if (plane.point) planes += " at " + words_of(*plane.point);
+    if (!plane.face.empty()) planes += " of " + plane.face;
+    for (const Eigen::Vector3d& point : plane.through) planes += " through " + words_of(point);
+    planes += "\n";
+  }
+  return planes + fmt::format(
+                      "cutting seconds {:g}\ncells {}\nbeam {}\nbranches {}\nsmallest cut angle "
+                      "{:.4g}\nlargest cut angle "
+                      "{:.4g}\ncut edge {:g}\nT-joints {}\nmethod {}\nblends {} up to {:g}\n",
+                      o.time_limit, o.max_cells, o.search.beam, o.search.branches,
+                      o.cut.smallest_angle.degrees(), o.cut.largest_angle.degrees(), o.cut.shortest_edge,
+                      static_cast<int>(o.t_joints), static_cast<int>(o.method), static_cast<int>(o.blends),
+                      o.largest_blend);
 }
 
 std::string words_of(const BlocksInput& blocks) {

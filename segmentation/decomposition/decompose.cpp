@@ -276,6 +276,7 @@ class Decomposer {
 Decomposition decomposed(const Brep& solid, const std::string& name, const DecompositionOptions& options,
                          const Progress& progress) {
   KnownShape known = known_shape(solid, options);
+  if (is_cut_by_hand(options)) return std::move(*known.decomposition);
   std::optional<Decomposer> decomposer;
   try {
     decomposer.emplace(solid, name, options, progress, known.decomposition);

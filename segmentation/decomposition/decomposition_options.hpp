@@ -1,7 +1,11 @@
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "segmentation/decomposition/combinatorics/search_options.hpp"
 #include "segmentation/decomposition/cutting/cut_cell.hpp"
+#include "segmentation/decomposition/given_plane.hpp"
 
 namespace isopatch::segmentation {
 
@@ -38,9 +42,14 @@ struct DecompositionOptions {
   TJoints t_joints = TJoints::remove;
   Blends blends = Blends::keep;
   double largest_blend = 0.1;  ///< radius up to which rounds may be removed, as a share of the size; above 0
-  int max_cells = 2000;        ///< at most so many hexahedra when sides are made to meet; range 1 ..
+  std::vector<GivenPlane> cuts =
+      {};  ///< made first, by hand; what comes of them must be pieces that are swept
+  std::optional<GivenPlane> symmetry = {};  ///< one half is divided, swept or in such pieces, and mirrored
+  int max_cells = 2000;  ///< at most so many hexahedra when sides are made to meet; range 1 ..
   bool operator==(const DecompositionOptions&) const = default;
 };
+/// Whether the user has a say in where the solid is cut.
+bool is_cut_by_hand(const DecompositionOptions& options);
 void validate(const DecompositionOptions& options);
 
 }  // namespace isopatch::segmentation

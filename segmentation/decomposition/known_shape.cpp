@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "geometry/base/error.hpp"
 #include "geometry/base/stopwatch.hpp"
 #include "segmentation/decomposition/prepare.hpp"
+#include "segmentation/pieces/mirrored_cells.hpp"
 #include "segmentation/pieces/pieced_cells.hpp"
 #include "segmentation/sweeps/swept_cells.hpp"
 
@@ -39,27 +42,75 @@ std::string text_of(const SweptCells& swept) {
 std::string text_of(const PiecedCells& cells) {
   std::string text = fmt::format("{} pieces swept along", cells.pieces.size());
   for (std::size_t p = 0; p < cells.pieces.size(); ++p)
-    text += fmt::format("{}{}", p == 0 ? " " : p + 1 < cells.pieces.size() ? ", " : " and ",
+    text += fmt::format("{}{}",
+                        p == 0                        ? " "
+                        : p + 1 < cells.pieces.size() ? ", "
+                                                      : " and ",
                         direction_text(cells.pieces[p].along));
   return text;
 }
 
-Decomposition known_cells(const geometry::CellComplex& complex, std::string seen_as) {
-  Decomposition result{complex, complex, {}, {}};
-  result.report.cells = result.report.hexahedra = static_cast<int>(complex.cells.size());
-  result.report.seen_as = std::move(seen_as);
-  return result;
+/// Hexahedra that were found without a search.
+struct KnownCells {
+  geometry::CellComplex complex;
+  std::string seen_as;
+};
+
+std::optional<KnownCells> pieces_of(const geometry::Brep& solid,
+                                    const std::vector<geometry::PlaneSurface>& cuts) {
+  std::optional<PiecedCells> pieced = pieced_cells(solid, cuts);
+  if (!pieced) return std::nullopt;
+  std::string text = text_of(*pieced);
+  return KnownCells{std::move(pieced->complex), std::move(text)};
 }
 
-std::optional<Decomposition> swept_or_pieced(const geometry::Brep& solid, std::string& why_not) {
+/// @param why_not  gets what stopped a sweep of a solid that looks swept
+std::optional<KnownCells> swept_or_pieced(const geometry::Brep& solid, std::string& why_not) {
   try {
-    if (const auto swept = swept_cells(solid)) return known_cells(swept->complex, text_of(*swept));
+    if (std::optional<SweptCells> swept = swept_cells(solid)) {
+      std::string text = text_of(*swept);
+      return KnownCells{std::move(swept->complex), std::move(text)};
+    }
   } catch (const Error& error) {
     if (error.code() == ErrorCode::internal) throw;
     why_not = error.what();
   }
-  if (const auto pieced = pieced_cells(solid)) return known_cells(pieced->complex, text_of(*pieced));
-  return std::nullopt;
+  return pieces_of(solid, {});
+}
+
+/// With the cuts given; nothing else will do.
+KnownCells as_given(const geometry::Brep& solid, const std::vector<geometry::PlaneSurface>& cuts) {
+  std::string why_not;
+  std::optional<KnownCells> made = cuts.empty() ? swept_or_pieced(solid, why_not) : pieces_of(solid, cuts);
+  if (!made)
+    throw Error(
+        ErrorCode::unsupported,
+        fmt::format("{} come to no pieces that can be swept{}{}; give cuts where its pieces join, or "
+                    "none, so that it is cut along loops",
+                    cuts.empty() ? "its halves" : "the cuts given", why_not.empty() ? "" : ": ", why_not));
+  return std::move(*made);
+}
+
+KnownCells by_hand(const geometry::Brep& solid, const DecompositionOptions& options) {
+  std::vector<geometry::PlaneSurface> cuts;
+  for (const GivenPlane& cut : options.cuts) cuts.push_back(plane_of(solid, cut));
+  if (!options.symmetry) return as_given(solid, cuts);
+  std::string halves;
+  geometry::CellComplex complex =
+      mirrored_cells(solid, plane_of(solid, *options.symmetry), [&](const geometry::Brep& half) {
+        KnownCells made = as_given(half, cuts);
+        halves += (halves.empty() ? "" : "; ") + made.seen_as;
+        return std::move(made.complex);
+      });
+  return {std::move(complex), "one half mirrored, " + halves};
+}
+
+Decomposition decomposition_of(KnownCells cells, double seconds) {
+  Decomposition result{cells.complex, cells.complex, {}, {}};
+  result.report.cells = result.report.hexahedra = static_cast<int>(cells.complex.cells.size());
+  result.report.seen_as = std::move(cells.seen_as);
+  result.report.seconds = seconds;
+  return result;
 }
 
 }  // namespace
@@ -67,11 +118,15 @@ std::optional<Decomposition> swept_or_pieced(const geometry::Brep& solid, std::s
 KnownShape known_shape(const geometry::Brep& solid, const DecompositionOptions& options) {
   const Stopwatch watch;
   KnownShape result;
+  if (is_cut_by_hand(options)) {
+    result.decomposition = decomposition_of(by_hand(solid, options), watch.seconds());
+    return result;
+  }
   if (options.method == Method::cuts || options.t_joints == TJoints::keep) return result;
   if (planes_are_divided(solid)) return result;
   try {
-    result.decomposition = swept_or_pieced(solid, result.why_not);
-    if (result.decomposition) result.decomposition->report.seconds = watch.seconds();
+    if (std::optional<KnownCells> made = swept_or_pieced(solid, result.why_not))
+      result.decomposition = decomposition_of(std::move(*made), watch.seconds());
   } catch (const Error& error) {
     if (error.code() == ErrorCode::internal) throw;
     result.why_not = error.what();

@@ -16,7 +16,10 @@ struct KnownShape {
   std::string why_not;  ///< where it looks like one and could not be divided, what stopped it
 };
 
-/// Nothing where only cuts are asked for, or T-joints, which such solids do not have.
+/// Nothing where only cuts are asked for, or T-joints, which such solids do not have. What a user asks for by
+/// hand is known or refused.
+/// @throws Error invalid_argument  cuts or a symmetry that the solid does not have
+/// @throws Error unsupported  given cuts of which no pieces come that can be swept
 KnownShape known_shape(const geometry::Brep& solid, const DecompositionOptions& options);
 
 }  // namespace isopatch::segmentation

@@ -1,5 +1,7 @@
 #include "segmentation/pieces/internal/cut_into_stacks.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -40,14 +42,27 @@ State after(const State& state, std::size_t number, const geometry::PlaneSurface
   return result;
 }
 
+State start(const Brep& solid, const std::vector<geometry::PlaneSurface>& cuts) {
+  std::vector<std::optional<FaceId>> origin;
+  for (int f = 0; f < static_cast<int>(solid.faces().size()); ++f) origin.emplace_back(FaceId(f));
+  State state;
+  state.pieces.push_back(seen(solid, std::move(origin)));
+  state.faults = state.pieces.front().faults;
+  for (std::size_t c = 0; c < cuts.size(); ++c) {
+    const std::size_t before = state.pieces.size();
+    for (std::size_t number = state.pieces.size(); number-- > 0;) state = after(state, number, cuts[c]);
+    if (state.pieces.size() == before)
+      throw Error(ErrorCode::invalid_argument,
+                  fmt::format("cut {} cuts nothing off: all of the solid lies on one side of it", c + 1));
+  }
+  return state;
+}
+
 class Search {
  public:
-  std::vector<std::vector<Piece>> make(const Brep& solid) {
-    std::vector<std::optional<FaceId>> origin;
-    for (int f = 0; f < static_cast<int>(solid.faces().size()); ++f) origin.emplace_back(FaceId(f));
-    Piece whole = seen(solid, std::move(origin));
-    const int faults = whole.faults;
-    std::vector<State> states = {{{std::move(whole)}, faults}};
+  std::vector<std::vector<Piece>> make(const Brep& solid, const std::vector<geometry::PlaneSurface>& cuts) {
+    std::vector<State> states = {start(solid, cuts)};
+    if (states.front().faults == 0) found_.push_back(states.front());
     for (int depth = 0; depth < most_depth && !states.empty() && found_.empty(); ++depth)
       states = go_on(states);
     std::stable_sort(found_.begin(), found_.end(), is_better);
@@ -84,8 +99,9 @@ class Search {
 
 }  // namespace
 
-std::vector<std::vector<Piece>> ways_to_cut(const Brep& solid) {
-  return Search().make(solid);
+std::vector<std::vector<Piece>> ways_to_cut(const Brep& solid,
+                                            const std::vector<geometry::PlaneSurface>& cuts) {
+  return Search().make(solid, cuts);
 }
 
 }  // namespace isopatch::segmentation

@@ -23,7 +23,8 @@ class Joiner {
  public:
   explicit Joiner(double tolerance) : tolerance_(tolerance) {}
 
-  void add(const Piece& piece, const CellComplex& part) {
+  void add(const ComplexOfPiece& piece) {
+    const CellComplex& part = piece.complex;
     const auto first_surface = static_cast<int>(result_.surfaces.size());
     result_.surfaces.insert(result_.surfaces.end(), part.surfaces.begin(), part.surfaces.end());
     const auto surface = [&](SurfaceId id) { return SurfaceId(first_surface + id.value); };
@@ -123,11 +124,9 @@ class Joiner {
 
 }  // namespace
 
-CellComplex joined_complex(const std::vector<Piece>& pieces, const std::vector<CellComplex>& complexes) {
-  double size = 0;
-  for (const Piece& piece : pieces) size = std::max(size, piece.brep.size());
-  Joiner joiner(1e-6 * size);
-  for (std::size_t p = 0; p < pieces.size(); ++p) joiner.add(pieces[p], complexes[p]);
+CellComplex joined_complex(const std::vector<ComplexOfPiece>& pieces, double tolerance) {
+  Joiner joiner(tolerance);
+  for (const ComplexOfPiece& piece : pieces) joiner.add(piece);
   return joiner.make();
 }
 

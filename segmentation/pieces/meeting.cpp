@@ -40,13 +40,10 @@ bool overlap(const Brep& a, FaceId face_a, const Brep& b, FaceId face_b, const P
   return !both.isEmpty() && both.sizes().minCoeff() > tolerance;
 }
 
-/// With x along a piece that has it as a wall.
+/// With x along a piece that has it as a wall, if there is one.
 PlaneSurface ruled(const PlaneSurface& plane, const Piece& first, const Piece& second) {
   const bool of_first = !is_floor(first, plane);
-  if (!of_first && is_floor(second, plane))
-    throw Error(ErrorCode::unsupported,
-                fmt::format("pieces that are swept in one direction meet at ({:.6g}, {:.6g}, {:.6g}) m",
-                            plane.origin.x(), plane.origin.y(), plane.origin.z()));
+  if (!of_first && is_floor(second, plane)) return plane;
   const Eigen::Vector3d x = of_first ? first.frame.along : second.frame.along;
   const PlaneSurface result{plane.origin, x, plane.normal().cross(x)};
   if (of_first && !is_floor(second, plane)) {
@@ -114,6 +111,11 @@ class Settler {
       if (place.first != number && place.second != number) continue;
       const int other = place.first == number ? place.second : place.first;
       if (!stacks_[static_cast<std::size_t>(other)] || !is_floor(piece(number), place.plane)) continue;
+      if (is_floor(piece(other), place.plane)) {
+        for (const Line& line : stack(other).lines_on(place.plane, tolerance_))
+          if (is_cut(piece(other), (line[0] + line[1]) / 2)) add_line(line, result);
+        continue;
+      }
       for (const StackSide& side : stack(other).sides_on(place.plane, tolerance_)) {
         if (!is_cut(piece(other), place.plane.point((side.low + side.high) / 2))) continue;
         const std::array<Eigen::Vector2d, 4> corners = {

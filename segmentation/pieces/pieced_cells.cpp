@@ -1,5 +1,6 @@
 #include "segmentation/pieces/pieced_cells.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "geometry/base/error.hpp"
@@ -10,27 +11,28 @@
 namespace isopatch::segmentation {
 namespace {
 
-PiecedCells cells_of(const std::vector<Piece>& pieces) {
+PiecedCells cells_of(const geometry::Brep& solid, const std::vector<Piece>& pieces) {
   PiecedCells result;
-  std::vector<geometry::CellComplex> complexes;
+  std::vector<ComplexOfPiece> complexes;
   for (const Stack& stack : met_stacks(pieces)) {
-    complexes.push_back(stack.complex());
-    result.pieces.push_back({stack.frame().along, static_cast<int>(complexes.back().cells.size())});
+    complexes.push_back({stack.complex(), pieces[complexes.size()].origin});
+    result.pieces.push_back({stack.frame().along, static_cast<int>(complexes.back().complex.cells.size())});
   }
-  result.complex = joined_complex(pieces, complexes);
+  result.complex = joined_complex(complexes, 1e-6 * solid.size());
   return result;
 }
 
 }  // namespace
 
-std::optional<PiecedCells> pieced_cells(const geometry::Brep& solid) {
+std::optional<PiecedCells> pieced_cells(const geometry::Brep& solid,
+                                        const std::vector<geometry::PlaneSurface>& cuts) {
   std::optional<PiecedCells> best;
   std::optional<Error> refusal;
   constexpr std::size_t most_ways = 4;
-  const std::vector<std::vector<Piece>> ways = ways_to_cut(solid);
+  const std::vector<std::vector<Piece>> ways = ways_to_cut(solid, cuts);
   for (std::size_t w = 0; w < std::min(ways.size(), most_ways); ++w) {
     try {
-      PiecedCells made = cells_of(ways[w]);
+      PiecedCells made = cells_of(solid, ways[w]);
       if (!best || made.complex.cells.size() < best->complex.cells.size()) best = std::move(made);
     } catch (const Error& error) {
       if (error.code() == ErrorCode::internal) throw;

@@ -21,10 +21,13 @@ struct PiecedCells {
 /// Divides a solid that is no stack, but becomes several when it is cut by planes of its faces: a bracket, a
 /// fork, a bent sheet. Each piece is divided as a stack (see `swept_cells`); then what divides one piece
 /// where it meets another is carried on into the other.
+/// @param cuts  planes by which it is cut first, whatever comes of it
 /// @return  nothing for a solid of which no such pieces were found
+/// @throws Error invalid_argument  a plane that does not cut the solid, by its number
 /// @throws Error unsupported  it was cut so, but a piece cannot be divided, or the pieces cannot be made to
 /// meet: says where
 /// @cost  some 50 ms for each plane that is tried, 100 of them at most, and what the stacks take
-std::optional<PiecedCells> pieced_cells(const geometry::Brep& solid);
+std::optional<PiecedCells> pieced_cells(const geometry::Brep& solid,
+                                        const std::vector<geometry::PlaneSurface>& cuts = {});
 
 }  // namespace isopatch::segmentation

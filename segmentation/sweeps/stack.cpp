@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -172,6 +173,29 @@ std::vector<StackSide> Stack::sides_on(const PlaneSurface& plane, double toleran
   const Layers layers = parts_->layers(moving);
   SideFinder finder(parts_->quads, moving, layers, plane, tolerance);
   return std::abs(plane.normal().dot(parts_->frame.along)) > 0.5 ? finder.floors() : finder.walls();
+}
+
+std::vector<Line> Stack::lines_on(const PlaneSurface& plane, double tolerance) const {
+  const MovingDrawing moving = parts_->moving();
+  const Layers layers = parts_->layers(moving);
+  std::map<int, double> heights;  // of chords
+  for (std::size_t q = 0; q < parts_->quads.quads.size(); ++q)
+    for (const Layer& layer : layers.columns[q])
+      for (const int level : {layer.low, layer.high}) {
+        const double height = layers.levels[static_cast<std::size_t>(level)];
+        if (std::abs((plane.origin - parts_->frame.point(Eigen::Vector2d::Zero(), height))
+                         .dot(parts_->frame.along)) > tolerance)
+          continue;
+        for (const geometry::EdgeUse& use : parts_->quads.quads[q].sides)
+          if (parts_->quads.edges[static_cast<std::size_t>(use.edge.value)].profile_edge < 0)
+            heights[use.edge.value] = height;
+      }
+  std::vector<Line> result;
+  for (const auto& [edge, height] : heights) {
+    const geometry::NurbsCurve curve = moving.curve(edge, height);
+    if (is_flat(curve)) result.push_back({curve.control_points().col(0), curve.control_points().col(1)});
+  }
+  return result;
 }
 
 void Stack::divide(const PlaneSurface& plane, const StackSide& side, int axis, double share) {

@@ -3,12 +3,14 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRep_Builder.hxx>
+#include <Geom_Circle.hxx>
 #include <Geom_Curve.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Shell.hxx>
 #include <algorithm>
+#include <cmath>
 #include <gp_Pln.hxx>
 
 #include "geometry/base/error.hpp"
@@ -21,22 +23,22 @@ namespace {
 class Overlayer {
  public:
   Overlayer(const ShapeKernel& source, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
-            const Redrawn& redrawn)
+            const Redrawn& redrawn, const std::vector<std::array<Eigen::Vector3d, 2>>& lines)
       : source_(source),
         metres_(source.input().metres),
         origin_(origin / metres_),
         direction_(direction),
         redrawn_(redrawn),
+        lines_(lines),
         plane_(to_point(origin_), gp_Dir(direction.x(), direction.y(), direction.z())) {}
 
-  KernelOverlay make(const std::vector<FaceId>& faces,
-                     const std::vector<std::array<Eigen::Vector3d, 2>>& lines) {
+  KernelOverlay make(const std::vector<FaceId>& faces) {
     std::vector<TopoDS_Shape> flat;
     flat.reserve(faces.size());
     for (const FaceId face : faces) flat.push_back(pushed(face));
     BOPAlgo_Builder builder;
     for (const TopoDS_Shape& face : flat) builder.AddArgument(face);
-    for (const auto& ends : lines) builder.AddArgument(line(ends));
+    for (const auto& ends : lines_) builder.AddArgument(line(ends));
     const auto& box = source_.tables().box;
     builder.SetFuzzyValue(1e-7 * (box[1] - box[0]).norm() / metres_);
     builder.SetRunParallel(false);
@@ -64,10 +66,25 @@ class Overlayer {
     Handle(Geom_Curve) curve =
         Handle(Geom_Curve)::DownCast(source.curve->Translated(gp_Vec(by.x(), by.y(), by.z())));
     if (scaled.factor != 1) curve->Scale(to_point(scaled.centre / metres_), scaled.factor);
+    if (const Handle(Geom_Circle) circle = Handle(Geom_Circle)::DownCast(curve);
+        !circle.IsNull() && std::abs(std::abs(source.last - source.first) - 2 * M_PI) < 1e-9)
+      begin_at_a_line(circle);
     BRepBuilderAPI_MakeEdge maker(curve, std::min(source.first, source.last),
                                   std::max(source.first, source.last));
     if (!maker.IsDone()) fail();
     return TopoDS::Edge(source.first < source.last ? maker.Shape() : maker.Shape().Reversed());
+  }
+
+  /// A whole circle has a vertex where it begins, which must be none but where a line ends.
+  void begin_at_a_line(const Handle(Geom_Circle) & circle) const {
+    const gp_Ax2 frame = circle->Position();
+    for (const auto& line : lines_)
+      for (const Eigen::Vector3d& end : line) {
+        const gp_Pnt at = to_point(end / metres_);
+        if (std::abs(at.Distance(frame.Location()) - circle->Radius()) > 1e-7 * circle->Radius()) continue;
+        circle->SetPosition(gp_Ax2(frame.Location(), frame.Direction(), gp_Vec(frame.Location(), at)));
+        return;
+      }
   }
 
   TopoDS_Edge redrawn(EdgeId id, const Redrawn::mapped_type& as) {
@@ -140,6 +157,7 @@ class Overlayer {
   double metres_;
   Eigen::Vector3d origin_, direction_;
   const Redrawn& redrawn_;
+  const std::vector<std::array<Eigen::Vector3d, 2>>& lines_;
   gp_Pln plane_;
   std::map<EdgeId, TopoDS_Edge> edges_;
 };
@@ -149,7 +167,7 @@ class Overlayer {
 KernelOverlay overlay_of(const ShapeKernel& source, const std::vector<FaceId>& faces,
                          const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
                          const Redrawn& redrawn, const std::vector<std::array<Eigen::Vector3d, 2>>& lines) {
-  return Overlayer(source, origin, direction, redrawn).make(faces, lines);
+  return Overlayer(source, origin, direction, redrawn, lines).make(faces);
 }
 
 }  // namespace isopatch::geometry

@@ -2,15 +2,22 @@
 
 #include <vector>
 
+#include <optional>
+
 #include "geometry/brep/cell_complex.hpp"
-#include "segmentation/pieces/internal/piece.hpp"
 
 namespace isopatch::segmentation {
 
+/// The cells of a piece of a solid; all its curves are new ones.
+struct ComplexOfPiece {
+  geometry::CellComplex complex;
+  /// By face of the piece: that of the whole solid; nothing where a plane has cut.
+  std::vector<std::optional<FaceId>> origin;
+};
+
 /// One complex of those of all pieces: what lies in the same place is stored once.
-/// @param complexes  by piece
+/// @param tolerance  m
 /// @throws Error unsupported  a side where a plane has cut meets no side of another piece: says where
-geometry::CellComplex joined_complex(const std::vector<Piece>& pieces,
-                                     const std::vector<geometry::CellComplex>& complexes);
+geometry::CellComplex joined_complex(const std::vector<ComplexOfPiece>& pieces, double tolerance);
 
 }  // namespace isopatch::segmentation

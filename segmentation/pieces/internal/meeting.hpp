@@ -9,17 +9,17 @@ namespace isopatch::segmentation {
 
 /// Two pieces that meet in a plane.
 struct Meeting {
-  geometry::PlaneSurface plane;  ///< its x runs along a piece of which it is a wall
+  geometry::PlaneSurface plane;  ///< its x runs along a piece of which it is a wall, if it is of one
   int first, second;             ///< numbers of the pieces
 };
 
 /// Where pieces meet.
-/// @throws Error unsupported  a plane across the direction of both pieces, or in which their directions are
-/// at no right angle
+/// @throws Error unsupported  a plane in which the directions of both pieces are at no right angle
 std::vector<Meeting> meetings(const std::vector<Piece>& pieces);
 
 /// Stacks of all pieces, divided so that their hexahedra meet in whole sides. Pieces of which a plane is a
-/// wall come first: those that meet them with a floor take their sides over into their drawings.
+/// wall come first: those that meet them with a floor take their sides over into their drawings. Of two that
+/// both meet with floors the second takes over the chords of the first.
 /// @param pieces  must outlive the result
 /// @throws Error unsupported  a drawing that cannot be divided, pieces that need no end of divisions
 std::vector<Stack> met_stacks(const std::vector<Piece>& pieces);
