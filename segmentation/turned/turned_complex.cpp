@@ -133,6 +133,7 @@ class TurnedComplex {
 
   /// The face of the solid at a place, of some.
   FaceId origin_at(const std::vector<FaceId>& faces, const Eigen::Vector3d& place) const {
+    if (faces.size() == 1) return faces.front();
     for (const FaceId face : faces) {
       const geometry::FaceProjection nearest = solid_.project(face, place);
       if (nearest.distance < 1e-6 * solid_.size() && solid_.contains(face, nearest.uv)) return face;

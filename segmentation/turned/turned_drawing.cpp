@@ -1,6 +1,8 @@
 #include "segmentation/turned/internal/turned_drawing.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 #include "geometry/base/error.hpp"
@@ -96,6 +98,32 @@ Profile profile_of(const Brep& solid, const TurnedFrame& frame, const HalfProfil
   return profile;
 }
 
+/// As many quadrilaterals for each curve are a division that did not end within its bounds of angles.
+constexpr std::size_t too_many = 2;
+/// Searches of a drawing that is hard to divide; one in three finds a good division of a shaft with rounds.
+constexpr unsigned more_searches = 5;
+constexpr int more_effort = 8;
+
+/// Looks further where few curves need many quadrilaterals.
+Quadrangulation divided(const Profile& profile, QuadrangulationOptions options) {
+  std::optional<Quadrangulation> best;
+  std::optional<Error> refusal;
+  for (unsigned search = 0; search <= more_searches; ++search) {
+    try {
+      Quadrangulation found = quadrangulate(profile, options);
+      if (!best || found.quads.size() < best->quads.size()) best = std::move(found);
+      if (best->quads.size() <= too_many * profile.edges.size() + 4) break;
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::unsupported) throw;
+      refusal = error;
+    }
+    if (search == 0) options.effort *= more_effort;
+    ++options.seed;
+  }
+  if (!best) throw *refusal;
+  return *std::move(best);
+}
+
 void find_curves(const Brep& solid, const TurnedFrame& frame, TurnedDrawing& drawing) {
   drawing.places = drawing.quads.vertices;
   drawing.curves.resize(drawing.quads.edges.size());
@@ -142,7 +170,7 @@ TurnedDrawing turned_drawing(const Brep& solid, const TurnedFrame& frame,
   TurnedDrawing result;
   result.half.outside = half_profile(solid, frame);
   if (frame.is_whole()) result.half = without_cores(solid, frame, std::move(result.half.outside));
-  result.quads = quadrangulate(profile_of(solid, frame, result.half.outside), options);
+  result.quads = divided(profile_of(solid, frame, result.half.outside), options);
   find_curves(solid, frame, result);
   for (const CoreStrip& strip : result.half.strips)
     result.columns.push_back(pieces_of(result.quads, strip.line));
