@@ -143,14 +143,13 @@ class CoreMaker {
       (at(end, middle)[0] < radius ? low : high) = middle;
     }
     const Eigen::Vector2d corner = at(end, high);
-    outside().vertices.push_back(corner);
-    const int vertex = static_cast<int>(outside().vertices.size()) - 1;
+    const int made = vertex(corner);
     HalfCurve& curve = outside().curves[end.curve];
     const double share = end.at_start ? high : 1 - high;
     const double t = curve.low + share * (curve.high - curve.low);
-    (end.at_start ? curve.start : curve.end) = vertex;
+    (end.at_start ? curve.start : curve.end) = made;
     (end.at_start ? curve.low : curve.high) = t;
-    return vertex;
+    return made;
   }
 
   CoreEnd core_end(const End& end, double radius) {
@@ -166,10 +165,10 @@ class CoreMaker {
     strip.low = core_end(low, radius);
     strip.high = core_end(high, radius);
     std::vector<int> corners = {strip.low.vertex};
-    const std::optional<int> first = inner_corner(low, strip.low, radius);
-    const std::optional<int> last = inner_corner(high, strip.high, radius);
-    if (first) corners.push_back(*first);
-    if (last) corners.push_back(*last);
+    for (const auto& [end, made] : {std::pair(&low, &strip.low), std::pair(&high, &strip.high)})
+      if (const auto corner = inner_corner(*end, *made, radius))
+        if (corner->y() > place(strip.low.vertex).y() && corner->y() < place(strip.high.vertex).y())
+          corners.push_back(vertex(*corner));
     corners.push_back(strip.high.vertex);
     for (std::size_t i = 1; i < corners.size(); ++i) {
       if (!(place(corners[i])[1] > place(corners[i - 1])[1] + tolerance_))
@@ -184,10 +183,14 @@ class CoreMaker {
   }
 
   /// Below the corner on a sphere that turns far, on the way to its centre.
-  std::optional<int> inner_corner(const End& end, const CoreEnd& made, double radius) {
+  std::optional<Eigen::Vector2d> inner_corner(const End& end, const CoreEnd& made, double radius) {
     if (end.corner <= 0 || !end.bulges) return std::nullopt;
     const Eigen::Vector2d centre(0, *end.centre), corner = place(made.vertex);
-    outside().vertices.emplace_back(centre + radius / corner[0] * (corner - centre));
+    return centre + radius / corner[0] * (corner - centre);
+  }
+
+  int vertex(const Eigen::Vector2d& at) {
+    outside().vertices.push_back(at);
     return static_cast<int>(outside().vertices.size()) - 1;
   }
 

@@ -59,7 +59,13 @@ INSTANTIATE_TEST_SUITE_P(Solids, TurnedCellsOf,
                          testing::Values(Sample{"sphere", 7}, Sample{"torus", 20}, Sample{"cylinder", 5},
                                          Sample{"cone", 5}, Sample{"shaft", 29}, Sample{"ring_quarter", 1},
                                          Sample{"ring_150", 2}, Sample{"cone_quarter", 1},
-                                         Sample{"shell_piece", 1}, Sample{"elbow_piece", 1}),
+                                         Sample{"shell_piece", 1}, Sample{"elbow_piece", 1},
+                                         Sample{"ball_on_rod", 25}, Sample{"bored_ball", 4},
+                                         Sample{"hollow_ball", 20}, Sample{"domed_rod", 15},
+                                         Sample{"round_cup", 30}, Sample{"flat_cup", 30},
+                                         Sample{"ring_in_halves", 12}, Sample{"sheave", 60},
+                                         Sample{"round_ring", 44}, Sample{"bent_rod", 10},
+                                         Sample{"bent_tube", 4}, Sample{"half_torus", 10}),
                          [](const auto& info) { return std::string(info.param.name); });
 
 TEST(TurnedCells, AreNoneOfOtherSolids) {
