@@ -12,6 +12,7 @@
 #include "segmentation/pieces/mirrored_cells.hpp"
 #include "segmentation/pieces/pieced_cells.hpp"
 #include "segmentation/sweeps/swept_cells.hpp"
+#include "segmentation/turned/turned_cells.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -38,6 +39,14 @@ std::string text_of(const SweptCells& swept) {
                      swept.quadrilaterals, swept.quadrilaterals == 1 ? "" : "s", swept.levels);
 }
 
+std::string text_of(const TurnedCells& turned) {
+  const std::string column =
+      turned.along_axis > 0 ? fmt::format(", {} along the axis", turned.along_axis) : std::string();
+  return fmt::format("turned about {}: {} quadrilateral{} in {} sector{}{}", direction_text(turned.about),
+                     turned.quadrilaterals, turned.quadrilaterals == 1 ? "" : "s", turned.sectors,
+                     turned.sectors == 1 ? "" : "s", column);
+}
+
 /// "4 pieces swept along z, y, z and x".
 std::string text_of(const PiecedCells& cells) {
   std::string text = fmt::format("{} pieces swept along", cells.pieces.size());
@@ -56,32 +65,37 @@ struct KnownCells {
   std::string seen_as;
 };
 
-std::optional<KnownCells> pieces_of(const geometry::Brep& solid,
-                                    const std::vector<geometry::PlaneSurface>& cuts) {
-  std::optional<PiecedCells> pieced = pieced_cells(solid, cuts);
-  if (!pieced) return std::nullopt;
-  std::string text = text_of(*pieced);
-  return KnownCells{std::move(pieced->complex), std::move(text)};
-}
-
-/// @param why_not  gets what stopped a sweep of a solid that looks swept
-std::optional<KnownCells> swept_or_pieced(const geometry::Brep& solid, std::string& why_not) {
+/// Looks at a solid in one way, and keeps what is found if it takes fewer hexahedra than what is known.
+/// @param why_not  gets what stopped a solid that looks as if it would do
+template <class Look>
+void look(const Look& at, std::optional<KnownCells>& best, std::string& why_not) {
   try {
-    if (std::optional<SweptCells> swept = swept_cells(solid)) {
-      std::string text = text_of(*swept);
-      return KnownCells{std::move(swept->complex), std::move(text)};
-    }
+    auto made = at();
+    if (!made || (best && best->complex.cells.size() <= made->complex.cells.size())) return;
+    std::string text = text_of(*made);
+    best = KnownCells{std::move(made->complex), std::move(text)};
   } catch (const Error& error) {
     if (error.code() == ErrorCode::internal) throw;
     why_not = error.what();
   }
-  return pieces_of(solid, {});
+}
+
+std::optional<KnownCells> known_cells(const geometry::Brep& solid, std::string& why_not) {
+  std::optional<KnownCells> best;
+  if (!planes_are_divided(solid)) look([&] { return swept_cells(solid); }, best, why_not);
+  look([&] { return turned_cells(solid); }, best, why_not);
+  if (!best && !planes_are_divided(solid)) look([&] { return pieced_cells(solid); }, best, why_not);
+  return best;
 }
 
 /// With the cuts given; nothing else will do.
 KnownCells as_given(const geometry::Brep& solid, const std::vector<geometry::PlaneSurface>& cuts) {
   std::string why_not;
-  std::optional<KnownCells> made = cuts.empty() ? swept_or_pieced(solid, why_not) : pieces_of(solid, cuts);
+  std::optional<KnownCells> made;
+  if (cuts.empty())
+    made = known_cells(solid, why_not);
+  else if (std::optional<PiecedCells> pieces = pieced_cells(solid, cuts))
+    made = KnownCells{pieces->complex, text_of(*pieces)};
   if (!made)
     throw Error(
         ErrorCode::unsupported,
@@ -123,14 +137,8 @@ KnownShape known_shape(const geometry::Brep& solid, const DecompositionOptions& 
     return result;
   }
   if (options.method == Method::cuts || options.t_joints == TJoints::keep) return result;
-  if (planes_are_divided(solid)) return result;
-  try {
-    if (std::optional<KnownCells> made = swept_or_pieced(solid, result.why_not))
-      result.decomposition = decomposition_of(std::move(*made), watch.seconds());
-  } catch (const Error& error) {
-    if (error.code() == ErrorCode::internal) throw;
-    result.why_not = error.what();
-  }
+  if (std::optional<KnownCells> made = known_cells(solid, result.why_not))
+    result.decomposition = decomposition_of(std::move(*made), watch.seconds());
   return result;
 }
 

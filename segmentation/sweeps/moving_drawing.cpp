@@ -10,7 +10,7 @@
 #include "geometry/brep/require_solid.hpp"
 #include "geometry/splines/arc.hpp"
 #include "geometry/splines/refine.hpp"
-#include "segmentation/sweeps/internal/piece_of_curve.hpp"
+#include "segmentation/sweeps/piece_of_curve.hpp"
 #include "segmentation/sweeps/internal/straight_wall.hpp"
 
 namespace isopatch::segmentation {

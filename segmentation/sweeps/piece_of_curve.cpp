@@ -1,4 +1,4 @@
-#include "segmentation/sweeps/internal/piece_of_curve.hpp"
+#include "segmentation/sweeps/piece_of_curve.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

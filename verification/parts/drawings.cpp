@@ -4,6 +4,7 @@
 #include "verification/parts/internal/chair_stand.hpp"
 #include "verification/parts/internal/demonstrator.hpp"
 #include "verification/parts/internal/shop_parts.hpp"
+#include "verification/parts/internal/turned_parts.hpp"
 
 namespace isopatch::parts {
 
@@ -38,6 +39,12 @@ const std::vector<Drawing>& drawings() {
       {"key_shaft", "shop", "a stepped shaft with fillets, chamfers and a keyway", key_shaft},
       {"heat_sink", "shop", "a heat sink with nine fins", heat_sink},
       {"u_bracket", "shop", "a bracket bent from a sheet", u_bracket},
+      {"ball_stud", "turned", "a ball on a neck, a cone and a shank", ball_stud},
+      {"turned_handle", "turned", "a handle of arcs with a round end", turned_handle},
+      {"rounded_shaft", "turned", "a shaft of two sections with a fillet and round edges", rounded_shaft},
+      {"rounded_washer", "turned", "a washer with round edges", rounded_washer},
+      {"bent_pipe", "turned", "a pipe, bent", bent_pipe},
+      {"bent_bar", "turned", "a round bar, bent", bent_bar},
       {"demonstrator", "models", "the TERRIFIC demonstrator, from its dimensions", demonstrator},
       {"chair_stand", "models", "one fifth of a chair's base, from its dimensions", chair_stand},
   };

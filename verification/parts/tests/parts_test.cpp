@@ -72,6 +72,10 @@ TEST(Parts, ThoseOfAShopAreSoundHaveTheirNamesAndTheirVolume) {
   expect_all_of("shop");
 }
 
+TEST(Parts, TurnedOnesAreSoundHaveTheirNamesAndTheirVolume) {
+  expect_all_of("turned");
+}
+
 TEST(Parts, ModelsAreSoundAndHaveTheirNames) {
   expect_all_of("models");
 }

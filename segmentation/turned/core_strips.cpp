@@ -1,0 +1,209 @@
+#include "segmentation/turned/internal/core_strips.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "geometry/base/error.hpp"
+#include "geometry/brep/require_solid.hpp"
+
+namespace isopatch::segmentation {
+namespace {
+
+using geometry::Brep;
+
+/// Of the smallest radius beside the axis: what an O-grid of a disc has.
+constexpr double core_share = 0.6;
+/// Of the angle at which a sphere ends or turns away: 54.7 degrees, the corner of a cube, of a right angle.
+constexpr double corner_share = 0.608;
+/// Of the radius of that corner: the column's side in a ball.
+constexpr double inner_share = 0.55;
+/// rad; spheres that turn less are divided like planes.
+constexpr double far_turn = 1.0;
+
+/// A curve that ends on the axis.
+struct End {
+  std::size_t curve;
+  bool at_start;  // whether the curve starts there
+  double height;
+  std::optional<double> centre;  // height of a sphere's
+  double radius = 0;             // at which it ends, turns back or meets the other end
+  double corner = 0;             // radius of the column's corner; 0 where that is to be the column's
+  bool bulges = false;           // with the solid inside the sphere
+};
+
+class CoreMaker {
+ public:
+  CoreMaker(const Brep& solid, const TurnedFrame& frame, HalfProfile profile)
+      : solid_(solid), frame_(frame), made_{std::move(profile), {}} {}
+
+  CoredProfile make() {
+    std::vector<End> ends;
+    for (std::size_t c = 0; c < outside().curves.size(); ++c) {
+      const HalfCurve& curve = outside().curves[c];
+      for (const bool at_start : {true, false}) {
+        const int vertex = at_start ? curve.start : curve.end;
+        if (vertex < 0 || place(vertex)[0] > tolerance_) continue;
+        ends.push_back({c, at_start, place(vertex)[1], {}});
+      }
+    }
+    std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.height < b.height; });
+    if (ends.size() % 2 != 0)
+      throw Error(ErrorCode::unsupported, "its half profile is open on the axis");
+    for (std::size_t i = 0; i < ends.size(); ++i) look_at(ends[i], i % 2 == 0);
+    // All radii are taken before the first curve is cut.
+    std::vector<double> radii;
+    for (std::size_t i = 0; i < ends.size(); i += 2) radii.push_back(core_radius(ends[i], ends[i + 1]));
+    for (std::size_t i = 0; i < ends.size(); i += 2) add_strip(ends[i], ends[i + 1], radii[i / 2]);
+    return std::move(made_);
+  }
+
+ private:
+  HalfProfile& outside() { return made_.outside; }
+  const HalfCurve& curve_of(const End& end) { return outside().curves[end.curve]; }
+  Eigen::Vector2d place(int vertex) { return outside().vertices[static_cast<std::size_t>(vertex)]; }
+
+  /// @param share  0 on the axis
+  Eigen::Vector2d at(const End& end, double share) {
+    return point(solid_, frame_, outside(), curve_of(end), end.at_start ? share : 1 - share);
+  }
+
+  [[noreturn]] void refuse(const End& end, const std::string& what) {
+    const HalfCurve& curve = curve_of(end);
+    throw Error(ErrorCode::unsupported,
+                fmt::format("{} {} on the axis", describe(solid_, curve.faces.front()), what));
+  }
+
+  /// @param low  whether the solid is above it
+  void look_at(End& end, bool low) {
+    const Eigen::Vector2d last = at(end, 1), middle = at(end, 0.5);
+    end.radius = std::max(last[0], middle[0]);
+    if (is_straight(solid_, curve_of(end))) {
+      if (std::abs(last[1] - end.height) > tolerance_) refuse(end, "comes to a point");
+      return;
+    }
+    end.centre = sphere_centre(end);
+    if (!end.centre) refuse(end, "is neither plane nor sphere");
+    const double radius = std::abs(end.height - *end.centre);
+    end.bulges = (*end.centre > end.height) == low;
+    double turn = std::numbers::pi;
+    for (const double share : {0.25, 0.5, 0.75, 1.0}) {
+      const Eigen::Vector2d way = at(end, share) - Eigen::Vector2d(0, *end.centre);
+      end.radius = std::max(end.radius, way[0]);
+      turn = std::atan2(way[0], way[1] * (end.height > *end.centre ? 1 : -1));
+    }
+    turn = std::min(turn, std::numbers::pi / 2);
+    end.radius = std::max(end.radius, radius * std::sin(turn));
+    if (turn > far_turn) end.corner = radius * std::sin(corner_share * turn);
+  }
+
+  /// Height of the point on the axis that all of a curve is equally far from.
+  std::optional<double> sphere_centre(const End& end) {
+    const Eigen::Vector2d last = at(end, 0.7);
+    const double rise = last[1] - end.height;
+    if (std::abs(rise) < tolerance_) return std::nullopt;
+    const double centre = end.height + (last[0] * last[0] + rise * rise) / (2 * rise);
+    for (const double share : {0.15, 0.4, 0.55, 0.85, 1.0})
+      if (std::abs((at(end, share) - Eigen::Vector2d(0, centre)).norm() - std::abs(end.height - centre)) >
+          tolerance_)
+        return std::nullopt;
+    return centre;
+  }
+
+  double core_radius(const End& low, const End& high) {
+    double result = core_share * std::min(low.radius, high.radius);
+    for (std::size_t c = 0; c < outside().curves.size(); ++c) {
+      if (c == low.curve || c == high.curve) continue;
+      for (int i = 0; i <= 16; ++i) {
+        const Eigen::Vector2d beside = point(solid_, frame_, outside(), outside().curves[c], i / 16.0);
+        if (beside[1] > low.height - tolerance_ && beside[1] < high.height + tolerance_ &&
+            beside[0] > tolerance_)
+          result = std::min(result, core_share * beside[0]);
+      }
+    }
+    for (const End& end : {low, high})
+      if (end.corner > 0) result = std::min(result, inner_share * end.corner);
+    return result;
+  }
+
+  /// Takes off the part of the curve within a radius.
+  /// @return  the vertex there
+  int cut(const End& end, double radius) {
+    double low = 0, high = 1;
+    // Up to where it turns back, the radius grows.
+    for (double share = 1; share > 0; share -= 1.0 / 64)
+      if (at(end, share)[0] >= radius) high = share;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = (low + high) / 2;
+      (at(end, middle)[0] < radius ? low : high) = middle;
+    }
+    const Eigen::Vector2d corner = at(end, high);
+    const int made = vertex(corner);
+    HalfCurve& curve = outside().curves[end.curve];
+    const double share = end.at_start ? high : 1 - high;
+    const double t = curve.low + share * (curve.high - curve.low);
+    (end.at_start ? curve.start : curve.end) = made;
+    (end.at_start ? curve.low : curve.high) = t;
+    return made;
+  }
+
+  CoreEnd core_end(const End& end, double radius) {
+    CoreEnd result;
+    result.faces = curve_of(end).faces;
+    if (end.centre) result.centre = frame_.point({0, *end.centre}, 0);
+    result.vertex = cut(end, end.corner > 0 ? end.corner : radius);
+    return result;
+  }
+
+  void add_strip(const End& low, const End& high, double radius) {
+    CoreStrip strip;
+    strip.low = core_end(low, radius);
+    strip.high = core_end(high, radius);
+    std::vector<int> corners = {strip.low.vertex};
+    for (const auto& [end, made] : {std::pair(&low, &strip.low), std::pair(&high, &strip.high)})
+      if (const auto corner = inner_corner(*end, *made, radius))
+        if (corner->y() > place(strip.low.vertex).y() && corner->y() < place(strip.high.vertex).y())
+          corners.push_back(vertex(*corner));
+    corners.push_back(strip.high.vertex);
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+      if (!(place(corners[i])[1] > place(corners[i - 1])[1] + tolerance_))
+        throw Error(ErrorCode::unsupported, "its ends on the axis are too near to each other");
+      strip.line.push_back(static_cast<int>(outside().curves.size()));
+      HalfCurve side;
+      side.start = corners[i - 1];
+      side.end = corners[i];
+      outside().curves.push_back(std::move(side));
+    }
+    made_.strips.push_back(std::move(strip));
+  }
+
+  /// Below the corner on a sphere that turns far, on the way to its centre.
+  std::optional<Eigen::Vector2d> inner_corner(const End& end, const CoreEnd& made, double radius) {
+    if (end.corner <= 0 || !end.bulges) return std::nullopt;
+    const Eigen::Vector2d centre(0, *end.centre), corner = place(made.vertex);
+    return centre + radius / corner[0] * (corner - centre);
+  }
+
+  int vertex(const Eigen::Vector2d& at) {
+    outside().vertices.push_back(at);
+    return static_cast<int>(outside().vertices.size()) - 1;
+  }
+
+  const Brep& solid_;
+  const TurnedFrame& frame_;
+  double tolerance_ = 1e-7 * solid_.size();
+  CoredProfile made_;
+};
+
+}  // namespace
+
+CoredProfile without_cores(const Brep& solid, const TurnedFrame& frame, HalfProfile profile) {
+  return CoreMaker(solid, frame, std::move(profile)).make();
+}
+
+}  // namespace isopatch::segmentation

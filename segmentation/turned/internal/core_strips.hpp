@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "segmentation/turned/internal/half_profile.hpp"
+
+namespace isopatch::segmentation {
+
+/// Where a solid ends on its axis.
+struct CoreEnd {
+  int vertex = -1;                        ///< of the half profile: corner of the core on the surface
+  std::optional<Eigen::Vector3d> centre;  ///< of a sphere, m; else a plane
+  std::vector<FaceId> faces;
+};
+
+/// A stretch of the axis inside the solid, with a square column around it.
+struct CoreStrip {
+  std::vector<int> line;  ///< curves of the half profile beside the column, from low to high
+  CoreEnd low, high;
+};
+
+/// A half profile without what is nearest to the axis.
+struct CoredProfile {
+  HalfProfile outside;
+  std::vector<CoreStrip> strips;
+};
+
+/// Takes strips along the axis off a half profile, about 0.6 of the smallest radius beside each wide. On a
+/// sphere that turns far, a strip is as wide as the side of a cube would be.
+/// @throws Error unsupported  the solid ends on its axis in something other than a plane or a sphere, or has
+/// an edge there
+CoredProfile without_cores(const geometry::Brep& solid, const TurnedFrame& frame, HalfProfile profile);
+
+}  // namespace isopatch::segmentation

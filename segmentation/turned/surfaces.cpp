@@ -1,0 +1,65 @@
+#include "segmentation/turned/internal/surfaces.hpp"
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+
+namespace isopatch::segmentation {
+
+using geometry::KnotVector;
+using geometry::NurbsCurve;
+using geometry::NurbsSurface;
+
+NurbsSurface turned_surface(const NurbsCurve& curve, const Eigen::Vector3d& origin,
+                            const Eigen::Vector3d& axis, double sweep) {
+  const Eigen::Matrix3d half = Eigen::AngleAxisd(sweep / 2, axis).toRotationMatrix(),
+                        whole = Eigen::AngleAxisd(sweep, axis).toRotationMatrix();
+  const double weight = std::cos(sweep / 2);
+  Eigen::Matrix3Xd points(3, 3 * curve.size());
+  Eigen::VectorXd weights(3 * curve.size());
+  for (Eigen::Index i = 0; i < curve.size(); ++i) {
+    const Eigen::Vector3d way = curve.control_points().col(i) - origin;
+    const Eigen::Vector3d foot = axis * axis.dot(way), out = way - foot;
+    points.col(3 * i) = origin + way;
+    points.col(3 * i + 1) = origin + foot + half * out / weight;
+    points.col(3 * i + 2) = origin + foot + whole * out;
+    weights.segment<3>(3 * i) = curve.weights()[i] * Eigen::Vector3d(1, weight, 1);
+  }
+  return NurbsSurface({KnotVector(2, {0, 0, 0, 1, 1, 1}), curve.knots(0)}, points, weights);
+}
+
+SpherePatch::SpherePatch(const Eigen::Vector3d& centre, double radius, const Eigen::Vector3d& middle,
+                         bool inwards)
+    : centre_(centre), z_(middle), radius_(radius) {
+  x_ = middle.unitOrthogonal();
+  y_ = middle.cross(x_) * (inwards ? -1 : 1);
+}
+
+NurbsSurface SpherePatch::surface(double reach) const {
+  // Blossoms of 1, t and t^2 on the knots -reach, 0, reach.
+  const Eigen::Vector4d one = Eigen::Vector4d::Ones(), t = reach * Eigen::Vector4d(-1, -0.5, 0.5, 1),
+                        square = reach * reach * Eigen::Vector4d(1, 0, 0, 1);
+  Eigen::Matrix4Xd points(4, 16);
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 4; ++i) {
+      const double squares = square[i] + square[j], weight = one[i] + squares;
+      const Eigen::Vector3d out = radius_ * (2 * t[i] * x_ + 2 * t[j] * y_ + (1 - squares) * z_);
+      points.col(i + 4 * j) << weight * centre_ + out, weight;
+    }
+  const KnotVector knots(2, {-reach, -reach, -reach, 0, reach, reach, reach});
+  return NurbsSurface::from_homogeneous({knots, knots}, points);
+}
+
+NurbsCurve SpherePatch::trace(const NurbsCurve& curve) const {
+  Eigen::Matrix3Xd points(3, curve.size());
+  Eigen::VectorXd weights(curve.size());
+  for (Eigen::Index i = 0; i < curve.size(); ++i) {
+    const Eigen::Vector3d way = curve.control_points().col(i) - centre_;
+    const double below = radius_ + way.dot(z_);
+    points.col(i) << way.dot(x_) / below, way.dot(y_) / below, 0;
+    weights[i] = curve.weights()[i] * below;
+  }
+  return NurbsCurve(curve.knots(), points, weights);
+}
+
+}  // namespace isopatch::segmentation

@@ -1,0 +1,40 @@
+#include "segmentation/turned/turned_cells.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "geometry/base/error.hpp"
+#include "geometry/brep/cell_solids.hpp"
+#include "segmentation/turned/internal/turned_complex.hpp"
+
+namespace isopatch::segmentation {
+namespace {
+
+void require_all_of(const geometry::Brep& solid, const geometry::CellComplex& complex) {
+  double volume = 0;
+  for (const geometry::Brep& cell : cell_solids(solid, complex)) volume += cell.volume();
+  if (!(std::abs(volume - solid.volume()) <= 1e-5 * solid.volume()))
+    throw Error(ErrorCode::unsupported, fmt::format("{:.3g} of {:.3g} m^3 are not among its hexahedra",
+                                                    solid.volume() - volume, solid.volume()));
+}
+
+}  // namespace
+
+std::optional<TurnedCells> turned_cells(const geometry::Brep& solid, const QuadrangulationOptions& options) {
+  const std::optional<TurnedFrame> frame = turned_frame(solid);
+  if (!frame) return std::nullopt;
+  const TurnedDrawing drawing = turned_drawing(solid, *frame, options);
+  const int sectors =
+      frame->is_whole() ? 4 : static_cast<int>(std::ceil(frame->sweep / (std::numbers::pi / 2) - 1e-9));
+  TurnedCells result{turned_complex(solid, *frame, drawing, sectors), frame->along, frame->sweep,
+                     static_cast<int>(drawing.quads.quads.size()), sectors};
+  for (const std::vector<int>& column : drawing.columns)
+    result.along_axis += static_cast<int>(column.size());
+  require_all_of(solid, result.complex);
+  return result;
+}
+
+}  // namespace isopatch::segmentation

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+
+#include "geometry/brep/brep.hpp"
+#include "geometry/brep/cell_complex.hpp"
+#include "segmentation/profiles/quadrangulation_options.hpp"
+
+namespace isopatch::segmentation {
+
+/// A solid as rings of hexahedra over quadrilaterals of its half profile, and a column of them along its
+/// axis.
+struct TurnedCells {
+  geometry::CellComplex complex;  ///< of hexahedra that meet side to side
+  Eigen::Vector3d about;          ///< direction of the axis, unit
+  double sweep;                   ///< rad, 2 pi of a whole turn
+  int quadrilaterals = 0, sectors = 0;
+  int along_axis = 0;  ///< hexahedra in the column
+};
+
+/// Divides a solid that is turned: each face is a surface of revolution about one axis. So are balls, tori,
+/// shafts with rounds, pulleys without holes. Or, turned by an angle, it ends in two planes through the axis:
+/// bends of pipes and bars.
+///
+/// The half profile is divided into quadrilaterals, which are turned in sectors of at most 90 degrees. Where
+/// material reaches the axis, a square column of hexahedra runs along it, whose ends lie on planes or spheres.
+/// Faces away from the axis are exact.
+/// @return  nothing for a solid that is not turned
+/// @throws Error unsupported  it looks like one, but has a point or an edge on its axis, or a half profile that
+/// cannot be divided: names the place
+std::optional<TurnedCells> turned_cells(const geometry::Brep& solid,
+                                        const QuadrangulationOptions& options = {});
+
+}  // namespace isopatch::segmentation
