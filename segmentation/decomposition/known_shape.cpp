@@ -47,15 +47,13 @@ std::string text_of(const TurnedCells& turned) {
                      turned.sectors == 1 ? "" : "s", column);
 }
 
-/// "4 pieces swept along z, y, z and x".
+/// "3 pieces: swept along z, swept along x, turned about y".
 std::string text_of(const PiecedCells& cells) {
-  std::string text = fmt::format("{} pieces swept along", cells.pieces.size());
+  std::string text = fmt::format("{} pieces", cells.pieces.size());
   for (std::size_t p = 0; p < cells.pieces.size(); ++p)
-    text += fmt::format("{}{}",
-                        p == 0                        ? " "
-                        : p + 1 < cells.pieces.size() ? ", "
-                                                      : " and ",
-                        direction_text(cells.pieces[p].along));
+    text +=
+        fmt::format("{} {} {}", p == 0 ? ":" : ",", cells.pieces[p].turned ? "turned about" : "swept along",
+                    direction_text(cells.pieces[p].along));
   return text;
 }
 

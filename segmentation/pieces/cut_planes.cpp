@@ -40,9 +40,13 @@ class Collector {
         add(plane(carrier->origin, carrier->axis));
   }
 
-  /// Through an edge where a flat face and a round one meet, at right angles to both.
+  /// Through an edge where a flat face and a round one meet, at right angles to both, or the plane of a
+  /// circle.
   void cut_across(EdgeId edge) {
     const geometry::BrepEdge& line = solid_.edge(edge);
+    if (line.kind == geometry::CurveKind::circle)
+      add(plane(solid_.point(edge, 0),
+                solid_.tangent(edge, 0).cross(solid_.tangent(edge, 0.3)).normalized()));
     if (line.kind != geometry::CurveKind::line) return;
     for (const FaceId face : line.faces)
       if (const auto carrier = solid_.carrier(face);

@@ -5,10 +5,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <utility>
 
 #include "geometry/base/error.hpp"
+#include "segmentation/sweeps/stack.hpp"
+#include "segmentation/turned/turned_cells.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -17,7 +20,7 @@ using geometry::Brep;
 using geometry::PlaneSurface;
 
 bool is_floor(const Piece& piece, const PlaneSurface& plane) {
-  return std::abs(piece.frame.along.dot(plane.normal())) > 0.5;
+  return piece.turned || std::abs(piece.frame.along.dot(plane.normal())) > 0.5;
 }
 
 double tolerance_of(const std::vector<Piece>& pieces) {
@@ -54,6 +57,30 @@ PlaneSurface ruled(const PlaneSurface& plane, const Piece& first, const Piece& s
   return result;
 }
 
+/// Straight edges in a plane between two faces there.
+std::vector<Line> lines_on(const geometry::CellComplex& complex, const PlaneSurface& plane,
+                           double tolerance) {
+  const auto is_on = [&](const Eigen::Vector3d& point) {
+    return std::abs((point - plane.origin).dot(plane.normal())) < tolerance;
+  };
+  std::map<EdgeId, int> uses;
+  for (const geometry::CellFace& face : complex.faces) {
+    const bool is_in_plane = std::all_of(face.loop.begin(), face.loop.end(), [&](const auto& use) {
+      const auto& curve = std::get<geometry::NurbsCurve>(complex.curve(complex.edge(use.edge).curve).shape);
+      return is_on(curve.point(curve.low())) && is_on(curve.point((curve.low() + curve.high()) / 2));
+    });
+    if (is_in_plane)
+      for (const geometry::EdgeUse& use : face.loop) ++uses[use.edge];
+  }
+  std::vector<Line> result;
+  for (const auto& [edge, count] : uses) {
+    const auto& curve = std::get<geometry::NurbsCurve>(complex.curve(complex.edge(edge).curve).shape);
+    if (count == 2 && curve.degree(0) == 1)
+      result.push_back({complex.vertex(complex.edge(edge).start), complex.vertex(complex.edge(edge).end)});
+  }
+  return result;
+}
+
 /// A line in a plane along its x (axis 0) or y (axis 1), at a value of the other.
 struct Segment {
   int axis;
@@ -65,17 +92,22 @@ class Settler {
   Settler(const std::vector<Piece>& pieces, std::vector<Meeting> places)
       : pieces_(pieces), places_(std::move(places)), tolerance_(tolerance_of(pieces)) {
     stacks_.resize(pieces.size());
+    turned_.resize(pieces.size());
   }
 
-  std::vector<Stack> make() {
+  std::vector<MetPiece> make() {
+    for (std::size_t p = 0; p < pieces_.size(); ++p)
+      if (pieces_[p].turned) turned_[p] = turned_cells(pieces_[p].brep);
     for (const int number : order()) {
       const auto n = static_cast<std::size_t>(number);
       stacks_[n].emplace(pieces_[n].brep, pieces_[n].frame, lines_on(number));
       settle_outlines(number);
     }
     settle();
-    std::vector<Stack> result;
-    for (std::optional<Stack>& stack : stacks_) result.push_back(std::move(*stack));
+    std::vector<MetPiece> result;
+    for (std::size_t p = 0; p < pieces_.size(); ++p)
+      result.push_back(turned_[p] ? MetPiece{std::move(turned_[p]->complex), turned_[p]->about}
+                                  : MetPiece{stacks_[p]->complex(), stacks_[p]->frame().along});
     return result;
   }
 
@@ -83,10 +115,11 @@ class Settler {
   const Piece& piece(int number) const { return pieces_[static_cast<std::size_t>(number)]; }
   Stack& stack(int number) { return *stacks_[static_cast<std::size_t>(number)]; }
 
-  /// Walls before floors.
+  /// Stacks, walls before floors.
   std::vector<int> order() const {
     std::vector<int> result;
-    std::vector<bool> done(pieces_.size(), false);
+    std::vector<bool> done;
+    for (const Piece& piece : pieces_) done.push_back(piece.turned);
     const auto waits = [&](int number) {
       return std::any_of(places_.begin(), places_.end(), [&](const Meeting& place) {
         if (place.first != number && place.second != number) return false;
@@ -94,7 +127,7 @@ class Settler {
         return !done[static_cast<std::size_t>(other)] && is_floor(piece(number), place.plane);
       });
     };
-    while (result.size() < pieces_.size()) {
+    while (std::count(done.begin(), done.end(), false) > 0) {
       int next = -1;
       for (int p = 0; p < static_cast<int>(pieces_.size()); ++p)
         if (!done[static_cast<std::size_t>(p)] && (next < 0 || (waits(next) && !waits(p)))) next = p;
@@ -110,9 +143,9 @@ class Settler {
     for (const Meeting& place : places_) {
       if (place.first != number && place.second != number) continue;
       const int other = place.first == number ? place.second : place.first;
-      if (!stacks_[static_cast<std::size_t>(other)] || !is_floor(piece(number), place.plane)) continue;
+      if (!is_done(other) || !is_floor(piece(number), place.plane)) continue;
       if (is_floor(piece(other), place.plane)) {
-        for (const Line& line : stack(other).lines_on(place.plane, tolerance_))
+        for (const Line& line : chords_of(other, place.plane))
           if (is_cut(piece(other), (line[0] + line[1]) / 2)) add_line(line, result);
         continue;
       }
@@ -126,6 +159,17 @@ class Settler {
       }
     }
     return result;
+  }
+
+  bool is_done(int number) const {
+    const auto n = static_cast<std::size_t>(number);
+    return stacks_[n] || turned_[n];
+  }
+
+  std::vector<Line> chords_of(int number, const PlaneSurface& plane) {
+    const auto& turned = turned_[static_cast<std::size_t>(number)];
+    return turned ? segmentation::lines_on(turned->complex, plane, tolerance_)
+                  : stack(number).lines_on(plane, tolerance_);
   }
 
   void add_line(const Line& line, std::vector<Line>& lines) const {
@@ -211,6 +255,7 @@ class Settler {
       for (const Meeting& place : places_)
         for (const auto& [number, other] :
              {std::pair(place.first, place.second), std::pair(place.second, place.first)}) {
+          if (piece(number).turned || piece(other).turned) continue;
           const std::vector<Segment> by = outlines(stack(other).sides_on(place.plane, tolerance_));
           while (divide_once(number, place.plane, by)) changed = true;
         }
@@ -222,6 +267,7 @@ class Settler {
   std::vector<Meeting> places_;
   double tolerance_;
   std::vector<std::optional<Stack>> stacks_;
+  std::vector<std::optional<TurnedCells>> turned_;
   int divisions_ = 0;
 };
 
@@ -253,7 +299,7 @@ std::vector<Meeting> meetings(const std::vector<Piece>& pieces) {
   return result;
 }
 
-std::vector<Stack> met_stacks(const std::vector<Piece>& pieces) {
+std::vector<MetPiece> met_pieces(const std::vector<Piece>& pieces) {
   return Settler(pieces, meetings(pieces)).make();
 }
 

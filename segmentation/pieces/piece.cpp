@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "segmentation/sweeps/stack.hpp"
+#include "segmentation/turned/turned_cells.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -57,7 +58,7 @@ geometry::PlaneSurface plane_of(const Brep& brep, FaceId face) {
 }
 
 Piece seen(Brep brep, std::vector<std::optional<FaceId>> origin) {
-  Piece result{std::move(brep), std::move(origin), {}, std::numeric_limits<int>::max()};
+  Piece result{std::move(brep), std::move(origin), {}, false, std::numeric_limits<int>::max()};
   const std::vector<SweepFrame> frames = sweep_frames(result.brep);
   for (const Eigen::Vector3d& along : floor_directions(result.brep)) {
     const int faults = faults_along(result, along, frames);
@@ -66,6 +67,8 @@ Piece seen(Brep brep, std::vector<std::optional<FaceId>> origin) {
     for (const SweepFrame& frame : frames)
       if (is_parallel(frame.along, along)) result.frame = frame;
   }
+  result.turned = result.faults > 0 && is_turned(result.brep);
+  if (result.turned) result.faults = 0;
   return result;
 }
 

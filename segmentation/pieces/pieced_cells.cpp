@@ -14,9 +14,10 @@ namespace {
 PiecedCells cells_of(const geometry::Brep& solid, const std::vector<Piece>& pieces) {
   PiecedCells result;
   std::vector<ComplexOfPiece> complexes;
-  for (const Stack& stack : met_stacks(pieces)) {
-    complexes.push_back({stack.complex(), pieces[complexes.size()].origin});
-    result.pieces.push_back({stack.frame().along, static_cast<int>(complexes.back().complex.cells.size())});
+  for (MetPiece& met : met_pieces(pieces)) {
+    const Piece& piece = pieces[complexes.size()];
+    result.pieces.push_back({met.along, piece.turned, static_cast<int>(met.complex.cells.size())});
+    complexes.push_back({std::move(met.complex), piece.origin});
   }
   result.complex = joined_complex(complexes, 1e-6 * solid.size());
   return result;

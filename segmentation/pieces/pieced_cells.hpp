@@ -8,10 +8,11 @@
 
 namespace isopatch::segmentation {
 
-/// A solid as stacks of several directions that meet side to side.
+/// A solid as stacks of several directions and turned pieces that meet side to side.
 struct PiecedCells {
   struct Piece {
-    Eigen::Vector3d along;  ///< unit
+    Eigen::Vector3d along;  ///< unit; the axis of one that is turned
+    bool turned = false;
     int hexahedra = 0;
   };
   geometry::CellComplex complex;  ///< of hexahedra that meet side to side
@@ -19,7 +20,8 @@ struct PiecedCells {
 };
 
 /// Divides a solid that is no stack, but becomes several when it is cut by planes of its faces: a bracket, a
-/// fork, a bent sheet. Each piece is divided as a stack (see `swept_cells`); then what divides one piece
+/// fork, a bent sheet. Each piece is divided as a stack or as a turned solid
+/// (see `swept_cells`, `turned_cells`); then what divides one piece
 /// where it meets another is carried on into the other.
 /// @param cuts  planes by which it is cut first, whatever comes of it
 /// @return  nothing for a solid of which no such pieces were found

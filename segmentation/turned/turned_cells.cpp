@@ -23,6 +23,10 @@ void require_all_of(const geometry::Brep& solid, const geometry::CellComplex& co
 
 }  // namespace
 
+bool is_turned(const geometry::Brep& solid) {
+  return turned_frame(solid).has_value();
+}
+
 std::optional<TurnedCells> turned_cells(const geometry::Brep& solid, const QuadrangulationOptions& options) {
   const std::optional<TurnedFrame> frame = turned_frame(solid);
   if (!frame) return std::nullopt;
@@ -31,8 +35,7 @@ std::optional<TurnedCells> turned_cells(const geometry::Brep& solid, const Quadr
       frame->is_whole() ? 4 : static_cast<int>(std::ceil(frame->sweep / (std::numbers::pi / 2) - 1e-9));
   TurnedCells result{turned_complex(solid, *frame, drawing, sectors), frame->along, frame->sweep,
                      static_cast<int>(drawing.quads.quads.size()), sectors};
-  for (const std::vector<int>& column : drawing.columns)
-    result.along_axis += static_cast<int>(column.size());
+  for (const std::vector<int>& column : drawing.columns) result.along_axis += static_cast<int>(column.size());
   require_all_of(solid, result.complex);
   return result;
 }

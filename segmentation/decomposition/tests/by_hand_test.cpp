@@ -30,7 +30,7 @@ TEST(ByHand, CutsDivideASolidAsAsked) {
   const Decomposition made =
       cut(made_brep("block"), {across({1, 0, 0}, {0.01, 0, 0}), across({3, 0, 0}, {0.02, 0, 0})});
   EXPECT_EQ(made.complex.cells.size(), 3U);
-  EXPECT_EQ(made.report.seen_as.substr(0, 21), "3 pieces swept along ");
+  EXPECT_EQ(made.report.seen_as.substr(0, 22), "3 pieces: swept along ");
 }
 
 TEST(ByHand, WithoutAPointThePlaneIsInTheMiddle) {

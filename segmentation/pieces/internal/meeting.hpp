@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "segmentation/pieces/internal/piece.hpp"
-#include "segmentation/sweeps/stack.hpp"
 
 namespace isopatch::segmentation {
 
@@ -17,11 +16,16 @@ struct Meeting {
 /// @throws Error unsupported  a plane in which the directions of both pieces are at no right angle
 std::vector<Meeting> meetings(const std::vector<Piece>& pieces);
 
-/// Stacks of all pieces, divided so that their hexahedra meet in whole sides. Pieces of which a plane is a
-/// wall come first: those that meet them with a floor take their sides over into their drawings. Of two that
-/// both meet with floors the second takes over the chords of the first.
-/// @param pieces  must outlive the result
+/// A divided piece.
+struct MetPiece {
+  geometry::CellComplex complex;
+  Eigen::Vector3d along;  ///< unit; the axis of one that is turned
+};
+
+/// Divides all pieces so that their hexahedra meet in whole sides. Turned ones come first, then those of
+/// which a plane is a wall: pieces that meet them with a floor take their sides over into their drawings. Of
+/// two that both meet with floors the second takes over the chords of the first.
 /// @throws Error unsupported  a drawing that cannot be divided, pieces that need no end of divisions
-std::vector<Stack> met_stacks(const std::vector<Piece>& pieces);
+std::vector<MetPiece> met_pieces(const std::vector<Piece>& pieces);
 
 }  // namespace isopatch::segmentation

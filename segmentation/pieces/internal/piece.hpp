@@ -14,8 +14,9 @@ struct Piece {
   geometry::Brep brep;
   /// By face: that of the whole solid; nothing where a plane has cut.
   std::vector<std::optional<FaceId>> origin;
-  SweepFrame frame;  ///< along which it is most like a stack
-  int faults = 0;    ///< what keeps it from being one, 0 for a stack
+  SweepFrame frame;     ///< along which it is most like a stack
+  bool turned = false;  ///< it is no stack, but turned
+  int faults = 0;       ///< what keeps it from being either, 0 where it is one
 };
 
 /// A part of a solid, seen along the direction along which it is most like a stack.
