@@ -96,13 +96,9 @@ class Settler {
   }
 
   std::vector<MetPiece> make() {
-    for (std::size_t p = 0; p < pieces_.size(); ++p)
-      if (pieces_[p].turned) turned_[p] = turned_cells(pieces_[p].brep);
-    for (const int number : order()) {
-      const auto n = static_cast<std::size_t>(number);
-      stacks_[n].emplace(pieces_[n].brep, pieces_[n].frame, lines_on(number));
-      settle_outlines(number);
-    }
+    constexpr int most_rounds = 4;
+    for (int round = 0; round == 0 || (round < most_rounds && !share_chords()); ++round)
+      for (const int number : order()) divide(number);
     settle();
     std::vector<MetPiece> result;
     for (std::size_t p = 0; p < pieces_.size(); ++p)
@@ -115,12 +111,52 @@ class Settler {
   const Piece& piece(int number) const { return pieces_[static_cast<std::size_t>(number)]; }
   Stack& stack(int number) { return *stacks_[static_cast<std::size_t>(number)]; }
 
-  /// Stacks, walls before floors.
+  void divide(int number) {
+    const auto n = static_cast<std::size_t>(number);
+    const Piece& made = pieces_[n];
+    const std::vector<Line> lines = lines_on(number);
+    if (made.turned) {
+      turned_[n] = turned_cells(made.brep, lines);
+      return;
+    }
+    stacks_[n].emplace(made.brep, made.frame, lines);
+    settle_outlines(number);
+  }
+
+  /// Whether pieces that meet with floors have the same chords there.
+  bool share_chords() {
+    const auto has = [&](const std::vector<Line>& lines, const Line& line) {
+      std::vector<Line> others = lines;
+      add_line(line, others);
+      return others.size() == lines.size();
+    };
+    return std::all_of(places_.begin(), places_.end(), [&](const Meeting& place) {
+      if (!is_floor(piece(place.first), place.plane) || !is_floor(piece(place.second), place.plane))
+        return true;
+      const std::vector<Line> first = shared_chords(place.first, place),
+                              second = shared_chords(place.second, place);
+      return first.size() == second.size() &&
+             std::all_of(first.begin(), first.end(), [&](const Line& line) { return has(second, line); });
+    });
+  }
+
+  /// Of one piece, inside what both have of the plane.
+  std::vector<Line> shared_chords(int number, const Meeting& place) {
+    const int other = place.first == number ? place.second : place.first;
+    std::vector<Line> result;
+    for (const Line& line : chords_of(number, place.plane)) {
+      const Eigen::Vector3d middle = (line[0] + line[1]) / 2;
+      if (is_inside_cut(piece(number), middle) && is_inside_cut(piece(other), middle)) result.push_back(line);
+    }
+    return result;
+  }
+
+  /// Turned pieces, then stacks, walls before floors.
   std::vector<int> order() const {
     std::vector<int> result;
-    std::vector<bool> done;
-    for (const Piece& piece : pieces_) done.push_back(piece.turned);
+    std::vector<bool> done(pieces_.size(), false);
     const auto waits = [&](int number) {
+      if (piece(number).turned) return false;
       return std::any_of(places_.begin(), places_.end(), [&](const Meeting& place) {
         if (place.first != number && place.second != number) return false;
         const int other = place.first == number ? place.second : place.first;
@@ -145,8 +181,7 @@ class Settler {
       const int other = place.first == number ? place.second : place.first;
       if (!is_done(other) || !is_floor(piece(number), place.plane)) continue;
       if (is_floor(piece(other), place.plane)) {
-        for (const Line& line : chords_of(other, place.plane))
-          if (is_cut(piece(other), (line[0] + line[1]) / 2)) add_line(line, result);
+        for (const Line& line : shared_chords(other, place)) add_line(line, result);
         continue;
       }
       for (const StackSide& side : stack(other).sides_on(place.plane, tolerance_)) {
@@ -188,6 +223,15 @@ class Settler {
       const geometry::FaceProjection nearest = of.brep.project(face, point);
       return nearest.distance < tolerance_ && of.brep.contains(face, nearest.uv);
     });
+  }
+
+  bool is_inside_cut(const Piece& of, const Eigen::Vector3d& point) const {
+    if (!is_cut(of, point)) return false;
+    for (const FaceId face : cut_faces(of))
+      for (const auto& loop : of.brep.face(face).loops)
+        for (const geometry::EdgeUse& use : loop)
+          if (of.brep.project(use.edge, point).distance < 10 * tolerance_) return false;
+    return true;
   }
 
   std::optional<Segment> segment(const PlaneSurface& plane, const Line& line) const {

@@ -178,7 +178,7 @@ std::vector<StackSide> Stack::sides_on(const PlaneSurface& plane, double toleran
 std::vector<Line> Stack::lines_on(const PlaneSurface& plane, double tolerance) const {
   const MovingDrawing moving = parts_->moving();
   const Layers layers = parts_->layers(moving);
-  std::map<int, double> heights;  // of chords
+  std::map<int, std::pair<double, int>> found;  // height, and quadrilaterals beside it
   for (std::size_t q = 0; q < parts_->quads.quads.size(); ++q)
     for (const Layer& layer : layers.columns[q])
       for (const int level : {layer.low, layer.high}) {
@@ -186,14 +186,16 @@ std::vector<Line> Stack::lines_on(const PlaneSurface& plane, double tolerance) c
         if (std::abs((plane.origin - parts_->frame.point(Eigen::Vector2d::Zero(), height))
                          .dot(parts_->frame.along)) > tolerance)
           continue;
-        for (const geometry::EdgeUse& use : parts_->quads.quads[q].sides)
-          if (parts_->quads.edges[static_cast<std::size_t>(use.edge.value)].profile_edge < 0)
-            heights[use.edge.value] = height;
+        for (const geometry::EdgeUse& use : parts_->quads.quads[q].sides) {
+          found[use.edge.value].first = height;
+          ++found[use.edge.value].second;
+        }
       }
   std::vector<Line> result;
-  for (const auto& [edge, height] : heights) {
-    const geometry::NurbsCurve curve = moving.curve(edge, height);
-    if (is_flat(curve)) result.push_back({curve.control_points().col(0), curve.control_points().col(1)});
+  for (const auto& [edge, at] : found) {
+    const geometry::NurbsCurve curve = moving.curve(edge, at.first);
+    if (at.second == 2 && is_flat(curve))
+      result.push_back({curve.control_points().col(0), curve.control_points().col(1)});
   }
   return result;
 }

@@ -45,7 +45,7 @@ class Stack {
 
   /// Sides of its hexahedra in a plane, as far as they are rectangles along the plane's x and y.
   std::vector<StackSide> sides_on(const geometry::PlaneSurface& plane, double tolerance) const;
-  /// Straight sides of hexahedra in a plane across it that divide one of its floors there.
+  /// Straight edges in a plane across it between sides of hexahedra there.
   std::vector<Line> lines_on(const geometry::PlaneSurface& plane, double tolerance) const;
   /// Divides a side, and whatever has to be with it, so that hexahedra meet side to side as before. Sides
   /// found before are no longer valid.

@@ -53,8 +53,7 @@ class CoreMaker {
       }
     }
     std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.height < b.height; });
-    if (ends.size() % 2 != 0)
-      throw Error(ErrorCode::unsupported, "its half profile is open on the axis");
+    if (ends.size() % 2 != 0) throw Error(ErrorCode::unsupported, "its half profile is open on the axis");
     for (std::size_t i = 0; i < ends.size(); ++i) look_at(ends[i], i % 2 == 0);
     // All radii are taken before the first curve is cut.
     std::vector<double> radii;

@@ -24,13 +24,7 @@ class HalfProfileMaker {
   HalfProfileMaker(const Brep& solid, const TurnedFrame& frame) : solid_(solid), frame_(frame) {}
 
   HalfProfile make() {
-    if (frame_.is_whole()) {
-      for (const FaceId face : frame_.faces) add_face(face);
-    } else {
-      for (const FaceId face : frame_.first)
-        for (const auto& loop : solid_.face(face).loops)
-          for (const geometry::EdgeUse& use : loop) add_edge(use.edge, turned_face_at(use.edge));
-    }
+    for (const FaceId face : frame_.faces) add_face(face);
     return std::move(made_);
   }
 
@@ -44,13 +38,6 @@ class HalfProfileMaker {
       if (std::abs(around.dot(solid_.tangent(edge, t).normalized())) > 1e-6) return false;
     }
     return std::cos(frame_.angle(solid_.point(edge, 0.2)) - frame_.angle(solid_.point(edge, 0.7))) > 0.5;
-  }
-
-  FaceId turned_face_at(EdgeId edge) const {
-    for (const FaceId face : solid_.edge(edge).faces)
-      if (std::find(frame_.faces.begin(), frame_.faces.end(), face) != frame_.faces.end()) return face;
-    throw Error(ErrorCode::unsupported,
-                fmt::format("its end at edge {} is divided where no face is", edge.value));
   }
 
   void add_face(FaceId face) {
@@ -95,7 +82,7 @@ class HalfProfileMaker {
 
   /// From the lowest to the highest angle of its edges, or to the poles that it has.
   void add_sphere(FaceId face, const geometry::Carrier& sphere) {
-    const double height = frame_.flat(sphere.origin)[1] , radius = sphere.radius;
+    const double height = frame_.flat(sphere.origin)[1], radius = sphere.radius;
     double from = std::numbers::pi, to = 0;
     for (const auto& loop : solid_.face(face).loops)
       for (const geometry::EdgeUse& use : loop)
@@ -183,7 +170,8 @@ bool is_straight(const Brep& solid, const HalfCurve& curve) {
 
 geometry::NurbsCurve piece_of_half_curve(const Brep& solid, const TurnedFrame& frame, const HalfCurve& curve,
                                          double low, double high) {
-  const double from = curve.low + low * (curve.high - curve.low), to = curve.low + high * (curve.high - curve.low);
+  const double from = curve.low + low * (curve.high - curve.low),
+               to = curve.low + high * (curve.high - curve.low);
   if (curve.edge) return frame.turned(piece_of_curve(solid, *curve.edge, from, to), -curve.angle);
   const PolarArc& arc = *curve.arc;
   // About y, angles from the axis grow towards x.

@@ -27,10 +27,12 @@ bool is_turned(const geometry::Brep& solid) {
   return turned_frame(solid).has_value();
 }
 
-std::optional<TurnedCells> turned_cells(const geometry::Brep& solid, const QuadrangulationOptions& options) {
+std::optional<TurnedCells> turned_cells(const geometry::Brep& solid,
+                                        const std::vector<std::array<Eigen::Vector3d, 2>>& lines,
+                                        const QuadrangulationOptions& options) {
   const std::optional<TurnedFrame> frame = turned_frame(solid);
   if (!frame) return std::nullopt;
-  const TurnedDrawing drawing = turned_drawing(solid, *frame, options);
+  const TurnedDrawing drawing = turned_drawing(solid, *frame, lines, options);
   const int sectors =
       frame->is_whole() ? 4 : static_cast<int>(std::ceil(frame->sweep / (std::numbers::pi / 2) - 1e-9));
   TurnedCells result{turned_complex(solid, *frame, drawing, sectors), frame->along, frame->sweep,

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <optional>
+#include <vector>
 
 #include "geometry/brep/brep.hpp"
 #include "geometry/brep/cell_complex.hpp"
@@ -29,10 +31,12 @@ bool is_turned(const geometry::Brep& solid);
 /// The half profile is divided into quadrilaterals, which are turned in sectors of at most 90 degrees. Where
 /// material reaches the axis, a square column of hexahedra runs along it, whose ends lie on planes or
 /// spheres. Faces away from the axis are exact.
+/// @param lines  straight pieces in the ends of what is no whole turn, m: they become sides of hexahedra
 /// @return  nothing for a solid that is not turned
 /// @throws Error unsupported  it looks like one, but has a point or an edge on its axis, or a half profile
 /// that cannot be divided: names the place
 std::optional<TurnedCells> turned_cells(const geometry::Brep& solid,
+                                        const std::vector<std::array<Eigen::Vector3d, 2>>& lines = {},
                                         const QuadrangulationOptions& options = {});
 
 }  // namespace isopatch::segmentation

@@ -38,7 +38,11 @@ void turn_around(std::vector<EdgeUse>& loop) {
 class TurnedComplex {
  public:
   TurnedComplex(const Brep& solid, const TurnedFrame& frame, const TurnedDrawing& drawing, int sectors)
-      : solid_(solid), frame_(frame), drawing_(drawing), sectors_(sectors), beside_(drawing.curves.size(), 0) {
+      : solid_(solid),
+        frame_(frame),
+        drawing_(drawing),
+        sectors_(sectors),
+        beside_(drawing.curves.size(), 0) {
     for (const Quad& quad : drawing.quads.quads)
       for (const EdgeUse& side : quad.sides) ++beside_[static_cast<std::size_t>(side.edge.value)];
     for (std::size_t s = 0; s < drawing.columns.size(); ++s) {
@@ -142,7 +146,8 @@ class TurnedComplex {
                                                     place.x(), place.y(), place.z()));
   }
 
-  /// Of a quadrilateral at a meridian. Looks back, but the last one of what is no whole turn out of the solid.
+  /// Of a quadrilateral at a meridian. Looks back, but the last one of what is no whole turn out of the
+  /// solid.
   FaceId section(int quad, int meridian) {
     const auto known = sections_.find({quad, meridian});
     if (known != sections_.end()) return known->second;
@@ -181,9 +186,11 @@ class TurnedComplex {
     geometry::CellFace face{SurfaceId(0), {{low, false}, {there, turned}, {high, true}, {here, !turned}}, {}};
     const NurbsCurve along = turned ? geometry::reversed(curve(number), 0) : curve(number);
     if (outer) {
-      const auto& faces = drawing_.half.outside.curves[static_cast<std::size_t>(drawn(number).profile_edge)].faces;
+      const auto& faces =
+          drawing_.half.outside.curves[static_cast<std::size_t>(drawn(number).profile_edge)].faces;
       const Eigen::Vector3d middle = along.point(geometry::Parameter<1>(0.5));
-      face.origin = origin_at(faces, frame_.point(frame_.flat(middle), (sector + 0.5) * frame_.sweep / sectors_));
+      face.origin =
+          origin_at(faces, frame_.point(frame_.flat(middle), (sector + 0.5) * frame_.sweep / sectors_));
     }
     face.surface = wall_surface(along, {from, to}, {low, high, here, there}, turned, outer, sector);
     return walls_[{number, sector}] = add_face(std::move(face));
@@ -199,10 +206,12 @@ class TurnedComplex {
     const bool beside_core = is_core(ends[0]) || is_core(ends[1]);
     if (straight && std::abs(flat(ends[0])[1] - flat(ends[1])[1]) < tolerance()) {
       const bool up = flat(ends[0])[0] > flat(ends[1])[0];
-      return add_surface(PlaneSurface{frame_.point({0, flat(ends[0])[1]}, 0), frame_.x, up ? frame_.y : -frame_.y});
+      return add_surface(
+          PlaneSurface{frame_.point({0, flat(ends[0])[1]}, 0), frame_.x, up ? frame_.y : -frame_.y});
     }
     if (outer && beside_core)
-      return sphere_surface(is_core(ends[0]) ? ends[0] : ends[1], {edges.low, edges.high, edges.here, edges.there});
+      return sphere_surface(is_core(ends[0]) ? ends[0] : ends[1],
+                            {edges.low, edges.high, edges.here, edges.there});
     SurfaceId made(0);
     if (!beside_core) {
       made = add_surface(turned_surface(frame_.turned(along, angle(sector)), frame_.origin, frame_.along,
@@ -223,7 +232,8 @@ class TurnedComplex {
   std::optional<PlaneSurface> plane_through(const Around& edges) const {
     for (const EdgeId edge : {edges.low, edges.high})
       if (shape(edge).degree(0) != 1) return std::nullopt;
-    const Eigen::Vector3d a = shape(edges.low).control_points().col(0), b = shape(edges.low).control_points().col(1);
+    const Eigen::Vector3d a = shape(edges.low).control_points().col(0),
+                          b = shape(edges.low).control_points().col(1);
     const Eigen::Vector3d up = shape(edges.high).control_points().col(0) - a;
     const Eigen::Vector3d x = (b - a).normalized();
     return PlaneSurface{a, x, (up - up.dot(x) * x).normalized()};
@@ -235,7 +245,8 @@ class TurnedComplex {
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     for (const EdgeId edge : edges) middle += shape(edge).point(geometry::Parameter<1>(0.5)) - *end.centre;
     const double radius = (frame_.point(flat(corner), 0) - *end.centre).norm();
-    const geometry::FaceProjection on = solid_.project(end.faces.front(), *end.centre + middle.normalized() * radius);
+    const geometry::FaceProjection on =
+        solid_.project(end.faces.front(), *end.centre + middle.normalized() * radius);
     const bool inwards = solid_.outward_normal(end.faces.front(), on.uv).dot(middle) < 0;
     const SpherePatch patch(*end.centre, radius, middle.normalized(), inwards);
     std::vector<NurbsCurve> traces;
@@ -266,8 +277,8 @@ class TurnedComplex {
     if (sphere_at(corner))
       face.surface = sphere_surface(corner, edges);
     else
-      face.surface = add_surface(
-          PlaneSurface{frame_.point({0, height}, 0), frame_.x, lowest ? Eigen::Vector3d(-frame_.y) : frame_.y});
+      face.surface = add_surface(PlaneSurface{frame_.point({0, height}, 0), frame_.x,
+                                              lowest ? Eigen::Vector3d(-frame_.y) : frame_.y});
     return squares_[corner] = add_face(std::move(face));
   }
 
@@ -303,8 +314,8 @@ class TurnedComplex {
   const TurnedFrame& frame_;
   const TurnedDrawing& drawing_;
   int sectors_;
-  std::vector<int> beside_;              // cells at edges of the drawing
-  std::map<int, const CoreEnd*> core_;   // vertices beside columns; where these end
+  std::vector<int> beside_;             // cells at edges of the drawing
+  std::map<int, const CoreEnd*> core_;  // vertices beside columns; where these end
   CellComplex complex_;
   std::map<Turned, VertexId> vertices_;
   std::map<Turned, EdgeId> meridian_edges_, around_;

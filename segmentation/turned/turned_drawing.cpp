@@ -8,6 +8,7 @@
 #include "geometry/base/error.hpp"
 #include "geometry/splines/arc.hpp"
 #include "segmentation/profiles/quadrangulate.hpp"
+#include "segmentation/turned/internal/end_drawing.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -84,7 +85,9 @@ ProfileRegion region_of(const Profile& profile, std::vector<Loop> loops) {
   return {std::move(loops), true};
 }
 
-Profile profile_of(const Brep& solid, const TurnedFrame& frame, const HalfProfile& half) {
+/// @param regions  their loops may run either way round; none: the curves bound one
+Profile profile_of(const Brep& solid, const TurnedFrame& frame, const HalfProfile& half,
+                   const std::vector<ProfileRegion>& regions) {
   Profile profile;
   // Vertices that are left over are no corners.
   profile.vertices = half.vertices;
@@ -94,7 +97,8 @@ Profile profile_of(const Brep& solid, const TurnedFrame& frame, const HalfProfil
     for (int i = 0; i <= pieces; ++i)
       drawn.points.push_back(point(solid, frame, half, curve, static_cast<double>(i) / pieces));
   }
-  profile.regions = {region_of(profile, LoopWalk(half).loops())};
+  if (regions.empty()) profile.regions = {region_of(profile, LoopWalk(half).loops())};
+  for (const ProfileRegion& region : regions) profile.regions.push_back(region_of(profile, region.loops));
   return profile;
 }
 
@@ -131,7 +135,8 @@ void find_curves(const Brep& solid, const TurnedFrame& frame, TurnedDrawing& dra
     return drawing.places[static_cast<std::size_t>(vertex)];
   };
   const auto curve_of = [&](const QuadEdge& edge) {
-    return edge.profile_edge < 0 ? HalfCurve{} : drawing.half.outside.curves[static_cast<std::size_t>(edge.profile_edge)];
+    return edge.profile_edge < 0 ? HalfCurve{}
+                                 : drawing.half.outside.curves[static_cast<std::size_t>(edge.profile_edge)];
   };
   for (std::size_t e = 0; e < drawing.curves.size(); ++e) {
     const QuadEdge& edge = drawing.quads.edges[e];
@@ -145,7 +150,8 @@ void find_curves(const Brep& solid, const TurnedFrame& frame, TurnedDrawing& dra
   for (std::size_t e = 0; e < drawing.curves.size(); ++e) {
     const QuadEdge& edge = drawing.quads.edges[e];
     if (const HalfCurve half = curve_of(edge); !half.edge && !half.arc)
-      drawing.curves[e] = geometry::segment(frame.point(place(edge.start), 0), frame.point(place(edge.end), 0));
+      drawing.curves[e] =
+          geometry::segment(frame.point(place(edge.start), 0), frame.point(place(edge.end), 0));
   }
 }
 
@@ -166,11 +172,18 @@ std::vector<int> pieces_of(const Quadrangulation& quads, const std::vector<int>&
 }  // namespace
 
 TurnedDrawing turned_drawing(const Brep& solid, const TurnedFrame& frame,
+                             const std::vector<std::array<Eigen::Vector3d, 2>>& lines,
                              const QuadrangulationOptions& options) {
   TurnedDrawing result;
-  result.half.outside = half_profile(solid, frame);
-  if (frame.is_whole()) result.half = without_cores(solid, frame, std::move(result.half.outside));
-  result.quads = divided(profile_of(solid, frame, result.half.outside), options);
+  if (!frame.is_whole()) {
+    EndDrawing end = end_drawing(solid, frame, lines);
+    result.half.outside = std::move(end.half);
+    result.quads = divided(profile_of(end.sheet, frame, result.half.outside, end.regions), options);
+    find_curves(end.sheet, frame, result);
+    return result;
+  }
+  result.half = without_cores(solid, frame, half_profile(solid, frame));
+  result.quads = divided(profile_of(solid, frame, result.half.outside, {}), options);
   find_curves(solid, frame, result);
   for (const CoreStrip& strip : result.half.strips)
     result.columns.push_back(pieces_of(result.quads, strip.line));

@@ -203,9 +203,9 @@ Eigen::Vector3d TurnedFrame::point(const Eigen::Vector2d& flat, double angle) co
 
 geometry::NurbsCurve TurnedFrame::turned(const geometry::NurbsCurve& curve, double angle) const {
   const Eigen::Matrix3d rotation = Eigen::AngleAxisd(angle, along).toRotationMatrix();
-  return geometry::NurbsCurve(
-      curve.knots(), (rotation * (curve.control_points().colwise() - origin)).colwise() + origin,
-      curve.weights());
+  return geometry::NurbsCurve(curve.knots(),
+                              (rotation * (curve.control_points().colwise() - origin)).colwise() + origin,
+                              curve.weights());
 }
 
 std::optional<TurnedFrame> turned_frame(const Brep& solid) {

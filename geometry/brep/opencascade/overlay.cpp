@@ -36,6 +36,8 @@ class Overlayer {
     std::vector<TopoDS_Shape> flat;
     flat.reserve(faces.size());
     for (const FaceId face : faces) flat.push_back(pushed(face));
+    if (flat.size() == 1 && lines_.empty())  // nothing to be laid over it, which the builder refuses
+      return sheet_of(flat.front(), flat, [](const TopoDS_Shape&) { return TopTools_ListOfShape(); });
     BOPAlgo_Builder builder;
     for (const TopoDS_Shape& face : flat) builder.AddArgument(face);
     for (const auto& ends : lines_) builder.AddArgument(line(ends));
@@ -44,7 +46,7 @@ class Overlayer {
     builder.SetRunParallel(false);
     builder.Perform();
     if (builder.HasErrors()) fail();
-    return sheet_of(builder, flat);
+    return sheet_of(builder.Shape(), flat, [&](const TopoDS_Shape& face) { return builder.Modified(face); });
   }
 
  private:
@@ -126,14 +128,17 @@ class Overlayer {
     return maker.Face();
   }
 
-  KernelOverlay sheet_of(BOPAlgo_Builder& builder, const std::vector<TopoDS_Shape>& flat) const {
+  /// @param images  of a face of `flat`; none where it is as it was
+  template <class Images>
+  KernelOverlay sheet_of(const TopoDS_Shape& made, const std::vector<TopoDS_Shape>& flat,
+                         const Images& images_of) const {
     TopTools_IndexedMapOfShape found;
     ShapeInput input;
     input.metres = metres_;
     const BRep_Builder shapes;
     TopoDS_Shell shell;
     shapes.MakeShell(shell);
-    for (TopExp_Explorer it(builder.Shape(), TopAbs_FACE); it.More(); it.Next()) {
+    for (TopExp_Explorer it(made, TopAbs_FACE); it.More(); it.Next()) {
       if (found.Contains(it.Current())) continue;
       found.Add(it.Current());
       const TopoDS_Face face = TopoDS::Face(it.Current().Oriented(TopAbs_FORWARD));
@@ -143,7 +148,7 @@ class Overlayer {
     input.shape = shell;
     KernelOverlay result{nullptr, std::vector<std::vector<int>>(input.faces.size())};
     for (std::size_t i = 0; i < flat.size(); ++i) {
-      TopTools_ListOfShape images = builder.Modified(flat[i]);
+      TopTools_ListOfShape images = images_of(flat[i]);
       if (images.IsEmpty()) images.Append(flat[i]);
       for (const TopoDS_Shape& image : images)
         if (const int number = found.FindIndex(image); number > 0)

@@ -32,7 +32,7 @@ struct HalfProfile {
   std::vector<HalfCurve> curves;
 };
 
-/// Of all faces; whatever lies in several half-planes is there once.
+/// Of all faces of a whole turn; whatever lies in several half-planes is there once.
 /// @throws Error unsupported  a face without an edge in a half-plane of the axis, naming it
 HalfProfile half_profile(const geometry::Brep& solid, const TurnedFrame& frame);
 

@@ -4,7 +4,8 @@
 
 namespace isopatch::segmentation {
 
-/// A curve turned about an axis: exact, quadratic over [0, 1] along the circles, which are the first direction.
+/// A curve turned about an axis: exact, quadratic over [0, 1] along the circles, which are the first
+/// direction.
 /// @param axis   unit
 /// @param sweep  rad, in (0, pi)
 geometry::NurbsSurface turned_surface(const geometry::NurbsCurve& curve, const Eigen::Vector3d& origin,

@@ -5,6 +5,7 @@
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Tool.hxx>
 #include <ShapeUpgrade_UnifySameDomain.hxx>
 #include <TopExp.hxx>
@@ -52,6 +53,19 @@ TopoDS_Shape bored(const TopoDS_Shape& solid) {
   return without(without(solid, pin({26, 15, -1}, gp::DZ(), 5, 12)), pin({-1, 15, 28}, gp::DX(), 4, 12));
 }
 
+// A bend of a pipe about y, from the origin towards z, on a plate below.
+TopoDS_Shape flanged_bend() {
+  const auto bend = [](double radius) {
+    return BRepPrimAPI_MakeTorus(gp_Ax2(gp_Pnt(15, 0, 0), gp::DY(), gp::DX().Reversed()), 15, radius,
+                                 M_PI / 2)
+        .Shape();
+  };
+  const TopoDS_Shape outside = joined(plate(-12, -8, -4, 24, 16, 4), bend(5));
+  TopoDS_Shape result = without(without(outside, bend(3.5)), pin({0, 0, -5}, gp::DZ(), 3.5, 5));
+  for (const double x : {-9.0, 9.0}) result = without(result, pin({x, 0, -5}, gp::DZ(), 1.5, 6));
+  return result;
+}
+
 }  // namespace
 
 std::map<std::string, TopoDS_Shape> crossed() {
@@ -63,6 +77,7 @@ std::map<std::string, TopoDS_Shape> crossed() {
       {"bent_sheet", bored(rounded(rounded(angle(), 0, 12), 8, 4))},
       {"fork",
        without(without(fork, pin({30, 15, -1}, gp::DZ(), 5, 32)), pin({-1, 15, 15}, gp::DX(), 4, 20))},
+      {"flanged_bend", flanged_bend()},
       {"lugs", without(without(lugs, pin({26, 15, -1}, gp::DZ(), 5, 12)), pin({6, 0, 16}, gp::DY(), 3, 30))},
   };
 }
