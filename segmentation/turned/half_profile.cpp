@@ -24,13 +24,7 @@ class HalfProfileMaker {
   HalfProfileMaker(const Brep& solid, const TurnedFrame& frame) : solid_(solid), frame_(frame) {}
 
   HalfProfile make() {
-    if (frame_.is_whole()) {
-      for (const FaceId face : frame_.faces) add_face(face);
-    } else {
-      for (const FaceId face : frame_.first)
-        for (const auto& loop : solid_.face(face).loops)
-          for (const geometry::EdgeUse& use : loop) add_edge(use.edge, turned_face_at(use.edge));
-    }
+    for (const FaceId face : frame_.faces) add_face(face);
     return std::move(made_);
   }
 
@@ -44,13 +38,6 @@ class HalfProfileMaker {
       if (std::abs(around.dot(solid_.tangent(edge, t).normalized())) > 1e-6) return false;
     }
     return std::cos(frame_.angle(solid_.point(edge, 0.2)) - frame_.angle(solid_.point(edge, 0.7))) > 0.5;
-  }
-
-  FaceId turned_face_at(EdgeId edge) const {
-    for (const FaceId face : solid_.edge(edge).faces)
-      if (std::find(frame_.faces.begin(), frame_.faces.end(), face) != frame_.faces.end()) return face;
-    throw Error(ErrorCode::unsupported,
-                fmt::format("its end at edge {} is divided where no face is", edge.value));
   }
 
   void add_face(FaceId face) {
@@ -135,12 +122,17 @@ class HalfProfileMaker {
     return static_cast<int>(made_.vertices.size()) - 1;
   }
 
-  Eigen::Vector2d middle(const HalfCurve& curve) const { return point(solid_, frame_, made_, curve, 0.5); }
+  /// Whether the middle of a curve is on another; closed ones may begin elsewhere.
+  bool is_on(const HalfCurve& known, const HalfCurve& curve) const {
+    const Eigen::Vector2d middle = point(solid_, frame_, made_, curve, 0.5);
+    if (known.edge)
+      return solid_.project(*known.edge, frame_.point(middle, known.angle)).distance < tolerance_;
+    return (point(solid_, frame_, made_, known, 0.5) - middle).norm() < tolerance_;
+  }
 
   void add(HalfCurve curve) {
     for (HalfCurve& known : made_.curves) {
-      if (std::minmax(known.start, known.end) != std::minmax(curve.start, curve.end) ||
-          (middle(known) - middle(curve)).norm() > tolerance_)
+      if (std::minmax(known.start, known.end) != std::minmax(curve.start, curve.end) || !is_on(known, curve))
         continue;
       if (std::find(known.faces.begin(), known.faces.end(), curve.faces.front()) == known.faces.end())
         known.faces.push_back(curve.faces.front());

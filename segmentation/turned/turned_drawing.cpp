@@ -168,8 +168,7 @@ std::vector<int> pieces_of(const Quadrangulation& quads, const std::vector<int>&
 TurnedDrawing turned_drawing(const Brep& solid, const TurnedFrame& frame,
                              const QuadrangulationOptions& options) {
   TurnedDrawing result;
-  result.half.outside = half_profile(solid, frame);
-  if (frame.is_whole()) result.half = without_cores(solid, frame, std::move(result.half.outside));
+  result.half = without_cores(solid, frame, half_profile(solid, frame));
   result.quads = divided(profile_of(solid, frame, result.half.outside), options);
   find_curves(solid, frame, result);
   for (const CoreStrip& strip : result.half.strips)
