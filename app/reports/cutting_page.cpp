@@ -163,15 +163,15 @@ std::string cutting_html(const CutSolids& solids, const std::string& title,
       mark_faults(body, scene);
       continue;
     }
-    const bool swept = body.cutting && !body.cutting->report.seen_as.empty();
-    if (body.cutting && !swept) {
+    const bool known = body.cutting && !body.cutting->report.seen_as.empty();
+    if (body.cutting && !known) {
       add_parts(body, parts);
       cut = true;
       kept |= body.cutting->report.t_joints_kept;
     }
     for (const geometry::BrepFile& block : body.blocks) {
       BlockPiece piece = piece_of(block.brep, block.name, body.solid.name);
-      if (!body.cutting || swept) parts.pieces.push_back(piece);
+      if (!body.cutting || known) parts.pieces.push_back(piece);
       piece.file = block_file_name(file++);
       blocks.pieces.push_back(std::move(piece));
     }

@@ -112,7 +112,8 @@ const Keys<SegmentationKeys>& segmentation_keys() {
       custom_key<S>(
           "method", quoted_list(names(method_choices())),
           "How blocks are looked for. Bodies with floors across one direction and walls along it or "
-          "inclined to it are swept, whatever their bores and pockets, unless cuts take fewer blocks; "
+          "inclined to it are swept, whatever their bores and pockets, and bodies whose faces are all "
+          "turned about one axis are turned, unless cuts take fewer blocks; "
           "or cuts along loops alone, as published. Where T-joints are kept, bodies are only cut.",
           [](S& target, const ConfigValue& value) {
             target.options.method = read_choice(value, "method", method_choices());

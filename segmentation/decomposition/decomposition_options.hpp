@@ -17,7 +17,7 @@ enum class TJoints {
 
 /// How hexahedra are looked for.
 enum class Method {
-  automatic,  ///< solids that are stacks are swept, unless cuts take fewer
+  automatic,  ///< solids that are stacks are swept, turned ones are turned, unless cuts take fewer
   cuts,       ///< by cutting loops and extended faces alone
 };
 

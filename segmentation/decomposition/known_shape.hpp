@@ -11,7 +11,8 @@ namespace isopatch::segmentation {
 
 /// What is known of a solid without a search.
 struct KnownShape {
-  /// Of a solid whose hexahedra follow from what it is: one that is swept, whatever its graph.
+  /// Of a solid whose hexahedra follow from what it is: one that is swept or turned, whatever its
+  /// graph; of both ways the one with fewer.
   std::optional<Decomposition> decomposition;
   std::string why_not;  ///< where it looks like one and could not be divided, what stopped it
 };

@@ -23,7 +23,7 @@ struct Prospect {
 /// degrees or more, none points inwards. Otherwise it has to be cut there.
 bool corners_open(const geometry::Brep& hexahedron);
 
-/// @cost  that of one triangulation, the angles at all edges, and of dividing what is swept
+/// @cost  that of one triangulation, the angles at all edges, and of dividing what is swept or turned
 Prospect prospect(const geometry::Brep& solid, const DecompositionOptions& options = {});
 
 }  // namespace isopatch::segmentation

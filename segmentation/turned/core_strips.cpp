@@ -153,6 +153,7 @@ class CoreMaker {
 
   CoreEnd core_end(const End& end, double radius) {
     CoreEnd result;
+    result.height = end.height;
     result.faces = curve_of(end).faces;
     if (end.centre) result.centre = frame_.point({0, *end.centre}, 0);
     result.vertex = cut(end, end.corner > 0 ? end.corner : radius);

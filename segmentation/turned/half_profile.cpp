@@ -122,12 +122,17 @@ class HalfProfileMaker {
     return static_cast<int>(made_.vertices.size()) - 1;
   }
 
-  Eigen::Vector2d middle(const HalfCurve& curve) const { return point(solid_, frame_, made_, curve, 0.5); }
+  /// Whether the middle of a curve is on another; closed ones may begin elsewhere.
+  bool is_on(const HalfCurve& known, const HalfCurve& curve) const {
+    const Eigen::Vector2d middle = point(solid_, frame_, made_, curve, 0.5);
+    if (known.edge)
+      return solid_.project(*known.edge, frame_.point(middle, known.angle)).distance < tolerance_;
+    return (point(solid_, frame_, made_, known, 0.5) - middle).norm() < tolerance_;
+  }
 
   void add(HalfCurve curve) {
     for (HalfCurve& known : made_.curves) {
-      if (std::minmax(known.start, known.end) != std::minmax(curve.start, curve.end) ||
-          (middle(known) - middle(curve)).norm() > tolerance_)
+      if (std::minmax(known.start, known.end) != std::minmax(curve.start, curve.end) || !is_on(known, curve))
         continue;
       if (std::find(known.faces.begin(), known.faces.end(), curve.faces.front()) == known.faces.end())
         known.faces.push_back(curve.faces.front());

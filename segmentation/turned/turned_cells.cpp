@@ -21,6 +21,15 @@ void require_all_of(const geometry::Brep& solid, const geometry::CellComplex& co
                                                     solid.volume() - volume, solid.volume()));
 }
 
+/// Quarters of a whole turn. Of less, as many as have 90 degrees or less; where they meet at the axis, pairs
+/// of them, each around one hexahedron with 120 degrees or less at the axis.
+int sectors_of(const TurnedFrame& frame, bool reaches_axis) {
+  if (frame.is_whole()) return 4;
+  const double quarters = frame.sweep / (std::numbers::pi / 2);
+  return reaches_axis ? 2 * static_cast<int>(std::ceil(0.75 * quarters - 1e-9))
+                      : static_cast<int>(std::ceil(quarters - 1e-9));
+}
+
 }  // namespace
 
 bool is_turned(const geometry::Brep& solid) {
@@ -33,11 +42,11 @@ std::optional<TurnedCells> turned_cells(const geometry::Brep& solid,
   const std::optional<TurnedFrame> frame = turned_frame(solid);
   if (!frame) return std::nullopt;
   const TurnedDrawing drawing = turned_drawing(solid, *frame, lines, options);
-  const int sectors =
-      frame->is_whole() ? 4 : static_cast<int>(std::ceil(frame->sweep / (std::numbers::pi / 2) - 1e-9));
+  const int sectors = sectors_of(*frame, !drawing.columns.empty());
   TurnedCells result{turned_complex(solid, *frame, drawing, sectors), frame->along, frame->sweep,
                      static_cast<int>(drawing.quads.quads.size()), sectors};
-  for (const std::vector<int>& column : drawing.columns) result.along_axis += static_cast<int>(column.size());
+  for (const std::vector<int>& column : drawing.columns)
+    result.along_axis += static_cast<int>(column.size()) * (frame->is_whole() ? 1 : sectors / 2);
   require_all_of(solid, result.complex);
   return result;
 }

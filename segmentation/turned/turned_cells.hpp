@@ -17,7 +17,7 @@ struct TurnedCells {
   Eigen::Vector3d about;          ///< direction of the axis, unit
   double sweep;                   ///< rad, 2 pi of a whole turn
   int quadrilaterals = 0, sectors = 0;
-  int along_axis = 0;  ///< hexahedra in the column
+  int along_axis = 0;  ///< hexahedra in columns
 };
 
 /// Whether each face is a surface of revolution about one axis, but for two plane ends through it.

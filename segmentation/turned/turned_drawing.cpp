@@ -175,14 +175,14 @@ TurnedDrawing turned_drawing(const Brep& solid, const TurnedFrame& frame,
                              const std::vector<std::array<Eigen::Vector3d, 2>>& lines,
                              const QuadrangulationOptions& options) {
   TurnedDrawing result;
-  if (!frame.is_whole()) {
+  result.half = without_cores(solid, frame, half_profile(solid, frame));
+  if (!frame.is_whole() && result.half.strips.empty()) {
     EndDrawing end = end_drawing(solid, frame, lines);
     result.half.outside = std::move(end.half);
     result.quads = divided(profile_of(end.sheet, frame, result.half.outside, end.regions), options);
     find_curves(end.sheet, frame, result);
     return result;
   }
-  result.half = without_cores(solid, frame, half_profile(solid, frame));
   result.quads = divided(profile_of(solid, frame, result.half.outside, {}), options);
   find_curves(solid, frame, result);
   for (const CoreStrip& strip : result.half.strips)

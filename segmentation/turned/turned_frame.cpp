@@ -103,36 +103,27 @@ Part part_of(const Brep& solid, FaceId face, const Axis& axis) {
   }
 }
 
-/// The angle at which all edges of a face are; nothing if they reach the axis or its other side.
-std::optional<double> angle_of(const Brep& solid, const TurnedFrame& frame, FaceId face) {
-  std::optional<double> result;
-  for (const auto& loop : solid.face(face).loops)
-    for (const geometry::EdgeUse& use : loop)
-      for (const double t : {0.0, 0.3, 0.6, 0.9}) {
-        const Eigen::Vector3d point = solid.point(use.edge, t);
-        if (frame.flat(point)[0] < 1e-6 * solid.size()) return std::nullopt;
-        const double angle = frame.angle(point);
-        if (result && std::cos(angle - *result) < 0.5) return std::nullopt;
-        if (!result) result = angle;
-      }
-  return result;
-}
-
 /// Where it begins and how far it goes, by its ends.
 /// @return  false unless these are at two angles
 bool find_ends(const Brep& solid, TurnedFrame& frame, const std::vector<FaceId>& ends) {
   std::optional<double> first, last;
-  const auto is_at = [](double angle, double other) { return std::cos(angle - other) > 1 - 1e-9; };
-  for (const FaceId face : ends) {
-    const std::optional<double> angle = angle_of(solid, frame, face);
-    if (!angle) return false;
-    const Eigen::Vector3d around = -std::sin(*angle) * frame.x + std::cos(*angle) * frame.y;
-    const bool begins = solid.outward_normal(face, solid.domain(face).low).dot(around) < 0;
-    std::optional<double>& known = begins ? first : last;
-    if (known && !is_at(*angle, *known)) return false;
+  const auto enter = [](FaceId face, double angle, std::optional<double>& known, std::vector<FaceId>& faces) {
+    if (known && std::cos(angle - *known) < 1 - 1e-9) return false;
     known = angle;
-    (begins ? frame.first : frame.last).push_back(face);
-  }
+    if (faces.empty() || faces.back() != face) faces.push_back(face);
+    return true;
+  };
+  for (const FaceId face : ends)
+    for (const auto& loop : solid.face(face).loops)
+      for (const geometry::EdgeUse& use : loop)
+        for (const double t : {0.0, 0.3, 0.6, 0.9}) {
+          const Eigen::Vector3d point = solid.point(use.edge, t);
+          if (frame.flat(point)[0] < 1e-6 * solid.size()) continue;
+          const double angle = frame.angle(point);
+          const Eigen::Vector3d around = frame.along.cross(point - frame.origin);
+          const bool begins = solid.outward_normal(face, solid.domain(face).low).dot(around) < 0;
+          if (!enter(face, angle, begins ? first : last, begins ? frame.first : frame.last)) return false;
+        }
   if (!first || !last) return false;
   frame.sweep = *last - *first - tau * std::floor((*last - *first) / tau);
   const Eigen::Vector3d x = std::cos(*first) * frame.x + std::sin(*first) * frame.y;

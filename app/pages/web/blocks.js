@@ -31,7 +31,7 @@ globalThis.isopatch = globalThis.isopatch || {};
   }
 
   function partsText(body) {
-    if (body.seen_as) return "swept";
+    if (body.seen_as) return body.seen_as.split(" ")[0];  // swept, turned
     return body.cuts || body.by_tetrahedra ? String(body.parts) : "as it is";
   }
 

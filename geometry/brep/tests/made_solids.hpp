@@ -20,7 +20,8 @@ namespace isopatch::geometry::test {
 /// (with a pin's bore and one across it), "lugs" (two on a plate), "flanged_bend" (a pipe). Turned
 /// (made_solids/turned.cpp): "ball_on_rod" (along x), "bored_ball", "hollow_ball", "domed_rod", "round_cup",
 /// "flat_cup", "pointed_rod", "ring_in_halves" (all faces), "sheave", "round_ring", and by an angle
-/// "bent_rod" (120 degrees), "bent_tube" (90), "half_torus". Hexahedra with curved sides: "drilled_quarters"
+/// "bent_rod" (120 degrees), "bent_tube" (90), "half_torus", "half_shaft", "quarter_shaft", "three_quarters",
+/// "half_dome", which reach the axis. Hexahedra with curved sides: "drilled_quarters"
 /// (the drilled block in four), "ring_quarter", "ring_150" (radii 5 and 8, height 4), "oblique_ring" (a
 /// quarter under z = 6 + x / 4
 /// + y / 8), "cone_quarter" (radii 6 and 8 below, 3 and 4 above, height 5), "shell_piece" (radii 5 and 7,

@@ -11,6 +11,7 @@ namespace isopatch::segmentation {
 struct CoreEnd {
   int vertex = -1;                        ///< of the half profile: corner of the core on the surface
   std::optional<Eigen::Vector3d> centre;  ///< of a sphere, m; else a plane
+  double height = 0;                      ///< on the axis, m
   std::vector<FaceId> faces;
 };
 

@@ -13,7 +13,8 @@ struct TurnedFrame {
   Eigen::Vector3d origin, x, y, along;  ///< m; unit, right-handed; angles count from x towards y
   double sweep;                         ///< rad, from x on; 2 pi of a whole turn
   std::vector<FaceId> faces;            ///< surfaces of revolution
-  std::vector<FaceId> first, last;      ///< ends at angle 0 and at `sweep`; none of a whole turn
+  /// Ends at angle 0 and at `sweep`; none of a whole turn. A face that runs through the axis is both.
+  std::vector<FaceId> first, last;
 
   bool is_whole() const { return first.empty(); }
   /// Distance from the axis and height along it, m.
@@ -24,7 +25,7 @@ struct TurnedFrame {
   geometry::NurbsCurve turned(const geometry::NurbsCurve& curve, double angle) const;
 };
 
-/// Nothing for a solid that is not turned, or whose ends reach the axis.
+/// Nothing for a solid that is not turned.
 /// @cost  a few evaluations of each face
 std::optional<TurnedFrame> turned_frame(const geometry::Brep& solid);
 

@@ -65,7 +65,9 @@ INSTANTIATE_TEST_SUITE_P(Solids, TurnedCellsOf,
                                          Sample{"round_cup", 30}, Sample{"flat_cup", 30},
                                          Sample{"ring_in_halves", 12}, Sample{"sheave", 60},
                                          Sample{"round_ring", 44}, Sample{"bent_rod", 10},
-                                         Sample{"bent_tube", 4}, Sample{"half_torus", 10}),
+                                         Sample{"bent_tube", 4}, Sample{"half_torus", 10},
+                                         Sample{"half_shaft", 18}, Sample{"quarter_shaft", 3},
+                                         Sample{"three_quarters", 12}, Sample{"half_dome", 20}),
                          [](const auto& info) { return std::string(info.param.name); });
 
 TEST(TurnedCells, AreNoneOfOtherSolids) {

@@ -5,6 +5,7 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
@@ -71,12 +72,13 @@ TopoDS_Shape bend(double distance, double radius, double angle) {
 
 std::map<std::string, TopoDS_Shape> turned_solids() {
   const TopoDS_Shape cup = rod(gp::DZ(), 0, 10, 20);
+  const TopoDS_Shape dome = joined(rod(gp::DZ(), 0, 5, 20), ball({0, 0, 20}, 5));
   return {
       // The ball's own axis is z.
       {"ball_on_rod", joined(ball({10, 0, 0}, 6), rod(gp::DX(), -10, 3, 20))},
       {"bored_ball", taken_off(ball({0, 0, 0}, 8), rod(gp::DZ(), -10, 3, 20))},
       {"hollow_ball", taken_off(ball({0, 0, 0}, 8), ball({0, 0, 0}, 5))},
-      {"domed_rod", joined(rod(gp::DZ(), 0, 5, 20), ball({0, 0, 20}, 5))},
+      {"domed_rod", dome},
       {"round_cup", taken_off(cup, joined(ball({0, 0, 12}, 6), rod(gp::DZ(), 12, 6, 10)))},
       {"flat_cup", taken_off(cup, rod(gp::DZ(), 8, 7, 15))},
       {"pointed_rod", joined(rod(gp::DZ(), 0, 5, 20), BRepPrimAPI_MakeCone(gp_Ax2(gp_Pnt(0, 0, 20), gp::DZ()), 5, 0, 5).Shape())},
@@ -86,5 +88,9 @@ std::map<std::string, TopoDS_Shape> turned_solids() {
       {"bent_rod", bend(12, 3, 2 * half_turn / 3)},
       {"bent_tube", taken_off(bend(12, 3, half_turn / 2), bend(12, 2, half_turn / 2))},
       {"half_torus", bend(12, 3, half_turn)},
+      {"half_shaft", polygon_turned({{0, 0}, {6, 0}, {6, 10}, {4, 10}, {4, 20}, {0, 20}}, half_turn)},
+      {"quarter_shaft", polygon_turned({{0, 0}, {6, 0}, {4, 20}, {0, 20}}, half_turn / 2)},
+      {"three_quarters", polygon_turned({{0, 0}, {6, 0}, {6, 10}, {0, 10}}, 1.5 * half_turn)},
+      {"half_dome", taken_off(dome, BRepPrimAPI_MakeBox(gp_Pnt(-10, -10, -1), 20, 10, 30).Shape())},
   };
 }
