@@ -25,12 +25,9 @@ CutBody cut_body(geometry::BrepFile solid, const segmentation::DecompositionOpti
     body.blocks = {body.solid};
     return body;
   }
-  const segmentation::WithoutBlends removal =
-      segmentation::without_blends(body.solid.brep, body.solid.name, options);
-  if (removal.removed > 0) {
-    body.blends = text_of(removal);
-    body.solid.brep = removal.brep;
-  }
+  const segmentation::WithoutBlends removal = segmentation::without_blends(body.solid.brep, options);
+  body.blends = text_of(removal);
+  body.solid.brep = removal.brep;
   body.cutting = segmentation::decompose(body.solid.brep, body.solid.name, options, progress);
   body.blocks = segmentation::blocks(body.solid, *body.cutting);
   return body;

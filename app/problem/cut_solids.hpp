@@ -18,7 +18,7 @@ struct CutBody {
   /// Of a body that was cut; nothing for one that was a hexahedron.
   std::optional<segmentation::Decomposition> cutting = {};
   std::optional<segmentation::CuttingError> failure = {};
-  std::string blends = {};  ///< what was removed, for people; "" if nothing was
+  std::string blends = {};      ///< what was removed or could not be, for people; "" for nothing
   std::string recognised = {};  ///< what splines of the file really are, as of `geometry::RecognisedBrep`
 };
 

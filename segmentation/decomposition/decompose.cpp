@@ -277,16 +277,23 @@ Decomposition decomposed(const Brep& solid, const std::string& name, const Decom
                          const Progress& progress) {
   KnownShape known = known_shape(solid, options);
   if (is_cut_by_hand(options)) return std::move(*known.decomposition);
-  std::optional<Decomposer> decomposer;
+  const auto with_reason = [&](const Error& error) {
+    return known.why_not.empty() ? std::string(error.what())
+                                 : fmt::format("{}. {}", error.what(), known.why_not);
+  };
   try {
-    decomposer.emplace(solid, name, options, progress, known.decomposition);
+    return Decomposer(solid, name, options, progress, known.decomposition).make();
+  } catch (const CuttingError& error) {
+    if (known.decomposition) return std::move(*known.decomposition);
+    throw CuttingError(error.code(), with_reason(error), error.fault(), error.parts());
   } catch (const geometry::SolidError& error) {
     if (known.decomposition) return std::move(*known.decomposition);
-    if (known.why_not.empty()) throw;
-    throw geometry::SolidError(
-        error.code(), fmt::format("{}. It looks swept or turned, but {}", error.what(), known.why_not), error.fault());
+    throw geometry::SolidError(error.code(), with_reason(error), error.fault());
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::internal) throw;
+    if (known.decomposition) return std::move(*known.decomposition);
+    throw Error(error.code(), with_reason(error));
   }
-  return decomposer->make();
 }
 
 }  // namespace

@@ -8,9 +8,12 @@
 
 #include "geometry/base/error.hpp"
 #include "geometry/base/stopwatch.hpp"
+#include "geometry/brep/require_solid.hpp"
 #include "segmentation/decomposition/prepare.hpp"
 #include "segmentation/pieces/mirrored_cells.hpp"
 #include "segmentation/pieces/pieced_cells.hpp"
+#include "segmentation/sweeps/rounds.hpp"
+#include "segmentation/sweeps/sweep_frame.hpp"
 #include "segmentation/sweeps/swept_cells.hpp"
 #include "segmentation/turned/turned_cells.hpp"
 
@@ -117,6 +120,34 @@ KnownCells by_hand(const geometry::Brep& solid, const DecompositionOptions& opti
   return {std::move(complex), "one half mirrored, " + halves};
 }
 
+/// What is in the way of a sweep, and what can be done; "" where most of the solid is.
+std::string in_the_way(const geometry::Brep& solid, const DecompositionOptions& options) {
+  const Rounds rounds = rounds_in_the_way(solid, options.largest_blend * solid.size());
+  if (!rounds.faces.empty() && options.blends == Blends::keep)
+    return fmt::format(
+        "It would be swept without {} round{} of {:.3g} m radius at most: blends = \"remove\" takes "
+        "{} off",
+        rounds.faces.size(), rounds.faces.size() == 1 ? "" : "s", rounds.largest_radius,
+        rounds.faces.size() == 1 ? "it" : "them");
+  std::optional<std::vector<FaceId>> fewest;
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& along : floor_directions(solid)) {
+    std::vector<FaceId> others = neither_floor_nor_wall(solid, along);
+    if (fewest && others.size() >= fewest->size()) continue;
+    fewest = std::move(others);
+    direction = along;
+  }
+  if (!fewest || fewest->empty() || 3 * fewest->size() > solid.faces().size()) return "";
+  return fmt::format(
+      "It would be swept along {} but for {}{}, which {} neither across this direction nor along it; a "
+      "cut that parts {} from the rest helps: [[segmentation.cut]]",
+      direction_text(direction), describe(solid, fewest->front()),
+      fewest->size() == 1
+          ? ""
+          : fmt::format(" and {} other{}", fewest->size() - 1, fewest->size() == 2 ? "" : "s"),
+      fewest->size() == 1 ? "is" : "are", fewest->size() == 1 ? "it" : "them");
+}
+
 Decomposition decomposition_of(KnownCells cells, double seconds) {
   Decomposition result{cells.complex, cells.complex, {}, {}};
   result.report.cells = result.report.hexahedra = static_cast<int>(cells.complex.cells.size());
@@ -135,8 +166,11 @@ KnownShape known_shape(const geometry::Brep& solid, const DecompositionOptions& 
     return result;
   }
   if (options.method == Method::cuts || options.t_joints == TJoints::keep) return result;
-  if (std::optional<KnownCells> made = known_cells(solid, result.why_not))
+  std::string stopped_by;
+  if (std::optional<KnownCells> made = known_cells(solid, stopped_by))
     result.decomposition = decomposition_of(std::move(*made), watch.seconds());
+  else if (result.why_not = in_the_way(solid, options); result.why_not.empty() && !stopped_by.empty())
+    result.why_not = "It looks swept or turned, but " + stopped_by;
   return result;
 }
 

@@ -14,7 +14,8 @@ struct KnownShape {
   /// Of a solid whose hexahedra follow from what it is: one that is swept or turned, whatever its
   /// graph; of both ways the one with fewer.
   std::optional<Decomposition> decomposition;
-  std::string why_not;  ///< where it looks like one and could not be divided, what stopped it
+  /// Where it looks like one, a sentence: what stopped it, or what is in the way and what to do.
+  std::string why_not;
 };
 
 /// Nothing where only cuts are asked for, or T-joints, which such solids do not have. What a user asks for by

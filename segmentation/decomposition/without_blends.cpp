@@ -8,19 +8,18 @@
 
 namespace isopatch::segmentation {
 
-WithoutBlends without_blends(const geometry::Brep& solid, const std::string& name,
-                             const DecompositionOptions& options) {
-  WithoutBlends result{solid, 0, 0, 0};
+WithoutBlends without_blends(const geometry::Brep& solid, const DecompositionOptions& options) {
+  WithoutBlends result{solid};
   if (options.blends == Blends::keep || options.method == Method::cuts) return result;
   const Rounds rounds = rounds_in_the_way(solid, options.largest_blend * solid.size());
   if (rounds.faces.empty()) return result;
   try {
     result.brep = geometry::without_faces(solid, rounds.faces);
   } catch (const Error& error) {
-    throw Error(error.code(),
-                fmt::format("solid '{}': its {} rounds cannot be removed: {}; blends = \"keep\", "
-                            "or remove them in the CAD program",
-                            name, rounds.faces.size(), error.what()));
+    if (error.code() == ErrorCode::internal) throw;
+    result.why_kept = fmt::format("its {} round{} cannot be removed and stay: {}", rounds.faces.size(),
+                                  rounds.faces.size() == 1 ? "" : "s", error.what());
+    return result;
   }
   result.removed = static_cast<int>(rounds.faces.size());
   result.largest_radius = rounds.largest_radius;
@@ -29,6 +28,7 @@ WithoutBlends without_blends(const geometry::Brep& solid, const std::string& nam
 }
 
 std::string text_of(const WithoutBlends& removal) {
+  if (removal.removed == 0) return removal.why_kept;
   const double before = removal.brep.volume() - removal.volume_change;
   return fmt::format("{} round{} of {:.3g} m radius at most removed, volume {:+.2g} %", removal.removed,
                      removal.removed == 1 ? "" : "s", removal.largest_radius,
