@@ -50,14 +50,16 @@ std::string text_of(const TurnedCells& turned) {
                      turned.sectors == 1 ? "" : "s", column);
 }
 
-/// "3 pieces: swept along z, swept along x, turned about y".
+/// "3 pieces: swept along z, x; turned about y".
 std::string text_of(const PiecedCells& cells) {
-  std::string text = fmt::format("{} pieces", cells.pieces.size());
-  for (std::size_t p = 0; p < cells.pieces.size(); ++p)
-    text +=
-        fmt::format("{} {} {}", p == 0 ? ":" : ",", cells.pieces[p].turned ? "turned about" : "swept along",
-                    direction_text(cells.pieces[p].along));
-  return text;
+  std::string swept, turned;
+  for (const PiecedCells::Piece& piece : cells.pieces) {
+    std::string& list = piece.turned ? turned : swept;
+    list += (list.empty() ? "" : ", ") + direction_text(piece.along);
+  }
+  return fmt::format("{} pieces: {}{}{}{}{}", cells.pieces.size(), swept.empty() ? "" : "swept along ", swept,
+                     swept.empty() || turned.empty() ? "" : "; ", turned.empty() ? "" : "turned about ",
+                     turned);
 }
 
 /// Hexahedra that were found without a search.

@@ -119,7 +119,8 @@ struct Part {
 /// The others, which have figures too: bracket, flange (whose round is in the way, and counts in its
 /// figures).
 constexpr std::array parts_that_are_cut = {Part{"parts/chamfered_block.step", 0},
-                                           Part{"parts/bored_block.step", 2}, Part{"parts/link.step", 1}};
+                                           Part{"parts/bored_block.step", 2}, Part{"parts/link.step", 1},
+                                           Part{"parts/bracket.step", 0}};
 
 TEST(FullSegmentation, Parts) {
   for (const Part& part : parts_that_are_cut) expect_segmented(part.model, part.from);

@@ -147,7 +147,7 @@ void cut_where_it_bends(const Curve& curve, std::vector<double>& places, double 
   for (int i = 1; i < pieces; ++i) places.push_back(weight.parameter_at(weight.all() * i / pieces));
 }
 
-/// Cuts shared edges until every region has four corners: what lies between an arc and its chord has two.
+/// Gives regions of two corners four, by cuts of shared edges: what lies between an arc and its chord.
 void give_four_corners(const Profile& profile, const std::vector<Curve>& curves,
                        const std::vector<bool>& shared, CutPlaces& places) {
   for (const ProfileRegion& region : profile.regions) {
@@ -159,7 +159,7 @@ void give_four_corners(const Profile& profile, const std::vector<Curve>& curves,
       corners += shared[e] || curves[e].closed() ? places[e].size() + 1 : curves[e].straight() ? 1 : 2;
       if (shared[e] && !curves[e].closed()) edges.push_back(use.edge.value);
     }
-    if (edges.empty()) continue;
+    if (edges.empty() || corners > 2) continue;
     const auto stretch = [&](int edge) {
       return Weight(curves[edge], 1).all() / static_cast<double>(places[edge].size() + 1);
     };
