@@ -116,8 +116,7 @@ struct Part {
   int from;
 };
 /// Those of segmentation.json that become hexahedra so far; the fewer these are, the finer they have to be.
-/// The others, which have figures too: bracket, flange (whose round is in the way, and counts in its
-/// figures).
+/// One more has figures: the flange, whose round is in the way, and counts in its figures.
 constexpr std::array parts_that_are_cut = {Part{"parts/chamfered_block.step", 0},
                                            Part{"parts/bored_block.step", 2}, Part{"parts/link.step", 1},
                                            Part{"parts/bracket.step", 0}};
