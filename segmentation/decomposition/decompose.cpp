@@ -283,7 +283,8 @@ Decomposition decomposed(const Brep& solid, const std::string& name, const Decom
     if (known.decomposition) return std::move(*known.decomposition);
     if (known.why_not.empty()) throw;
     throw geometry::SolidError(
-        error.code(), fmt::format("{}. It looks swept or turned, but {}", error.what(), known.why_not), error.fault());
+        error.code(), fmt::format("{}. It looks swept or turned, but {}", error.what(), known.why_not),
+        error.fault());
   }
   return decomposer->make();
 }

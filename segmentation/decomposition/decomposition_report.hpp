@@ -6,7 +6,8 @@ namespace isopatch::segmentation {
 
 /// How a solid was taken apart.
 struct DecompositionReport {
-  /// What it was seen as, whose hexahedra are then known: "swept along z: ...", "turned about z: ..."; "" if it was cut.
+  /// What it was seen as, whose hexahedra are then known: "swept along z: ...", "turned about z: ..."; "" if
+  /// it was cut.
   std::string seen_as;
   int cuts = 0;                ///< that the search made
   int cells = 0;               ///< base solids that it ended with

@@ -10,8 +10,8 @@
 #include "geometry/brep/require_solid.hpp"
 #include "geometry/splines/arc.hpp"
 #include "geometry/splines/refine.hpp"
-#include "segmentation/sweeps/piece_of_curve.hpp"
 #include "segmentation/sweeps/internal/straight_wall.hpp"
+#include "segmentation/sweeps/piece_of_curve.hpp"
 
 namespace isopatch::segmentation {
 namespace {

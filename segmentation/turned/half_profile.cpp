@@ -82,7 +82,7 @@ class HalfProfileMaker {
 
   /// From the lowest to the highest angle of its edges, or to the poles that it has.
   void add_sphere(FaceId face, const geometry::Carrier& sphere) {
-    const double height = frame_.flat(sphere.origin)[1] , radius = sphere.radius;
+    const double height = frame_.flat(sphere.origin)[1], radius = sphere.radius;
     double from = std::numbers::pi, to = 0;
     for (const auto& loop : solid_.face(face).loops)
       for (const geometry::EdgeUse& use : loop)
@@ -175,7 +175,8 @@ bool is_straight(const Brep& solid, const HalfCurve& curve) {
 
 geometry::NurbsCurve piece_of_half_curve(const Brep& solid, const TurnedFrame& frame, const HalfCurve& curve,
                                          double low, double high) {
-  const double from = curve.low + low * (curve.high - curve.low), to = curve.low + high * (curve.high - curve.low);
+  const double from = curve.low + low * (curve.high - curve.low),
+               to = curve.low + high * (curve.high - curve.low);
   if (curve.edge) return frame.turned(piece_of_curve(solid, *curve.edge, from, to), -curve.angle);
   const PolarArc& arc = *curve.arc;
   // About y, angles from the axis grow towards x.

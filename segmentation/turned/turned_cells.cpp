@@ -21,8 +21,8 @@ void require_all_of(const geometry::Brep& solid, const geometry::CellComplex& co
                                                     solid.volume() - volume, solid.volume()));
 }
 
-/// Quarters of a whole turn. Of less, as many as have 90 degrees or less; where they meet at the axis, pairs of
-/// them, each around one hexahedron with 120 degrees or less at the axis.
+/// Quarters of a whole turn. Of less, as many as have 90 degrees or less; where they meet at the axis, pairs
+/// of them, each around one hexahedron with 120 degrees or less at the axis.
 int sectors_of(const TurnedFrame& frame, bool reaches_axis) {
   if (frame.is_whole()) return 4;
   const double quarters = frame.sweep / (std::numbers::pi / 2);

@@ -23,11 +23,11 @@ struct TurnedCells {
 /// bends of pipes and bars.
 ///
 /// The half profile is divided into quadrilaterals, which are turned in sectors of at most 90 degrees. Where
-/// material reaches the axis, a square column of hexahedra runs along it, whose ends lie on planes or spheres.
-/// Faces away from the axis are exact.
+/// material reaches the axis, a square column of hexahedra runs along it, whose ends lie on planes, spheres
+/// or ellipsoids. Faces away from the axis are exact.
 /// @return  nothing for a solid that is not turned
-/// @throws Error unsupported  it looks like one, but has a point or an edge on its axis, or a half profile that
-/// cannot be divided: names the place
+/// @throws Error unsupported  it looks like one, but has a point or an edge on its axis, or a half profile
+/// that cannot be divided: names the place
 std::optional<TurnedCells> turned_cells(const geometry::Brep& solid,
                                         const QuadrangulationOptions& options = {});
 

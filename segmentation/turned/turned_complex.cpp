@@ -114,8 +114,8 @@ class TurnedComplex {
     CellFace face{meridian_plane(meridian), std::move(loop), {}};
     if (is_last(meridian)) turn_around(face.loop);
     if (!frame_.is_whole() && (meridian == 0 || is_last(meridian)))
-      face.origin = origin_at(meridian == 0 ? frame_.first : frame_.last,
-                              frame_.point(inside, edges_.angle(meridian)));
+      face.origin =
+          origin_at(meridian == 0 ? frame_.first : frame_.last, frame_.point(inside, edges_.angle(meridian)));
     return face;
   }
 
@@ -162,9 +162,11 @@ class TurnedComplex {
     CellFace face{SurfaceId(0), {{low, false}, {there, turned}, {high, true}, {here, !turned}}, {}};
     const NurbsCurve along = turned ? geometry::reversed(curve(number), 0) : curve(number);
     if (outer) {
-      const auto& faces = drawing_.half.outside.curves[static_cast<std::size_t>(drawn(number).profile_edge)].faces;
+      const auto& faces =
+          drawing_.half.outside.curves[static_cast<std::size_t>(drawn(number).profile_edge)].faces;
       const Eigen::Vector3d middle = along.point(geometry::Parameter<1>(0.5));
-      face.origin = origin_at(faces, frame_.point(frame_.flat(middle), (sector + 0.5) * frame_.sweep / sectors_));
+      face.origin =
+          origin_at(faces, frame_.point(frame_.flat(middle), (sector + 0.5) * frame_.sweep / sectors_));
     }
     face.surface = wall_surface(along, {from, to}, {low, high, here, there}, turned, outer, sector);
     return walls_[{number, sector}] = add_face(std::move(face));
@@ -180,14 +182,16 @@ class TurnedComplex {
     const bool beside_core = edges_.is_core(ends[0]) || edges_.is_core(ends[1]);
     if (straight && std::abs(flat(ends[0])[1] - flat(ends[1])[1]) < tolerance()) {
       const bool up = flat(ends[0])[0] > flat(ends[1])[0];
-      return add_surface(PlaneSurface{frame_.point({0, flat(ends[0])[1]}, 0), frame_.x, up ? frame_.y : -frame_.y});
+      return add_surface(
+          PlaneSurface{frame_.point({0, flat(ends[0])[1]}, 0), frame_.x, up ? frame_.y : -frame_.y});
     }
     if (outer && beside_core)
-      return sphere_surface(edges_.is_core(ends[0]) ? ends[0] : ends[1], {edges.low, edges.high, edges.here, edges.there});
+      return sphere_surface(edges_.is_core(ends[0]) ? ends[0] : ends[1],
+                            {edges.low, edges.high, edges.here, edges.there});
     SurfaceId made(0);
     if (!beside_core) {
-      made = add_surface(turned_surface(frame_.turned(along, edges_.angle(sector)), frame_.origin, frame_.along,
-                                        frame_.sweep / sectors_));
+      made = add_surface(turned_surface(frame_.turned(along, edges_.angle(sector)), frame_.origin,
+                                        frame_.along, frame_.sweep / sectors_));
     } else {
       if (const auto plane = plane_through(edges)) return add_surface(*plane);
       made = add_surface(geometry::ruled(edges_.shape(edges.low), edges_.shape(edges.high)));
@@ -204,21 +208,32 @@ class TurnedComplex {
   std::optional<PlaneSurface> plane_through(const Around& edges) const {
     for (const EdgeId edge : {edges.low, edges.high})
       if (edges_.shape(edge).degree(0) != 1) return std::nullopt;
-    const Eigen::Vector3d a = edges_.shape(edges.low).control_points().col(0), b = edges_.shape(edges.low).control_points().col(1);
+    const Eigen::Vector3d a = edges_.shape(edges.low).control_points().col(0),
+                          b = edges_.shape(edges.low).control_points().col(1);
     const Eigen::Vector3d up = edges_.shape(edges.high).control_points().col(0) - a;
     const Eigen::Vector3d x = (b - a).normalized();
     return PlaneSurface{a, x, (up - up.dot(x) * x).normalized()};
   }
 
+  /// The direction of the middle of what some edges bound, on the sphere that is stretched to a spheroid.
+  Eigen::Vector3d middle_of(const Spheroid& spheroid, const std::vector<EdgeId>& edges) const {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const EdgeId edge : edges)
+      sum += spheroid.unstretched(edges_.shape(edge).point(geometry::Parameter<1>(0.5))) - spheroid.centre;
+    return sum.normalized();
+  }
+
+  static Eigen::Vector3d point_of(const Spheroid& spheroid, const Eigen::Vector3d& direction) {
+    return spheroid.stretched(spheroid.centre + spheroid.radius * direction);
+  }
+
   /// Around the middle of what some edges bound on the sphere at a corner of the column.
   SurfaceId sphere_surface(int corner, const std::vector<EdgeId>& edges) {
     const CoreEnd& end = *edges_.core_end(corner);
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    for (const EdgeId edge : edges) middle += edges_.shape(edge).point(geometry::Parameter<1>(0.5)) - *end.centre;
-    const double radius = (frame_.point(flat(corner), 0) - *end.centre).norm();
-    const geometry::FaceProjection on = solid_.project(end.faces.front(), *end.centre + middle.normalized() * radius);
+    const Eigen::Vector3d middle = middle_of(*end.sphere, edges);
+    const geometry::FaceProjection on = solid_.project(end.faces.front(), point_of(*end.sphere, middle));
     const bool inwards = solid_.outward_normal(end.faces.front(), on.uv).dot(middle) < 0;
-    const SpherePatch patch(*end.centre, radius, middle.normalized(), inwards);
+    const SpherePatch patch(*end.sphere, middle, inwards);
     std::vector<NurbsCurve> traces;
     double reach = 0;
     for (const EdgeId edge : edges) {
@@ -230,30 +245,29 @@ class TurnedComplex {
     return made;
   }
 
-  /// Across the column at a corner of its side, what some edges bound, counterclockwise as seen from above. Looks
-  /// up, or out of the solid at its low end.
+  /// Across the column at a corner of its side, what some edges bound, counterclockwise as seen from above.
+  /// Looks up, or out of the solid at its low end.
   CellFace across(int corner, bool lowest, const std::vector<EdgeUse>& loop) {
     CellFace face{SurfaceId(0), loop, {}};
     if (lowest) turn_around(face.loop);
     const CoreEnd* end = edges_.core_end(corner);
     std::vector<EdgeId> edges;
     for (const EdgeUse& use : loop) edges.push_back(use.edge);
-    if (end && end->centre)
+    if (end && end->sphere)
       face.surface = sphere_surface(corner, edges);
     else
       face.surface = add_surface(PlaneSurface{frame_.point({0, flat(corner)[1]}, 0), frame_.x,
                                               lowest ? Eigen::Vector3d(-frame_.y) : frame_.y});
-    if (end) {
-      Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-      for (const EdgeId edge : edges)
-        middle += edges_.shape(edge).point(geometry::Parameter<1>(0.5)) / static_cast<double>(edges.size());
-      if (end->centre) {
-        const double radius = std::abs(frame_.flat(*end->centre)[1] - end->height);
-        middle = *end->centre + radius * (middle - *end->centre).normalized();
-      }
-      face.origin = origin_at(end->faces, middle);
-    }
+    if (end) face.origin = origin_at(end->faces, inside(*end, edges));
     return face;
+  }
+
+  /// A point of the solid within what some edges bound at an end of the column.
+  Eigen::Vector3d inside(const CoreEnd& end, const std::vector<EdgeId>& edges) const {
+    if (end.sphere) return point_of(*end.sphere, middle_of(*end.sphere, edges));
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const EdgeId edge : edges) sum += edges_.shape(edge).point(geometry::Parameter<1>(0.5));
+    return sum / static_cast<double>(edges.size());
   }
 
   FaceId square(int corner, bool lowest) {

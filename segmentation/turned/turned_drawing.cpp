@@ -131,7 +131,8 @@ void find_curves(const Brep& solid, const TurnedFrame& frame, TurnedDrawing& dra
     return drawing.places[static_cast<std::size_t>(vertex)];
   };
   const auto curve_of = [&](const QuadEdge& edge) {
-    return edge.profile_edge < 0 ? HalfCurve{} : drawing.half.outside.curves[static_cast<std::size_t>(edge.profile_edge)];
+    return edge.profile_edge < 0 ? HalfCurve{}
+                                 : drawing.half.outside.curves[static_cast<std::size_t>(edge.profile_edge)];
   };
   for (std::size_t e = 0; e < drawing.curves.size(); ++e) {
     const QuadEdge& edge = drawing.quads.edges[e];
@@ -145,7 +146,8 @@ void find_curves(const Brep& solid, const TurnedFrame& frame, TurnedDrawing& dra
   for (std::size_t e = 0; e < drawing.curves.size(); ++e) {
     const QuadEdge& edge = drawing.quads.edges[e];
     if (const HalfCurve half = curve_of(edge); !half.edge && !half.arc)
-      drawing.curves[e] = geometry::segment(frame.point(place(edge.start), 0), frame.point(place(edge.end), 0));
+      drawing.curves[e] =
+          geometry::segment(frame.point(place(edge.start), 0), frame.point(place(edge.end), 0));
   }
 }
 

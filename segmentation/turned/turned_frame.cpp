@@ -40,7 +40,7 @@ std::optional<Axis> axis_of(const Brep& solid, EdgeId edge) {
               normal.normalized()};
 }
 
-/// Axes of cylinders, cones and tori, then of spheres, then of circles; none twice.
+/// Axes of cylinders, cones and tori, then of spheres, then of edges as if they were circles; none twice.
 std::vector<Axis> possible_axes(const Brep& solid) {
   std::vector<Axis> result;
   const auto add = [&](const Axis& axis) {
@@ -62,7 +62,7 @@ std::vector<Axis> possible_axes(const Brep& solid) {
   if (!result.empty()) return {result.front()};
   for (const Axis& axis : spheres) add(axis);
   for (std::size_t e = 0; e < solid.edges().size(); ++e)
-    if (solid.edges()[e].kind == CurveKind::circle)
+    if (solid.edges()[e].kind != CurveKind::line)
       if (const auto axis = axis_of(solid, EdgeId(static_cast<int>(e)))) add(*axis);
   return result;
 }
@@ -194,9 +194,9 @@ Eigen::Vector3d TurnedFrame::point(const Eigen::Vector2d& flat, double angle) co
 
 geometry::NurbsCurve TurnedFrame::turned(const geometry::NurbsCurve& curve, double angle) const {
   const Eigen::Matrix3d rotation = Eigen::AngleAxisd(angle, along).toRotationMatrix();
-  return geometry::NurbsCurve(
-      curve.knots(), (rotation * (curve.control_points().colwise() - origin)).colwise() + origin,
-      curve.weights());
+  return geometry::NurbsCurve(curve.knots(),
+                              (rotation * (curve.control_points().colwise() - origin)).colwise() + origin,
+                              curve.weights());
 }
 
 std::optional<TurnedFrame> turned_frame(const Brep& solid) {

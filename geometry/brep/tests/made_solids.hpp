@@ -14,15 +14,17 @@ namespace isopatch::geometry::test {
 /// x 10), "cylinder", "cone", "sphere", "torus", "drilled" (the block with a bore), "grooved" (with a quarter
 /// of a cylinder taken off an edge), "notched" (with a step in the middle of an edge), "round_edge",
 /// "round_corner" (radius 3), "spring" (two turns; splines), "named" (a plate with a coloured and named top,
-/// and a pin). Stacks along z (made_solids/stacks.cpp): "countersunk", "drafted_pocket", "drafted_boss", "shaft" (with a
-/// cone), "bored_boss", "pocketed", "wavy" (a wall is a spline). Turned (made_solids/turned.cpp): "ball_on_rod" (along x), "bored_ball",
-/// "hollow_ball", "domed_rod", "round_cup", "flat_cup", "pointed_rod", "ring_in_halves" (all faces), "sheave",
-/// "round_ring", and by an angle "bent_rod" (120 degrees), "bent_tube" (90), "half_torus",
-/// "half_shaft", "quarter_shaft", "three_quarters", "half_dome", which reach the axis. Hexahedra with curved sides: "drilled_quarters" (the drilled block in four), "ring_quarter",
-/// "ring_150" (radii 5 and 8, height 4), "oblique_ring" (a quarter under z = 6 + x / 4 + y / 8),
-/// "cone_quarter" (radii 6 and 8 below, 3 and 4 above, height 5), "shell_piece" (radii 5 and 7, latitudes 10
-/// to 60 degrees, a quarter around), "elbow_piece" (a quarter of a pipe of radii 1 and 2, bent by 60 degrees
-/// with radius 6). "drilled_splines" and other names with that ending: all faces and edges as splines.
+/// and a pin). Stacks along z (made_solids/stacks.cpp): "countersunk", "drafted_pocket", "drafted_boss",
+/// "shaft" (with a cone), "bored_boss", "pocketed", "wavy" (a wall is a spline). Turned
+/// (made_solids/turned.cpp): "ball_on_rod" (along x), "bored_ball", "hollow_ball", "domed_rod", "round_cup",
+/// "flat_cup", "pointed_rod", "ring_in_halves" (all faces), "sheave", "round_ring", "vessel_head"
+/// (ellipsoids), and by an angle "bent_rod" (120 degrees), "bent_tube" (90), "half_torus", "half_shaft",
+/// "quarter_shaft", "three_quarters", "half_dome", which reach the axis. Hexahedra with curved sides:
+/// "drilled_quarters" (the drilled block in four), "ring_quarter", "ring_150" (radii 5 and 8, height 4),
+/// "oblique_ring" (a quarter under z = 6 + x / 4 + y / 8), "cone_quarter" (radii 6 and 8 below, 3 and 4
+/// above, height 5), "shell_piece" (radii 5 and 7, latitudes 10 to 60 degrees, a quarter around),
+/// "elbow_piece" (a quarter of a pipe of radii 1 and 2, bent by 60 degrees with radius 6). "drilled_splines"
+/// and other names with that ending: all faces and edges as splines.
 inline std::filesystem::path made_solid(const std::string& name) {
   return std::filesystem::path(ISOPATCH_MADE_SOLIDS) / (name + ".step");
 }

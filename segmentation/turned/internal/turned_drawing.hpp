@@ -13,8 +13,9 @@ namespace isopatch::segmentation {
 struct TurnedDrawing {
   CoredProfile half;
   Quadrangulation quads;  ///< of a profile whose edges have the numbers of the half profile's curves
-  std::vector<Eigen::Vector2d> places;       ///< of the quadrilaterals' vertices
-  std::vector<geometry::NurbsCurve> curves;  ///< of their edges, exact, over [0, 1], in the half-plane at angle 0
+  std::vector<Eigen::Vector2d> places;  ///< of the quadrilaterals' vertices
+  std::vector<geometry::NurbsCurve>
+      curves;  ///< of their edges, exact, over [0, 1], in the half-plane at angle 0
   /// By strip: edges of the quadrilaterals beside the column, from low to high.
   std::vector<std::vector<int>> columns;
 };

@@ -10,8 +10,8 @@
 
 namespace isopatch::segmentation {
 
-/// Vertices and edges of a divided half profile turned in sectors, each made once. Meridians count from 0; the
-/// last one of a whole turn is the first.
+/// Vertices and edges of a divided half profile turned in sectors, each made once. Meridians count from 0;
+/// the last one of a whole turn is the first.
 class TurnedEdges {
  public:
   /// Both must outlive it.
@@ -19,8 +19,8 @@ class TurnedEdges {
 
   /// Of the drawing, at a meridian.
   EdgeId meridian(int edge, int meridian);
-  /// From a vertex at one meridian to that at the next: an arc, a chord beside the column, a great circle where
-  /// that ends on a sphere.
+  /// From a vertex at one meridian to that at the next: an arc, a chord beside the column, a great circle
+  /// where that ends on a sphere.
   EdgeId around(int vertex, int sector);
   /// From the axis to a vertex beside the column.
   EdgeId radial(int vertex, int meridian);
