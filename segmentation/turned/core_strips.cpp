@@ -112,7 +112,7 @@ class CoreMaker {
     if (std::abs(a[1]) < tolerance_ || std::abs(b[1]) < tolerance_) return std::nullopt;
     // r^2 + k h^2 = 2 k c h, h from the pole, the centre at c.
     const double of_sphere = b.squaredNorm() / (2 * b[1]);
-    if (const auto sphere = spheroid(end, of_sphere, 1)) return sphere;
+    if (auto sphere = spheroid(end, of_sphere, 1)) return sphere;
     const double slope_a = a[0] * a[0] / a[1], slope_b = b[0] * b[0] / b[1];
     const double k = (slope_a - slope_b) / (b[1] - a[1]);
     if (!(k > 0.01 && k < 100)) return std::nullopt;
@@ -152,8 +152,9 @@ class CoreMaker {
   int cut(const End& end, double radius) {
     double low = 0, high = 1;
     // Up to where it turns back, the radius grows.
-    for (double share = 1; share > 0; share -= 1.0 / 64)
-      if (at(end, share)[0] >= radius) high = share;
+    constexpr int steps = 64;
+    for (int i = steps; i > 0; --i)
+      if (const double share = static_cast<double>(i) / steps; at(end, share)[0] >= radius) high = share;
     for (int i = 0; i < 60; ++i) {
       const double middle = (low + high) / 2;
       (at(end, middle)[0] < radius ? low : high) = middle;
