@@ -31,10 +31,10 @@ struct End {
   std::size_t curve;
   bool at_start;  // whether the curve starts there
   double height;
-  std::optional<double> centre;  // height of a sphere's
-  double radius = 0;             // at which it ends, turns back or meets the other end
-  double corner = 0;             // radius of the column's corner; 0 where that is to be the column's
-  bool bulges = false;           // with the solid inside the sphere
+  std::optional<Spheroid> sphere;
+  double radius = 0;    // at which it ends, turns back or meets the other end
+  double corner = 0;    // radius of the column's corner; 0 where that is to be the column's
+  bool bulges = false;  // with the solid inside the sphere
 };
 
 class CoreMaker {
@@ -86,32 +86,49 @@ class CoreMaker {
       if (std::abs(last[1] - end.height) > tolerance_) refuse(end, "comes to a point");
       return;
     }
-    end.centre = sphere_centre(end);
-    if (!end.centre) refuse(end, "is neither plane nor sphere");
-    const double radius = std::abs(end.height - *end.centre);
-    end.bulges = (*end.centre > end.height) == low;
+    end.sphere = spheroid_of(end);
+    if (!end.sphere) refuse(end, "is neither plane nor ellipsoid");
+    const double centre = height_of_centre(end), radius = end.sphere->radius;
+    end.bulges = (centre > end.height) == low;
     double turn = std::numbers::pi;
     for (const double share : {0.25, 0.5, 0.75, 1.0}) {
-      const Eigen::Vector2d way = at(end, share) - Eigen::Vector2d(0, *end.centre);
+      const Eigen::Vector2d way = at(end, share) - Eigen::Vector2d(0, centre);
       end.radius = std::max(end.radius, way[0]);
-      turn = std::atan2(way[0], way[1] * (end.height > *end.centre ? 1 : -1));
+      turn = std::atan2(way[0], way[1] / end.sphere->stretch * (end.height > centre ? 1 : -1));
     }
     turn = std::min(turn, std::numbers::pi / 2);
     end.radius = std::max(end.radius, radius * std::sin(turn));
     if (turn > far_turn) end.corner = radius * std::sin(corner_share * turn);
   }
 
-  /// Height of the point on the axis that all of a curve is equally far from.
-  std::optional<double> sphere_centre(const End& end) {
-    const Eigen::Vector2d last = at(end, 0.7);
-    const double rise = last[1] - end.height;
-    if (std::abs(rise) < tolerance_) return std::nullopt;
-    const double centre = end.height + (last[0] * last[0] + rise * rise) / (2 * rise);
-    for (const double share : {0.15, 0.4, 0.55, 0.85, 1.0})
-      if (std::abs((at(end, share) - Eigen::Vector2d(0, centre)).norm() - std::abs(end.height - centre)) >
-          tolerance_)
-        return std::nullopt;
-    return centre;
+  double height_of_centre(const End& end) const { return frame_.flat(end.sphere->centre)[1]; }
+
+  /// The sphere that a curve shows, else the ellipsoid.
+  std::optional<Spheroid> spheroid_of(const End& end) {
+    const auto way = [&](double share) -> Eigen::Vector2d {
+      return at(end, share) - Eigen::Vector2d(0, end.height);
+    };
+    const Eigen::Vector2d a = way(0.45), b = way(0.9);
+    if (std::abs(a[1]) < tolerance_ || std::abs(b[1]) < tolerance_) return std::nullopt;
+    // r^2 + k h^2 = 2 k c h, h from the pole, the centre at c.
+    const double of_sphere = b.squaredNorm() / (2 * b[1]);
+    if (auto sphere = spheroid(end, of_sphere, 1)) return sphere;
+    const double slope_a = a[0] * a[0] / a[1], slope_b = b[0] * b[0] / b[1];
+    const double k = (slope_a - slope_b) / (b[1] - a[1]);
+    if (!(k > 0.01 && k < 100)) return std::nullopt;
+    return spheroid(end, (slope_a + k * a[1]) / (2 * k), 1 / std::sqrt(k));
+  }
+
+  /// @param to_centre  from the pole, upwards
+  /// @return  nothing if the curve is not on it
+  std::optional<Spheroid> spheroid(const End& end, double to_centre, double stretch) {
+    const Eigen::Vector2d centre(0, end.height + to_centre);
+    const double radius = std::abs(to_centre) / stretch;
+    for (const double share : {0.15, 0.3, 0.55, 0.7, 0.85, 1.0}) {
+      const Eigen::Vector2d way = at(end, share) - centre;
+      if (!(std::abs(std::hypot(way[0], way[1] / stretch) - radius) < tolerance_)) return std::nullopt;
+    }
+    return Spheroid{frame_.point(centre, 0), radius, frame_.along, stretch};
   }
 
   double core_radius(const End& low, const End& high) {
@@ -135,8 +152,9 @@ class CoreMaker {
   int cut(const End& end, double radius) {
     double low = 0, high = 1;
     // Up to where it turns back, the radius grows.
-    for (double share = 1; share > 0; share -= 1.0 / 64)
-      if (at(end, share)[0] >= radius) high = share;
+    constexpr int steps = 64;
+    for (int i = steps; i > 0; --i)
+      if (const double share = static_cast<double>(i) / steps; at(end, share)[0] >= radius) high = share;
     for (int i = 0; i < 60; ++i) {
       const double middle = (low + high) / 2;
       (at(end, middle)[0] < radius ? low : high) = middle;
@@ -155,7 +173,7 @@ class CoreMaker {
     CoreEnd result;
     result.height = end.height;
     result.faces = curve_of(end).faces;
-    if (end.centre) result.centre = frame_.point({0, *end.centre}, 0);
+    result.sphere = end.sphere;
     result.vertex = cut(end, end.corner > 0 ? end.corner : radius);
     return result;
   }
@@ -185,7 +203,7 @@ class CoreMaker {
   /// Below the corner on a sphere that turns far, on the way to its centre.
   std::optional<Eigen::Vector2d> inner_corner(const End& end, const CoreEnd& made, double radius) {
     if (end.corner <= 0 || !end.bulges) return std::nullopt;
-    const Eigen::Vector2d centre(0, *end.centre), corner = place(made.vertex);
+    const Eigen::Vector2d centre(0, height_of_centre(end)), corner = place(made.vertex);
     return centre + radius / corner[0] * (corner - centre);
   }
 

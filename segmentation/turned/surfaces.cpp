@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/base/angle.hpp"
+#include "geometry/splines/arc.hpp"
+
 namespace isopatch::segmentation {
 
 using geometry::KnotVector;
@@ -28,9 +31,26 @@ NurbsSurface turned_surface(const NurbsCurve& curve, const Eigen::Vector3d& orig
   return NurbsSurface({KnotVector(2, {0, 0, 0, 1, 1, 1}), curve.knots(0)}, points, weights);
 }
 
-SpherePatch::SpherePatch(const Eigen::Vector3d& centre, double radius, const Eigen::Vector3d& middle,
-                         bool inwards)
-    : centre_(centre), z_(middle), radius_(radius) {
+Eigen::Vector3d Spheroid::stretched(const Eigen::Vector3d& point) const {
+  return point + (stretch - 1) * (point - centre).dot(along) * along;
+}
+
+Eigen::Vector3d Spheroid::unstretched(const Eigen::Vector3d& point) const {
+  return point + (1 / stretch - 1) * (point - centre).dot(along) * along;
+}
+
+NurbsCurve Spheroid::arc(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
+  const Eigen::Vector3d start = unstretched(from), u = start - centre, v = unstretched(to) - centre;
+  const Eigen::Vector3d normal = u.cross(v);
+  const NurbsCurve round =
+      geometry::arc_about(centre, normal, start, Angle::radians(std::atan2(normal.norm(), u.dot(v))));
+  Eigen::Matrix3Xd points = round.control_points();
+  for (Eigen::Index i = 0; i < points.cols(); ++i) points.col(i) = stretched(points.col(i));
+  return NurbsCurve(round.knots(), points, round.weights());
+}
+
+SpherePatch::SpherePatch(const Spheroid& spheroid, const Eigen::Vector3d& middle, bool inwards)
+    : spheroid_(spheroid), z_(middle) {
   x_ = middle.unitOrthogonal();
   y_ = middle.cross(x_) * (inwards ? -1 : 1);
 }
@@ -43,8 +63,10 @@ NurbsSurface SpherePatch::surface(double reach) const {
   for (int j = 0; j < 4; ++j)
     for (int i = 0; i < 4; ++i) {
       const double squares = square[i] + square[j], weight = one[i] + squares;
-      const Eigen::Vector3d out = radius_ * (2 * t[i] * x_ + 2 * t[j] * y_ + (1 - squares) * z_);
-      points.col(i + 4 * j) << weight * centre_ + out, weight;
+      const Eigen::Vector3d out = 2 * t[i] * x_ + 2 * t[j] * y_ + (1 - squares) * z_;
+      points.col(i + 4 * j) << weight *
+                                   spheroid_.stretched(spheroid_.centre + spheroid_.radius / weight * out),
+          weight;
     }
   const KnotVector knots(2, {-reach, -reach, -reach, 0, reach, reach, reach});
   return NurbsSurface::from_homogeneous({knots, knots}, points);
@@ -54,8 +76,8 @@ NurbsCurve SpherePatch::trace(const NurbsCurve& curve) const {
   Eigen::Matrix3Xd points(3, curve.size());
   Eigen::VectorXd weights(curve.size());
   for (Eigen::Index i = 0; i < curve.size(); ++i) {
-    const Eigen::Vector3d way = curve.control_points().col(i) - centre_;
-    const double below = radius_ + way.dot(z_);
+    const Eigen::Vector3d way = spheroid_.unstretched(curve.control_points().col(i)) - spheroid_.centre;
+    const double below = spheroid_.radius + way.dot(z_);
     points.col(i) << way.dot(x_) / below, way.dot(y_) / below, 0;
     weights[i] = curve.weights()[i] * below;
   }

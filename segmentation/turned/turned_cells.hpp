@@ -29,8 +29,8 @@ bool is_turned(const geometry::Brep& solid);
 /// bends of pipes and bars.
 ///
 /// The half profile is divided into quadrilaterals, which are turned in sectors of at most 90 degrees. Where
-/// material reaches the axis, a square column of hexahedra runs along it, whose ends lie on planes or
-/// spheres. Faces away from the axis are exact.
+/// material reaches the axis, a square column of hexahedra runs along it, whose ends lie on planes, spheres
+/// or ellipsoids. Faces away from the axis are exact.
 /// @param lines  straight pieces in the ends of what is no whole turn, m: they become sides of hexahedra
 /// @return  nothing for a solid that is not turned
 /// @throws Error unsupported  it looks like one, but has a point or an edge on its axis, or a half profile

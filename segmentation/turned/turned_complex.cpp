@@ -215,17 +215,25 @@ class TurnedComplex {
     return PlaneSurface{a, x, (up - up.dot(x) * x).normalized()};
   }
 
+  /// The direction of the middle of what some edges bound, on the sphere that is stretched to a spheroid.
+  Eigen::Vector3d middle_of(const Spheroid& spheroid, const std::vector<EdgeId>& edges) const {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const EdgeId edge : edges)
+      sum += spheroid.unstretched(edges_.shape(edge).point(geometry::Parameter<1>(0.5))) - spheroid.centre;
+    return sum.normalized();
+  }
+
+  static Eigen::Vector3d point_of(const Spheroid& spheroid, const Eigen::Vector3d& direction) {
+    return spheroid.stretched(spheroid.centre + spheroid.radius * direction);
+  }
+
   /// Around the middle of what some edges bound on the sphere at a corner of the column.
   SurfaceId sphere_surface(int corner, const std::vector<EdgeId>& edges) {
     const CoreEnd& end = *edges_.core_end(corner);
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    for (const EdgeId edge : edges)
-      middle += edges_.shape(edge).point(geometry::Parameter<1>(0.5)) - *end.centre;
-    const double radius = (frame_.point(flat(corner), 0) - *end.centre).norm();
-    const geometry::FaceProjection on =
-        solid_.project(end.faces.front(), *end.centre + middle.normalized() * radius);
+    const Eigen::Vector3d middle = middle_of(*end.sphere, edges);
+    const geometry::FaceProjection on = solid_.project(end.faces.front(), point_of(*end.sphere, middle));
     const bool inwards = solid_.outward_normal(end.faces.front(), on.uv).dot(middle) < 0;
-    const SpherePatch patch(*end.centre, radius, middle.normalized(), inwards);
+    const SpherePatch patch(*end.sphere, middle, inwards);
     std::vector<NurbsCurve> traces;
     double reach = 0;
     for (const EdgeId edge : edges) {
@@ -245,22 +253,21 @@ class TurnedComplex {
     const CoreEnd* end = edges_.core_end(corner);
     std::vector<EdgeId> edges;
     for (const EdgeUse& use : loop) edges.push_back(use.edge);
-    if (end && end->centre)
+    if (end && end->sphere)
       face.surface = sphere_surface(corner, edges);
     else
       face.surface = add_surface(PlaneSurface{frame_.point({0, flat(corner)[1]}, 0), frame_.x,
                                               lowest ? Eigen::Vector3d(-frame_.y) : frame_.y});
-    if (end) {
-      Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-      for (const EdgeId edge : edges)
-        middle += edges_.shape(edge).point(geometry::Parameter<1>(0.5)) / static_cast<double>(edges.size());
-      if (end->centre) {
-        const double radius = std::abs(frame_.flat(*end->centre)[1] - end->height);
-        middle = *end->centre + radius * (middle - *end->centre).normalized();
-      }
-      face.origin = origin_at(end->faces, middle);
-    }
+    if (end) face.origin = origin_at(end->faces, inside(*end, edges));
     return face;
+  }
+
+  /// A point of the solid within what some edges bound at an end of the column.
+  Eigen::Vector3d inside(const CoreEnd& end, const std::vector<EdgeId>& edges) const {
+    if (end.sphere) return point_of(*end.sphere, middle_of(*end.sphere, edges));
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const EdgeId edge : edges) sum += edges_.shape(edge).point(geometry::Parameter<1>(0.5));
+    return sum / static_cast<double>(edges.size());
   }
 
   FaceId square(int corner, bool lowest) {

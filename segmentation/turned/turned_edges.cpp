@@ -13,12 +13,6 @@ namespace {
 using geometry::CurveId;
 using geometry::NurbsCurve;
 
-/// The shorter arc about a centre.
-NurbsCurve great_arc(const Eigen::Vector3d& centre, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-  const Eigen::Vector3d u = from - centre, v = to - centre, normal = u.cross(v);
-  return geometry::arc_about(centre, normal, from, Angle::radians(std::atan2(normal.norm(), u.dot(v))));
-}
-
 }  // namespace
 
 TurnedEdges::TurnedEdges(const TurnedFrame& frame, const TurnedDrawing& drawing, int sectors)
@@ -77,8 +71,8 @@ EdgeId TurnedEdges::around(int number, int sector) {
   const VertexId from = vertex(number, sector), to = vertex(number, next(sector));
   const Eigen::Vector3d a = complex.vertex(from), b = complex.vertex(to);
   NurbsCurve shape = geometry::segment(a, b);
-  if (const CoreEnd* end = core_end(number); end && end->centre)
-    shape = great_arc(*end->centre, a, b);
+  if (const CoreEnd* end = core_end(number); end && end->sphere)
+    shape = end->sphere->arc(a, b);
   else if (!is_core(number))
     shape = geometry::arc_about(frame_.origin, frame_.along, a, Angle::radians(frame_.sweep / sectors_));
   return around_[{number, sector}] = add(std::move(shape), from, to);
@@ -90,7 +84,7 @@ EdgeId TurnedEdges::radial(int number, int meridian) {
   const VertexId from = axis_vertex(number), to = vertex(number, meridian);
   const Eigen::Vector3d a = complex.vertex(from), b = complex.vertex(to);
   const CoreEnd* end = core_end(number);
-  NurbsCurve shape = end && end->centre ? great_arc(*end->centre, a, b) : geometry::segment(a, b);
+  NurbsCurve shape = end && end->sphere ? end->sphere->arc(a, b) : geometry::segment(a, b);
   return radial_[{number, meridian}] = add(std::move(shape), from, to);
 }
 

@@ -40,7 +40,7 @@ std::optional<Axis> axis_of(const Brep& solid, EdgeId edge) {
               normal.normalized()};
 }
 
-/// Axes of cylinders, cones and tori, then of spheres, then of circles; none twice.
+/// Axes of cylinders, cones and tori, then of spheres, then of edges as if they were circles; none twice.
 std::vector<Axis> possible_axes(const Brep& solid) {
   std::vector<Axis> result;
   const auto add = [&](const Axis& axis) {
@@ -62,7 +62,7 @@ std::vector<Axis> possible_axes(const Brep& solid) {
   if (!result.empty()) return {result.front()};
   for (const Axis& axis : spheres) add(axis);
   for (std::size_t e = 0; e < solid.edges().size(); ++e)
-    if (solid.edges()[e].kind == CurveKind::circle)
+    if (solid.edges()[e].kind != CurveKind::line)
       if (const auto axis = axis_of(solid, EdgeId(static_cast<int>(e)))) add(*axis);
   return result;
 }

@@ -45,6 +45,7 @@ const std::vector<Drawing>& drawings() {
       {"rounded_washer", "turned", "a washer with round edges", rounded_washer},
       {"bent_pipe", "turned", "a pipe, bent", bent_pipe},
       {"bent_bar", "turned", "a round bar, bent", bent_bar},
+      {"shell_octant", "turned", "an eighth of a hollow ball", shell_octant},
       {"demonstrator", "models", "the TERRIFIC demonstrator, from its dimensions", demonstrator},
       {"chair_stand", "models", "one fifth of a chair's base, from its dimensions", chair_stand},
   };

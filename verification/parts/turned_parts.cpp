@@ -32,10 +32,11 @@ Part ball_stud() {
                            .line_to({6, meets})
                            .arc_to({0, 55}, {0, 44})
                            .line_to({0, -20});
-  return {joined({cylinder({0, 0, -20}, gp::DZ(), 6, 20), cone({0, 0, 0}, gp::DZ(), 9, 6, 24),
-                  cylinder({0, 0, 24}, gp::DZ(), 6, 15), BRepPrimAPI_MakeSphere(gp_Pnt(0, 0, 44), 11).Shape()}),
-          {{"shank", {0, 6, -10}}, {"ball", {0, 11, 44}}},
-          2 * pi * half.first_moment()};
+  return {
+      joined({cylinder({0, 0, -20}, gp::DZ(), 6, 20), cone({0, 0, 0}, gp::DZ(), 9, 6, 24),
+              cylinder({0, 0, 24}, gp::DZ(), 6, 15), BRepPrimAPI_MakeSphere(gp_Pnt(0, 0, 44), 11).Shape()}),
+      {{"shank", {0, 6, -10}}, {"ball", {0, 11, 44}}},
+      2 * pi * half.first_moment()};
 }
 
 // A tenon, a collar, a waist, a belly and a round end.
@@ -77,7 +78,9 @@ Part rounded_washer() {
 // Inside 40, outside 50, by 90 degrees about a radius of 60.
 Part bent_pipe() {
   return {without(bend(60, 25, pi / 2), {bend(60, 20, pi / 2)}),
-          {{"lower end", {0, 22.5, 0}}, {"upper end", {60, 22.5, 60}}, {"outside", {60 - 85 * std::sqrt(0.5), 0, 85 * std::sqrt(0.5)}}},
+          {{"lower end", {0, 22.5, 0}},
+           {"upper end", {60, 22.5, 60}},
+           {"outside", {60 - 85 * std::sqrt(0.5), 0, 85 * std::sqrt(0.5)}}},
           225 * pi * 30 * pi};
 }
 
@@ -86,6 +89,19 @@ Part bent_bar() {
   return {bend(40, 10, 2 * pi / 3),
           {{"lower end", {1, 2, 0}}, {"upper end", {60, 2, 20 * std::sqrt(3.0)}}},
           100 * pi * 80 * pi / 3};
+}
+
+// Of a hollow ball of radii 10 and 20.
+Part shell_octant() {
+  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(20.0, 0.0, pi / 2, pi / 2).Shape();
+  const double inner = 10 / std::sqrt(3.0), outer = 20 / std::sqrt(3.0);
+  return {without(ball, {BRepPrimAPI_MakeSphere(10.0).Shape()}),
+          {{"x0", {0, 10, 11}},
+           {"inside", {inner, inner, inner}},
+           {"y0", {10, 0, 11}},
+           {"z0", {10, 11, 0}},
+           {"outside", {outer, outer, outer}}},
+          pi * 7000 / 6};
 }
 
 }  // namespace isopatch::parts

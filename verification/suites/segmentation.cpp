@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -138,6 +139,40 @@ TEST(FullSegmentation, DemonstratorFromCad) {
   expect(Claim{"demonstrator from CAD: energy", "J", ReferenceKind::other_method,
                "the 15 published patches of examples/terrific, degree 3", 70.025, results.internal_energy,
                near, study.named});
+}
+
+/// The patches of a part, volume alone.
+void expect_volume(const std::string& part, const std::string& held, const std::string& loaded,
+                   const std::string& reference, double volume) {
+  const SolvedStudy study = solved(
+      "verification/studies/segmented.toml",
+      {"model.file=" + path_of("parts/" + part + ".step").string(), "support.0.faces=[\"" + held + "\"]",
+       "load.0.faces=[\"" + loaded + "\"]", "discretization.refine=0"});
+  expect(Claim{part + ": volume of the patches", "m^3", ReferenceKind::closed_form, reference, volume,
+               study.run.built.report.volume, round_off(100, "tori are rational patches"), study.named});
+}
+
+TEST(Segmentation, TurnedPartsAreExact) {
+  constexpr double pi = std::numbers::pi;
+  expect_volume("bent_pipe", "lower end", "upper end", "Pappus: pi (25^2 - 20^2) mm^2 times 30 pi mm",
+                225 * pi * 30 * pi * 1e-9);
+  expect_volume("bent_bar", "lower end", "upper end", "Pappus: pi 10^2 mm^2 times 80 pi / 3 mm",
+                100 * pi * 80 * pi / 3 * 1e-9);
+}
+
+// a = 10 mm, b = 20 mm, p = 1 MPa, E = 1000 MPa, nu = 0.3: as in ClosedForms.HollowSphere, from a CAD file.
+TEST(Segmentation, HollowBall) {
+  const double wall = 0.01 / (1000 * 7) * ((1 - 0.6) + 1.3 * 8 / 2);
+  const SolvedStudy s = solved("verification/studies/shell_octant.toml",
+                               {"model.file=" + path_of("parts/shell_octant.step").string()});
+  const auto claim = [&](const std::string& what, const char* unit, double reference, double value,
+                         const Tolerance& allowed) {
+    expect(Claim{"hollow ball: " + what, unit, ReferenceKind::closed_form, "Lame", reference, value, allowed,
+                 s.named});
+  };
+  claim("u_r at the inner wall", "m", wall, s.probe("inner wall").values.displacement[0], 1e-4);
+  claim("energy", "J", 0.5 * 1e6 * wall * std::numbers::pi / 2 * 1e-4, s.run.solution.results.internal_energy,
+        1e-4);
 }
 
 TEST(Segmentation, House) {

@@ -4,14 +4,15 @@
 #include <vector>
 
 #include "segmentation/turned/internal/half_profile.hpp"
+#include "segmentation/turned/internal/surfaces.hpp"
 
 namespace isopatch::segmentation {
 
 /// Where a solid ends on its axis.
 struct CoreEnd {
-  int vertex = -1;                        ///< of the half profile: corner of the core on the surface
-  std::optional<Eigen::Vector3d> centre;  ///< of a sphere, m; else a plane
-  double height = 0;                      ///< on the axis, m
+  int vertex = -1;                 ///< of the half profile: corner of the core on the surface
+  std::optional<Spheroid> sphere;  ///< nothing: a plane
+  double height = 0;               ///< on the axis, m
   std::vector<FaceId> faces;
 };
 
@@ -29,8 +30,8 @@ struct CoredProfile {
 
 /// Takes strips along the axis off a half profile, about 0.6 of the smallest radius beside each wide. On a
 /// sphere that turns far, a strip is as wide as the side of a cube would be.
-/// @throws Error unsupported  the solid ends on its axis in something other than a plane or a sphere, or has
-/// an edge there
+/// @throws Error unsupported  the solid ends on its axis in something other than a plane, a sphere or an
+/// ellipsoid, or has an edge there
 CoredProfile without_cores(const geometry::Brep& solid, const TurnedFrame& frame, HalfProfile profile);
 
 }  // namespace isopatch::segmentation

@@ -10,5 +10,6 @@ Part rounded_shaft();
 Part rounded_washer();
 Part bent_pipe();
 Part bent_bar();
+Part shell_octant();
 
 }  // namespace isopatch::parts

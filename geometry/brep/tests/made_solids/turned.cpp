@@ -2,8 +2,11 @@
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
@@ -17,6 +20,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <cmath>
+#include <gp_Elips.hxx>
 #include <vector>
 
 namespace {
@@ -68,6 +72,23 @@ TopoDS_Shape bend(double distance, double radius, double angle) {
   return BRepPrimAPI_MakeTorus(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, 0.6, 0.8)), distance, radius, angle).Shape();
 }
 
+TopoDS_Edge quarter_ellipse(double radius, double height) {
+  const gp_Elips ellipse(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, -1, 0), gp::DX()), radius, height);
+  return BRepBuilderAPI_MakeEdge(ellipse, gp_Pnt(radius, 0, 0), gp_Pnt(0, 0, height)).Edge();
+}
+
+// The head of a vessel: between two halves of ellipsoids, as splines. (As surfaces of revolution the reader
+// of STEP files loses their seams and takes them for planes.)
+TopoDS_Shape vessel_head() {
+  BRepBuilderAPI_MakeWire outline;
+  outline.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(9, 0, 0), gp_Pnt(10, 0, 0)).Edge());
+  outline.Add(quarter_ellipse(10, 5));
+  outline.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 5), gp_Pnt(0, 0, 4)).Edge());
+  outline.Add(quarter_ellipse(9, 4));
+  const TopoDS_Face half = BRepBuilderAPI_MakeFace(outline.Wire()).Face();
+  return BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeRevol(half, gp::OZ()).Shape(), true).Shape();
+}
+
 }  // namespace
 
 std::map<std::string, TopoDS_Shape> turned_solids() {
@@ -81,12 +102,31 @@ std::map<std::string, TopoDS_Shape> turned_solids() {
       {"domed_rod", dome},
       {"round_cup", taken_off(cup, joined(ball({0, 0, 12}, 6), rod(gp::DZ(), 12, 6, 10)))},
       {"flat_cup", taken_off(cup, rod(gp::DZ(), 8, 7, 15))},
-      {"pointed_rod", joined(rod(gp::DZ(), 0, 5, 20), BRepPrimAPI_MakeCone(gp_Ax2(gp_Pnt(0, 0, 20), gp::DZ()), 5, 0, 5).Shape())},
+      {"pointed_rod", joined(rod(gp::DZ(), 0, 5, 20),
+                             BRepPrimAPI_MakeCone(gp_Ax2(gp_Pnt(0, 0, 20), gp::DZ()), 5, 0, 5).Shape())},
       {"ring_in_halves", ring_in_halves()},
-      {"sheave", polygon_turned({{4, 0}, {8, 0}, {8, 2}, {20, 2}, {20, 0}, {25, 0}, {25, 2}, {21, 4}, {21, 5}, {25, 7}, {25, 9}, {20, 9}, {20, 6}, {8, 6}, {8, 10}, {4, 10}}, 2 * half_turn)},
-      {"round_ring", with_round_circles(polygon_turned({{10, 0}, {20, 0}, {20, 6}, {10, 6}}, 2 * half_turn), 1.5)},
+      {"sheave", polygon_turned({{4, 0},
+                                 {8, 0},
+                                 {8, 2},
+                                 {20, 2},
+                                 {20, 0},
+                                 {25, 0},
+                                 {25, 2},
+                                 {21, 4},
+                                 {21, 5},
+                                 {25, 7},
+                                 {25, 9},
+                                 {20, 9},
+                                 {20, 6},
+                                 {8, 6},
+                                 {8, 10},
+                                 {4, 10}},
+                                2 * half_turn)},
+      {"round_ring",
+       with_round_circles(polygon_turned({{10, 0}, {20, 0}, {20, 6}, {10, 6}}, 2 * half_turn), 1.5)},
       {"bent_rod", bend(12, 3, 2 * half_turn / 3)},
       {"bent_tube", taken_off(bend(12, 3, half_turn / 2), bend(12, 2, half_turn / 2))},
+      {"vessel_head", vessel_head()},
       {"half_torus", bend(12, 3, half_turn)},
       {"half_shaft", polygon_turned({{0, 0}, {6, 0}, {6, 10}, {4, 10}, {4, 20}, {0, 20}}, half_turn)},
       {"quarter_shaft", polygon_turned({{0, 0}, {6, 0}, {4, 20}, {0, 20}}, half_turn / 2)},

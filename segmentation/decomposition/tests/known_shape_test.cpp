@@ -1,0 +1,35 @@
+#include "segmentation/decomposition/known_shape.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "geometry/brep/tests/made_solids.hpp"
+
+namespace isopatch::segmentation {
+namespace {
+
+std::string seen_as(const std::string& name, const DecompositionOptions& options = {}) {
+  const KnownShape known = known_shape(geometry::test::made_brep(name), options);
+  return known.decomposition ? known.decomposition->report.seen_as : "";
+}
+
+TEST(KnownShape, IsTheWayWithFewerHexahedra) {
+  EXPECT_EQ(seen_as("drilled"), "swept along z: 4 quadrilaterals between 2 levels");
+  // Both ways take 5.
+  EXPECT_EQ(seen_as("cylinder"), "swept along z: 5 quadrilaterals between 2 levels");
+  // Swept it takes 29.
+  EXPECT_EQ(seen_as("shaft"), "turned about z: 4 quadrilaterals in 4 sectors, 3 along the axis");
+  EXPECT_EQ(seen_as("bent_tube"), "turned about (0, 0.6, 0.8): 4 quadrilaterals in 1 sector");
+  EXPECT_EQ(seen_as("round_corner"), "");
+  EXPECT_EQ(seen_as("sphere", {.method = Method::cuts}), "");
+}
+
+TEST(KnownShape, SaysWhyATurnedSolidIsNotDivided) {
+  const KnownShape known = known_shape(geometry::test::made_brep("pointed_rod"), {});
+  EXPECT_FALSE(known.decomposition);
+  EXPECT_NE(known.why_not.find("comes to a point on the axis"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace isopatch::segmentation
