@@ -9,6 +9,7 @@
 #include "app/study/material_keys.hpp"
 #include "app/study/model_keys.hpp"
 #include "app/study/parameterization_keys.hpp"
+#include "app/study/reconstruction_keys.hpp"
 #include "app/study/segmentation_keys.hpp"
 #include "app/study/selection_keys.hpp"
 #include "app/study/study_keys.hpp"
@@ -74,7 +75,12 @@ std::vector<SectionText> study_sections() {
        "their boundaries, through "
        "concave edges first, until all parts are hexahedra, prisms over triangles or tetrahedra, which then "
        "become hexahedra.",
-       texts(segmentation_keys())}};
+       texts(segmentation_keys())},
+      {"reconstruction", "[reconstruction]",
+       "How triangles become a solid, if [model] has a `file` of them (.stl, .obj, .ply): its faces are the "
+       "planes, cylinders, cones, "
+       "spheres and tori that the vertices lie on, its edges are where these meet.",
+       texts(reconstruction_keys())}};
   for (const GeneratedModel& model : generated_models())
     sections.push_back({"model." + model.name, fmt::format("[model] with generate = \"{}\"", model.name),
                         model.meaning + " Plain numbers are model units, see `length_unit`.", model.keys});
