@@ -17,6 +17,7 @@
 #include "app/commands/keys_command.hpp"
 #include "app/commands/parameterize_command.hpp"
 #include "app/commands/probe_command.hpp"
+#include "app/commands/reconstruct_command.hpp"
 #include "app/commands/render_command.hpp"
 #include "app/commands/report_command.hpp"
 #include "app/commands/run_command.hpp"
@@ -64,8 +65,8 @@ std::unique_ptr<CLI::App> make_parser(CommandLine& line) {
   app->require_subcommand(1);
   for (const auto& add :
        {add_run_command, add_compare_command, add_info_command, add_probe_command, add_fields_command,
-        add_report_command, add_render_command, add_segment_command, add_parameterize_command,
-        add_convert_command, add_verify_command, add_keys_command})
+        add_report_command, add_render_command, add_reconstruct_command, add_segment_command,
+        add_parameterize_command, add_convert_command, add_verify_command, add_keys_command})
     add(*app, line);
   return app;
 }

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "app/problem/reconstructed_solids.hpp"
 #include "geometry/brep/recognise_carriers.hpp"
 #include "segmentation/decomposition/blocks.hpp"
 #include "segmentation/decomposition/prospect.hpp"
@@ -60,7 +61,7 @@ Progress of_body(const Progress& progress, std::size_t index, std::size_t count)
 
 template <class Cut>
 CutSolids each_cut(const BlocksInput& input, const Progress& progress, Cut cut) {
-  segmentation::ReadSolids read = segmentation::read_solids(input.files, progress);
+  segmentation::ReadSolids read = solids_of_files(input, progress);
   CutSolids result;
   result.warnings = std::move(read.warnings);
   for (std::size_t i = 0; i < read.solids.size(); ++i) {

@@ -5,6 +5,7 @@
 #include "segmentation/decomposition/decomposition_options.hpp"
 #include "segmentation/parameterization/parameterize.hpp"
 #include "segmentation/parameterization/read_blocks.hpp"
+#include "segmentation/reconstruction/reconstruction_options.hpp"
 
 namespace isopatch::app {
 
@@ -14,6 +15,7 @@ struct BlocksInput {
   /// How solids are taken apart that are no topological hexahedra; nothing: such solids are refused.
   std::optional<segmentation::DecompositionOptions> decomposition = {};
   segmentation::ParameterizationOptions options;
+  segmentation::ReconstructionOptions reconstruction = {};  ///< of files of triangles
   bool operator==(const BlocksInput&) const = default;
 };
 

@@ -9,6 +9,7 @@
 #include "geometry/brep/read_brep.hpp"
 #include "geometry/io/hdf5_reader.hpp"
 #include "geometry/io/read_gismo_solid.hpp"
+#include "geometry/io/read_triangles.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -45,6 +46,7 @@ FileKind kind_of(const std::filesystem::path& path) {
   if (ending == ".xml") return kind_of_xml(path);
   if (ending == ".g2" || ending == ".mesh") return FileKind::patches;
   if (ending == ".off") return FileKind::polyhedra;
+  if (geometry::is_triangle_file(path)) return FileKind::triangles;
   return geometry::is_brep_file(path) ? FileKind::cad : FileKind::unknown;
 }
 

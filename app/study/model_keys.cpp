@@ -11,6 +11,7 @@
 #include "app/study/file_kind.hpp"
 #include "app/study/generated_models.hpp"
 #include "app/study/parameterization_keys.hpp"
+#include "app/study/reconstruction_keys.hpp"
 #include "app/study/segmentation_keys.hpp"
 #include "app/study/study_path.hpp"
 
@@ -62,6 +63,18 @@ BlocksInput read_blocks(const ModelKeys& keys, const ConfigSection& input, const
   return read_solids({path(*keys.file, "file")}, keys, path, how.parameterization);
 }
 
+/// [reconstruction], which is for triangles.
+segmentation::ReconstructionOptions read_reconstruction(const ConfigSection& how) {
+  const auto options =
+      read_table<ReconstructionKeys>(how.table, how.place, "[reconstruction]", reconstruction_keys()).options;
+  try {
+    segmentation::validate(options);
+  } catch (const Error& error) {
+    throw error_at(how.place, error.what());
+  }
+  return options;
+}
+
 /// A file of patches or of solids, or several files of solids.
 ModelSource read_files(const ModelKeys& keys, const ConfigSection& input, const SolidSections& how,
                        const std::string& source) {
@@ -77,11 +90,16 @@ ModelSource read_files(const ModelKeys& keys, const ConfigSection& input, const 
   }
   if (keys.file && kind_of(path(*keys.file, "file")) == FileKind::blocks)
     return read_blocks(keys, input, how, path);
-  if (keys.file && holds_solids(path(*keys.file, "file"))) {
+  const FileKind kind = keys.file ? kind_of(path(*keys.file, "file")) : FileKind::unknown;
+  if (holds_solids(kind) || kind == FileKind::triangles) {
     BlocksInput whole = read_solids({path(*keys.file, "file")}, keys, path, how.parameterization);
     whole.decomposition = read_table<SegmentationKeys>(how.segmentation.table, how.segmentation.place,
                                                        "[segmentation]", segmentation_keys())
                               .options;
+    if (kind != FileKind::triangles && !how.reconstruction.table.entries.empty())
+      throw error_at(how.reconstruction.place,
+                     "[reconstruction] is for triangles, but `file` holds solids already; remove one");
+    whole.reconstruction = read_reconstruction(how.reconstruction);
     return whole;
   }
   return PatchFile{path(*keys.file, "file"), keys.length_unit};
@@ -135,6 +153,9 @@ const Keys<ModelKeys>& model_keys() {
           "variables. Or a file of solids in any format of `blocks`: those that are no topological hexahedra "
           "are cut "
           "into such, as [segmentation] says; faces keep their names, \"face 3\" where they have none. Or "
+          "triangles (.stl, .obj, .ply), from which [reconstruction] makes a solid with faces called "
+          "\"plane_1\", "
+          "\"cylinder_1\", ..., each kind in the order of area. Or "
           "blocks.h5, as `isopatch segment` writes it, whose blocks are not cut again. "
           "Either this, "
           "`blocks` or `generate`."),
@@ -207,8 +228,9 @@ ModelInput read_model(const ConfigSection& input, const SolidSections& how, cons
   model.tolerance = {.same_point = keys.same_point, .near_miss = keys.near_miss, .same_knot = keys.same_knot};
   if (!std::holds_alternative<BlocksInput>(model.source)) {
     if (keys.pairs) throw error_at(input.place, "pairs says how blocks meet, but [model] has no blocks");
-    for (const auto& [section, name] : {std::pair(&how.parameterization, "[parameterization]"),
-                                        std::pair(&how.segmentation, "[segmentation]")})
+    for (const auto& [section, name] :
+         {std::pair(&how.parameterization, "[parameterization]"),
+          std::pair(&how.segmentation, "[segmentation]"), std::pair(&how.reconstruction, "[reconstruction]")})
       if (!section->table.entries.empty())
         throw error_at(section->place,
                        fmt::format("{} is for solids, but [model] has patches already; remove one", name));

@@ -31,7 +31,7 @@ const Keys<ModelKeys>& model_keys();
 
 /// The sections that say how solids become patches.
 struct SolidSections {
-  ConfigSection parameterization, segmentation;
+  ConfigSection parameterization, segmentation, reconstruction;
 };
 
 /// @param input   [model]

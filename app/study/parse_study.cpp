@@ -57,7 +57,8 @@ Study parse_study(const std::string& text, const std::filesystem::path& source_n
   study.title = top.title;
   study.model = read_model(section(top.model, "model", study.source),
                            {section(top.parameterization, "parameterization", study.source),
-                            section(top.segmentation, "segmentation", study.source)},
+                            section(top.segmentation, "segmentation", study.source),
+                            section(top.reconstruction, "reconstruction", study.source)},
                            study.source);
   for (const ConfigSection& input : sections(top.material, "material"))
     study.materials.push_back(read_material(input));

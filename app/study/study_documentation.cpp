@@ -9,6 +9,7 @@
 #include "app/study/material_keys.hpp"
 #include "app/study/model_keys.hpp"
 #include "app/study/parameterization_keys.hpp"
+#include "app/study/reconstruction_keys.hpp"
 #include "app/study/segmentation_keys.hpp"
 #include "app/study/selection_keys.hpp"
 #include "app/study/study_keys.hpp"
@@ -78,7 +79,12 @@ std::vector<SectionText> study_sections() {
       {"segmentation.cut", "[[segmentation.cut]]",
        "A plane that cuts the body. Bodies that are cut by hand become pieces that are swept, or are "
        "refused.",
-       texts(given_plane_keys())}};
+       texts(given_plane_keys())},
+      {"reconstruction", "[reconstruction]",
+       "How triangles become a solid, if [model] has a `file` of them (.stl, .obj, .ply): its faces are the "
+       "planes, cylinders, cones, "
+       "spheres and tori that the vertices lie on, its edges are where these meet.",
+       texts(reconstruction_keys())}};
   for (const GeneratedModel& model : generated_models())
     sections.push_back({"model." + model.name, fmt::format("[model] with generate = \"{}\"", model.name),
                         model.meaning + " Plain numbers are model units, see `length_unit`.", model.keys});

@@ -62,6 +62,8 @@ const Keys<StudyKeys>& study_keys() {
       value_key<StudyKeys>(
           "segmentation", "table", &StudyKeys::segmentation,
           "How solids are cut into topological hexahedra, where the model is a file of solids."),
+      value_key<StudyKeys>("reconstruction", "table", &StudyKeys::reconstruction,
+                           "How triangles become a solid, where the model is a file of triangles."),
       value_key<StudyKeys>("discretization", "table", &StudyKeys::discretization, "The solution space."),
       value_key<StudyKeys>("material", "array of tables", &StudyKeys::material,
                            "Materials; every patch needs exactly one.")

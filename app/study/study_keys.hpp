@@ -27,6 +27,7 @@ struct StudyKeys {
   std::optional<ConfigValue> model;
   std::optional<ConfigValue> parameterization;
   std::optional<ConfigValue> segmentation;
+  std::optional<ConfigValue> reconstruction;
   std::optional<ConfigValue> discretization;
   std::optional<ConfigValue> material;
   std::optional<ConfigValue> support;

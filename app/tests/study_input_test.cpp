@@ -195,8 +195,8 @@ TEST_F(Program, KnowsAFileByItsEndingInWhateverCase) {
         std::pair("a.mesh", FileKind::patches), std::pair("a.Step", FileKind::cad),
         std::pair("a.p21", FileKind::cad), std::pair("a.IGS", FileKind::cad),
         std::pair("a.brep", FileKind::cad), std::pair("a.OFF", FileKind::polyhedra),
-        std::pair("none.xml", FileKind::patches), std::pair("a.msh", FileKind::unknown),
-        std::pair("a", FileKind::unknown)})
+        std::pair("none.xml", FileKind::patches), std::pair("a.STL", FileKind::triangles),
+        std::pair("a.msh", FileKind::unknown), std::pair("a", FileKind::unknown)})
     EXPECT_EQ(kind_of(name), kind) << name;
   write_file(folder_ / "solid.XML", "<xml><Solid id=\"0\"></Solid></xml>");
   write_file(folder_ / "patch.xml", "<xml><Geometry type=\"TensorBSpline3\"/></xml>");

@@ -90,6 +90,14 @@ std::string words_of_cutting(const BlocksInput& blocks) {
                       o.largest_blend);
 }
 
+std::string words_of(const segmentation::ReconstructionOptions& o) {
+  return fmt::format(
+      "regions by {}\nvertices within {:g}\nsmooth below {:.4g}\nsharp from {:.4g}, inside from "
+      "{:.4g}\nlarge above {:g}\nsmall below {:g}\n",
+      static_cast<int>(o.method), o.tolerance, o.smooth.degrees(), o.cutoff.degrees(),
+      o.inner_cutoff.degrees(), o.large, o.small);
+}
+
 std::string words_of(const BlocksInput& blocks) {
   std::string text;
   for (const auto& file : blocks.files.files) text += fmt::format("block {}\n", file.string());
@@ -103,7 +111,8 @@ std::string words_of(const BlocksInput& blocks) {
          fmt::format("fit of {} degree\nfit method {}\nfit tolerance {:g}\nfit spans {} to {}\n",
                      o.fit.degree, static_cast<int>(o.method), o.fit.tolerance, o.fit.start_spans,
                      o.fit.max_spans) +
-         fmt::format("wanted {:g}\noptimize {}\n", o.wanted_quality, o.optimize) + words_of_cutting(blocks);
+         fmt::format("wanted {:g}\noptimize {}\n", o.wanted_quality, o.optimize) + words_of_cutting(blocks) +
+         words_of(blocks.reconstruction);
 }
 
 std::string words_of(const PatchFile& file) {

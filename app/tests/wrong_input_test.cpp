@@ -58,7 +58,7 @@ TEST_F(Program, ADecimalCommaIsNamed) {
 
 TEST_F(Program, FormatsThatAreNotReadAreNamedWithThoseThatAre) {
   for (const auto& [name, text, says] :
-       {std::tuple("a.stl", "solid a\nfacet normal 0 0 1\n", "an STL triangulation"),
+       {std::tuple("a.tri", "solid a\nfacet normal 0 0 1\n", "an STL triangulation"),
         std::tuple("a.inp", "*Heading\n*Node\n1, 0, 0, 0\n", "an input file of Abaqus"),
         std::tuple("a.msh", "$MeshFormat\n2.2 0 8\n", "a Gmsh mesh"),
         std::tuple("a.dat", "hello\n", "the format is unknown")}) {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/brep/carrier_solid.hpp"
 #include "geometry/brep/cell_complex.hpp"
 #include "geometry/brep/kernel.hpp"
 #include "geometry/brep/redrawn.hpp"
@@ -96,6 +97,8 @@ class BrepModule {
   /// As `recognise_carriers`; no kernel where nothing is recognised.
   /// @param tolerance  m
   virtual KernelSolid with_carriers(const BrepKernel& kernel, double tolerance) const = 0;
+  /// As `make_brep` of a CarrierSolid.
+  virtual KernelSolid on_carriers(const CarrierSolid& solid, double tolerance) const = 0;
 };
 
 /// The module, loaded at the first call and for good.

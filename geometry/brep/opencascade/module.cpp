@@ -115,6 +115,10 @@ class OpenCascade final : public BrepModule {
                    [&] { return solid_with_carriers(dynamic_cast<const ShapeKernel&>(kernel), tolerance); });
   }
 
+  KernelSolid on_carriers(const CarrierSolid& solid, double tolerance) const override {
+    return guarded("making a solid of surfaces", [&] { return solid_on_carriers(solid, tolerance); });
+  }
+
  private:
   static FileShapes shapes_of(const KernelSource& source) {
     switch (source.format) {

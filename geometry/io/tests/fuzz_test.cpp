@@ -9,8 +9,11 @@
 #include "geometry/io/hdf5_reader.hpp"
 #include "geometry/io/hdf5_writer.hpp"
 #include "geometry/io/read_gismo_solid.hpp"
+#include "geometry/io/read_obj.hpp"
 #include "geometry/io/read_off.hpp"
 #include "geometry/io/read_patches.hpp"
+#include "geometry/io/read_ply.hpp"
+#include "geometry/io/read_stl.hpp"
 #include "geometry/io/tests/sample_patches.hpp"
 #include "geometry/io/write_gismo_xml.hpp"
 
@@ -152,6 +155,27 @@ bool solid(std::string_view text, const std::string& source) {
   return !read_gismo_solids(text, source).empty();
 }
 
+bool stl(std::string_view text, const std::string& source) {
+  return read_stl(text, source).vertices.allFinite();
+}
+bool obj(std::string_view text, const std::string& source) {
+  return read_obj(text, source).vertices.allFinite();
+}
+bool ply(std::string_view text, const std::string& source) {
+  return read_ply(text, source).vertices.allFinite();
+}
+
+const std::string stl_seed =
+    "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1.5 0 0\nvertex 0 2.25 "
+    "0\nendloop\nendfacet\nendsolid a\n";
+const std::string obj_seed =
+    "v 0 0 0\nv 1 0 0\nv 1 1 .5\nv 0 1 0\nvn 0 0 1\nf 1/1/1 2//1 3/1 4\nf -4 -3 \\\n -2\n";
+const std::string ply_seed =
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty double z\nelement "
+    "face 2\n"
+    "property list uchar int vertex_indices\nend_header\n0 0 0\n1.5 0 0\n0 2.25 0\n0 0 1\n3 0 1 2\n4 0 1 2 "
+    "3\n";
+
 struct Seed {
   const char* name;
   std::string text;
@@ -191,6 +215,8 @@ INSTANTIATE_TEST_SUITE_P(Fuzz, BrokenFile,
                                          Seed{"mfem", mfem_seed}, Seed{"mfem_patches", mfem_patch_seed},
                                          Seed{"mfem_spacing", mfem_spacing_seed},
                                          Seed{"gismo_base64", base64_seed}, Seed{"off", off_seed, polyhedron},
+                                         Seed{"stl", stl_seed, stl}, Seed{"obj", obj_seed, obj},
+                                         Seed{"ply", ply_seed, ply},
                                          Seed{"gismo_solid", gismo_solid_seed, solid}),
                          [](const auto& test) { return std::string(test.param.name); });
 

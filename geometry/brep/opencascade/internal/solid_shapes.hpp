@@ -22,6 +22,7 @@ std::vector<TrimmedSurface> surfaces_of(const ShapeKernel& kernel);
 KernelSolid polyhedral_solid(const Polyhedron& polyhedron, const SewOptions& options);
 /// As of BrepModule.
 KernelSolid solid_with_carriers(const ShapeKernel& kernel, double tolerance);
+KernelSolid solid_on_carriers(const CarrierSolid& solid, double tolerance);
 std::vector<KernelSolid> solids_of_cells(const ShapeKernel& source, const CellComplex& complex,
                                          const std::vector<CellId>& cells);
 /// As `overlay`.

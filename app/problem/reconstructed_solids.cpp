@@ -1,0 +1,63 @@
+#include "app/problem/reconstructed_solids.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "app/study/file_kind.hpp"
+#include "geometry/base/error.hpp"
+#include "geometry/io/read_triangles.hpp"
+
+namespace isopatch::app {
+namespace {
+
+bool holds_triangles(const std::filesystem::path& file) {
+  return kind_of(file) == FileKind::triangles;
+}
+
+}  // namespace
+
+segmentation::Reconstruction reconstructed(const std::filesystem::path& file, double length_unit,
+                                           const segmentation::ReconstructionOptions& options,
+                                           const Progress& progress) {
+  progress("reading the triangles", 0);
+  geometry::TriangleMesh mesh = geometry::read_triangles(file);
+  mesh.vertices *= length_unit;
+  mesh.grain *= length_unit;
+  try {
+    return segmentation::reconstruct(mesh, options, progress);
+  } catch (const Error& error) {
+    throw Error(error.code(), fmt::format("{}: {}", file.string(), error.what()));
+  }
+}
+
+segmentation::ReadSolids solids_of_files(const BlocksInput& input, const Progress& progress) {
+  const auto& files = input.files.files;
+  if (std::none_of(files.begin(), files.end(), holds_triangles))
+    return segmentation::read_solids(input.files, progress);
+  segmentation::ReadSolids result;
+  segmentation::BlockNames names;
+  for (const std::filesystem::path& file : files) {
+    segmentation::BlockFiles one = input.files;
+    one.files = {file};
+    segmentation::ReadSolids read;
+    if (holds_triangles(file)) {
+      segmentation::Reconstruction made =
+          reconstructed(file, input.files.length_unit.value_or(1), input.reconstruction, progress);
+      read.solids.push_back({std::move(made.brep), file.stem().string(), 0});
+      for (const std::string& remark : made.report.remarks)
+        read.warnings.push_back(fmt::format("{}: {}", file.string(), remark));
+    } else {
+      read = segmentation::read_solids(one, progress);
+    }
+    result.warnings.insert(result.warnings.end(), read.warnings.begin(), read.warnings.end());
+    for (geometry::BrepFile& solid : read.solids) {
+      solid.name = names.add(solid.name);
+      result.solids.push_back(std::move(solid));
+    }
+  }
+  return result;
+}
+
+}  // namespace isopatch::app

@@ -1,0 +1,91 @@
+#include "app/problem/reconstruction_text.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace isopatch::app {
+namespace {
+
+using geometry::SurfaceKind;
+using segmentation::Region;
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Eigen::Vector3d& v) {
+  return Json::array({v.x(), v.y(), v.z()});
+}
+
+std::string figures_of(const Region& region) {
+  const geometry::Carrier& c = *region.carrier;
+  switch (c.kind) {
+    case SurfaceKind::cylinder:
+    case SurfaceKind::sphere:
+      return fmt::format("radius {:.6g} m", c.radius);
+    case SurfaceKind::cone:
+      return fmt::format("half angle {:.6g} deg", std::abs(c.half_angle.degrees()));
+    case SurfaceKind::torus:
+      return fmt::format("radii {:.6g} and {:.6g} m", c.radius, c.second_radius);
+    default:
+      return fmt::format("normal ({:.4g}, {:.4g}, {:.4g})", c.axis.x() + 0.0, c.axis.y() + 0.0,
+                         c.axis.z() + 0.0);
+  }
+}
+
+Json face_json(const std::string& name, const Region& region) {
+  const geometry::Carrier& c = *region.carrier;
+  Json face{{"name", name},
+            {"kind", geometry::name(c.kind)},
+            {"area", region.area},
+            {"triangles", region.triangles.size()},
+            {"largest_deviation", region.deviation},
+            {"origin", json_of(c.origin)},
+            {"axis", json_of(c.axis)}};
+  if (c.kind != SurfaceKind::plane) face["radius"] = c.radius;
+  if (c.kind == SurfaceKind::torus) face["second_radius"] = c.second_radius;
+  if (c.kind == SurfaceKind::cone) face["half_angle"] = c.half_angle.degrees();
+  return face;
+}
+
+}  // namespace
+
+std::string reconstruction_text(const segmentation::Reconstruction& made) {
+  const auto& report = made.report;
+  std::string text =
+      fmt::format("  {} triangles: {} faces ({}), {} edges, {} vertices\n", made.mesh.triangles.cols(),
+                  made.regions.regions.size(), segmentation::kinds_text(made.regions),
+                  made.brep.edges().size(), made.brep.vertices().cols());
+  text += fmt::format(
+      "  vertices off their surfaces by at most {:.2g} m, in the mean {:.2g} m; allowed were {:.2g} m\n",
+      report.largest_deviation, report.mean_deviation, report.tolerance);
+  text +=
+      fmt::format("  volume {:.9g} m^3; of the triangles {:.9g} m^3\n", report.volume, report.mesh_volume);
+  for (std::size_t f = 0; f < made.regions.regions.size(); ++f) {
+    const Region& region = made.regions.regions[f];
+    text += fmt::format("  {:<12} area {:<12.6g} m^2  {}\n", made.brep.faces()[f].name, region.area,
+                        figures_of(region));
+  }
+  return text;
+}
+
+std::string reconstruction_json_text(const segmentation::Reconstruction& made) {
+  const auto& report = made.report;
+  Json faces = Json::array();
+  for (std::size_t f = 0; f < made.regions.regions.size(); ++f)
+    faces.push_back(face_json(made.brep.faces()[f].name, made.regions.regions[f]));
+  const Json whole{{"triangles", made.mesh.triangles.cols()},
+                   {"vertices", made.mesh.vertices.cols()},
+                   {"edges", made.brep.edges().size()},
+                   {"tolerance", report.tolerance},
+                   {"largest_deviation", report.largest_deviation},
+                   {"mean_deviation", report.mean_deviation},
+                   {"mesh_volume", report.mesh_volume},
+                   {"volume", report.volume},
+                   {"seconds", report.seconds},
+                   {"remarks", report.remarks},
+                   {"faces", faces}};
+  return whole.dump(2) + "\n";
+}
+
+}  // namespace isopatch::app

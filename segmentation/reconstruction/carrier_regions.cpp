@@ -1,0 +1,491 @@
+#include "segmentation/reconstruction/internal/carrier_regions.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+
+#include "segmentation/reconstruction/internal/carrier_distance.hpp"
+#include "segmentation/reconstruction/internal/fit_carrier.hpp"
+
+namespace isopatch::segmentation {
+namespace {
+
+using geometry::Carrier;
+using geometry::SurfaceKind;
+
+constexpr std::array<SurfaceKind, 4> curved_kinds{SurfaceKind::cylinder, SurfaceKind::cone,
+                                                  SurfaceKind::sphere, SurfaceKind::torus};
+// More points make no fit better that is exact but for round-off.
+constexpr std::size_t most_points = 400;
+// A fit to a few facets is less certain farther away: so much looser are facets taken before the next fit.
+constexpr double loose = 20;
+// A leaf of a freeform surface that some carrier happens to follow has fewer facets than this, or than this
+// share of the surface around.
+constexpr std::size_t least_in_freeform = 8;
+constexpr double leaf_share = 0.02;
+// Neighbouring surfaces that are held against one torus or sphere.
+constexpr int most_joins = 3000;
+// Facets of a band that are looked at to either side.
+constexpr std::size_t strip_length = 6;
+// A facet so many times as large as what is beside it is a plane.
+constexpr double plane_ratio = 10;
+// A set of small facets that no carrier explains is a freeform surface from this number on, and plane faces
+// below.
+constexpr std::size_t least_freeform = 12;
+
+struct Grown {
+  Carrier carrier;
+  std::vector<int> facets;
+  std::size_t points = 0;
+};
+
+class CarrierGrower {
+ public:
+  CarrierGrower(const geometry::TriangleMesh& mesh, const Facets& facets, double tolerance,
+                const ReconstructionOptions& options)
+      : mesh_(mesh),
+        facets_(facets.facets),
+        tolerance_(tolerance),
+        options_(options),
+        owner_(facets_.size(), -1),
+        large_(facets_.size(), false),
+        plane_(facets_.size(), false),
+        mark_(facets_.size(), 0),
+        vertex_mark_(static_cast<std::size_t>(mesh.vertices.cols()), 0) {}
+
+  void search(const Progress& progress) {
+    for (std::size_t f = 0; f < facets_.size(); ++f) {
+      large_[f] = is_large(static_cast<int>(f));
+      plane_[f] = large_[f] || facets_[f].triangles.size() > 2;
+    }
+    int failures = 0;
+    const std::vector<int> order = seeds();
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      if (i % 256 == 0) progress("looking for surfaces", double(i) / double(order.size()));
+      if (owner(order[i]) >= 0) continue;
+      if (auto grown = from_seed(order[i]))
+        take(std::move(*grown));
+      else if (++failures >= options_.most_failures)
+        break;
+    }
+  }
+
+  /// Rings of a torus or sphere lie on cones: neighbours become one surface where that explains more of them.
+  void join_rings() {
+    int tries = 0;
+    for (std::size_t r = 0; r < found_.size() && tries < most_joins; ++r)
+      for (const std::size_t other : smooth_regions(r)) {
+        if (++tries > most_joins || found_[r].facets.empty()) break;
+        if (auto joined = join(r, other)) {
+          take(std::move(*joined));
+          break;
+        }
+      }
+  }
+
+  /// Carriers with few facets amid what none explains are chance.
+  void drop_leaves() {
+    for (bool changed = true; changed;) {
+      changed = false;
+      const std::vector<std::size_t> around = free_sizes();
+      for (std::size_t r = 0; r < found_.size(); ++r) {
+        std::size_t free = 0, smooth = 0, largest = 0;
+        for (const int f : found_[r].facets)
+          for (const FacetLink& link : facet(f).links) {
+            if (owner(link.other) == static_cast<int>(r) || !is_smooth(link)) continue;
+            ++smooth;
+            const std::size_t size = around[static_cast<std::size_t>(link.other)];
+            free += size > 0;
+            largest = std::max(largest, size);
+          }
+        const std::size_t least =
+            std::max(least_in_freeform, static_cast<std::size_t>(leaf_share * static_cast<double>(largest)));
+        if (2 * free <= smooth || found_[r].facets.size() >= least || largest < least_in_freeform) continue;
+        release(r);
+        changed = true;
+      }
+    }
+  }
+
+  /// Numbers of regions by facet: carriers, then planes and freeform surfaces.
+  Regions regions(std::size_t triangles) {
+    Regions result;
+    result.of_triangle.assign(triangles, -1);
+    for (const Grown& grown : found_)
+      if (!grown.facets.empty()) add(result, grown.facets, grown.carrier);
+    std::vector<bool> done(facets_.size(), false);
+    for (std::size_t f = 0; f < facets_.size(); ++f) {
+      if (owner_[f] >= 0 || done[f]) continue;
+      if (plane_[f]) {
+        add(result, {static_cast<int>(f)}, plane_of(static_cast<int>(f)));
+        continue;
+      }
+      const std::vector<int> together = left_around(static_cast<int>(f), done);
+      if (together.size() >= least_freeform)
+        add(result, together, std::nullopt);
+      else
+        for (const int one : together) add(result, {one}, plane_of(one));
+    }
+    return result;
+  }
+
+ private:
+  const Facet& facet(int f) const { return facets_[static_cast<std::size_t>(f)]; }
+  int& owner(int f) { return owner_[static_cast<std::size_t>(f)]; }
+  bool is_smooth(const FacetLink& link) const { return link.angle < options_.smooth.radians(); }
+
+  /// All facets with smooth neighbours, in an order without a pattern: surfaces of many facets are met first.
+  std::vector<int> seeds() const {
+    std::vector<int> order;
+    for (std::size_t f = 0; f < facets_.size(); ++f)
+      if (!large_[f] && std::any_of(facets_[f].links.begin(), facets_[f].links.end(),
+                                    [&](const FacetLink& l) { return is_smooth(l); }))
+        order.push_back(static_cast<int>(f));
+    std::uint64_t state = 1;
+    for (std::size_t i = order.size(); i > 1; --i) {
+      state = state * 6364136223846793005u + 1442695040888963407u;
+      std::swap(order[i - 1], order[(state >> 33) % i]);
+    }
+    return order;
+  }
+
+  std::vector<int> smooth_neighbours(int f) const {
+    std::vector<int> result;
+    for (const FacetLink& link : facet(f).links)
+      if (is_smooth(link) && !large_[static_cast<std::size_t>(link.other)]) result.push_back(link.other);
+    return result;
+  }
+
+  /// A facet with its neighbours and theirs; with its neighbours; with two of them.
+  std::vector<std::vector<int>> patches(int seed) const {
+    const std::vector<int> near = smooth_neighbours(seed);
+    std::vector<std::vector<int>> result;
+    std::vector<int> one{seed};
+    one.insert(one.end(), near.begin(), near.end());
+    std::vector<int> two = one;
+    for (const int f : near)
+      for (const int g : smooth_neighbours(f))
+        if (std::find(two.begin(), two.end(), g) == two.end() && two.size() < 32) two.push_back(g);
+    if (two.size() > one.size()) result.push_back(two);
+    if (one.size() > 2) result.push_back(one);
+    if (near.size() > 2 && near.size() <= 5)
+      for (std::size_t i = 0; i < near.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) result.push_back({seed, near[j], near[i]});
+    for (const FacetLink& link : facet(seed).links)
+      if (is_smooth(link)) result.push_back(strip(seed, link));
+    return result;
+  }
+
+  /// Facets of a narrow band: each next one is across the edge that runs most like the one before.
+  std::vector<int> strip(int seed, const FacetLink& first) const {
+    std::vector<int> result{seed};
+    const auto walk = [&](const FacetLink& start) {
+      FacetLink last = start;
+      for (std::size_t k = 0; k < strip_length; ++k) {
+        if (std::find(result.begin(), result.end(), last.other) != result.end()) return;
+        result.push_back(last.other);
+        const FacetLink next = most_alike(last.other, last);
+        if (next.other < 0) return;
+        last = next;
+      }
+    };
+    walk(first);
+    const FacetLink back = most_alike(seed, first);
+    if (back.other >= 0) walk(back);
+    return result;
+  }
+
+  /// The smooth link of a facet whose edge runs most like another's, but for that one.
+  FacetLink most_alike(int f, const FacetLink& like) const {
+    FacetLink best{-1};
+    double most = 0.5;
+    for (const FacetLink& link : facet(f).links) {
+      if (!is_smooth(link) || (link.edge + like.edge).norm() < 1e-9 * like.edge.norm() ||
+          link.edge == like.edge)
+        continue;
+      const double along = std::abs(link.edge.dot(like.edge)) / (link.edge.norm() * like.edge.norm());
+      if (!(along > most)) continue;
+      most = along;
+      best = link;
+    }
+    return best;
+  }
+
+  SurfaceSample sample(const std::vector<int>& facets) {
+    SurfaceSample result;
+    const std::vector<int> vertices = vertices_of(facets);
+    result.points.resize(3, static_cast<Eigen::Index>(vertices.size()));
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      result.points.col(static_cast<Eigen::Index>(i)) = mesh_.vertices.col(vertices[i]);
+    result.normals.resize(3, static_cast<Eigen::Index>(facets.size()));
+    result.middles.resize(3, static_cast<Eigen::Index>(facets.size()));
+    for (std::size_t i = 0; i < facets.size(); ++i) {
+      result.normals.col(static_cast<Eigen::Index>(i)) = facet(facets[i]).normal;
+      result.middles.col(static_cast<Eigen::Index>(i)) = facet(facets[i]).middle;
+    }
+    return result;
+  }
+
+  std::vector<int> vertices_of(const std::vector<int>& facets) {
+    ++vertex_stamp_;
+    std::vector<int> result;
+    for (const int f : facets)
+      for (const int v : facet(f).vertices) {
+        int& mark = vertex_mark_[static_cast<std::size_t>(v)];
+        if (mark == vertex_stamp_) continue;
+        mark = vertex_stamp_;
+        result.push_back(v);
+      }
+    return result;
+  }
+
+  std::optional<Grown> from_seed(int seed) {
+    for (const std::vector<int>& patch : patches(seed)) {
+      const SurfaceSample points = sample(patch);
+      if (points.points.cols() > static_cast<Eigen::Index>(4 * most_points)) continue;
+      std::optional<Grown> best;
+      for (const SurfaceKind kind : curved_kinds) {
+        if (patch.size() == 3 && (kind == SurfaceKind::sphere || kind == SurfaceKind::torus)) continue;
+        if (points.points.cols() <= freedoms(kind)) continue;
+        const auto fit = fit_carrier(kind, points);
+        if (!fit || !(fit->largest <= tolerance_)) continue;
+        auto grown = grow(fit->carrier, patch);
+        if (grown && kind == SurfaceKind::torus && !has_rings(*grown, grown->carrier)) grown.reset();
+        if (grown && (!best || grown->points > best->points + 4)) best = std::move(grown);
+        if (best && kind == SurfaceKind::cylinder) break;  // the others include it
+      }
+      if (best) return best;
+    }
+    return std::nullopt;
+  }
+
+  /// Whether a facet lies on a carrier: its vertices, where the carrier's normal is near the facet's as well
+  /// (strips of a cylinder end on a sphere), and so is that in the middle.
+  bool lies_on(const Carrier& carrier, int f, double tolerance, double side) const {
+    const Facet& it = facet(f);
+    const double at_corners = std::cos(options_.smooth.radians()),
+                 inside = std::cos(options_.smooth.radians() / 2);
+    for (const int v : it.vertices) {
+      const CarrierDistance there = carrier_distance(carrier, mesh_.vertices.col(v));
+      if (!(std::abs(there.value) <= tolerance) || !(side * there.gradient.dot(it.normal) > at_corners))
+        return false;
+    }
+    return side * carrier_distance(carrier, it.middle).gradient.dot(it.normal) > inside;
+  }
+
+  std::optional<Grown> grow(Carrier carrier, const std::vector<int>& patch) {
+    const Facet& first = facet(patch.front());
+    const double side = carrier_distance(carrier, first.middle).gradient.dot(first.normal) > 0 ? 1 : -1;
+    std::vector<int> region;
+    std::size_t fitted = patch.size();
+    for (int round = 0; round < 60; ++round) {
+      // From the patch anew with a better carrier, until the region neither grows nor the carrier changes.
+      region = spread(carrier, patch, side, round == 0 ? loose * tolerance_ : 3 * tolerance_, 2 * fitted + 8);
+      if (region.empty()) return std::nullopt;
+      const bool all = region.size() < 2 * fitted + 8;
+      const auto better = refit_carrier(carrier, some_points(region));
+      if (!better) return std::nullopt;
+      carrier = better->carrier;
+      fitted = region.size();
+      if (all && round > 0) break;
+    }
+    region = spread(carrier, patch, side, tolerance_, facets_.size());
+    Grown result{carrier, region, vertices_of(region).size()};
+    return is_enough(result) ? std::optional(std::move(result)) : std::nullopt;
+  }
+
+  Eigen::Matrix3Xd some_points(const std::vector<int>& region) {
+    const std::vector<int> vertices = vertices_of(region);
+    const std::size_t step = 1 + vertices.size() / most_points;
+    Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>((vertices.size() + step - 1) / step));
+    for (std::size_t i = 0; i < vertices.size(); i += step)
+      points.col(static_cast<Eigen::Index>(i / step)) = mesh_.vertices.col(vertices[i]);
+    return points;
+  }
+
+  /// Facets on the carrier that are reached from the patch.
+  std::vector<int> spread(const Carrier& carrier, const std::vector<int>& patch, double side,
+                          double tolerance, std::size_t most) {
+    ++stamp_;
+    std::vector<int> region;
+    const auto offer = [&](int f) {
+      int& mark = mark_[static_cast<std::size_t>(f)];
+      if (mark == stamp_) return;
+      mark = stamp_;
+      if (lies_on(carrier, f, tolerance, side)) region.push_back(f);
+    };
+    for (const int f : patch) offer(f);
+    for (std::size_t next = 0; next < region.size() && region.size() < most; ++next)
+      for (const FacetLink& link : facet(region[next]).links)
+        if (is_smooth(link)) offer(link.other);
+    // What larger regions own stays with them.
+    std::vector<int> kept;
+    for (const int f : region) {
+      const int owned = owner(f);
+      if (owned < 0 || found_[static_cast<std::size_t>(owned)].facets.size() < region.size())
+        kept.push_back(f);
+    }
+    return kept;
+  }
+
+  static bool is_enough(const Grown& grown) {
+    const bool ruled = grown.carrier.kind == SurfaceKind::cylinder || grown.carrier.kind == SurfaceKind::cone;
+    const std::size_t least_points = static_cast<std::size_t>(freedoms(grown.carrier.kind)) +
+                                     (grown.carrier.kind == SurfaceKind::torus ? 5 : 3);
+    return grown.facets.size() >= (ruled ? 3 : 4) && grown.points >= least_points;
+  }
+
+  void take(Grown grown) {
+    const int number = static_cast<int>(found_.size());
+    std::vector<std::size_t> robbed;
+    for (const int f : grown.facets) {
+      if (owner(f) >= 0) robbed.push_back(static_cast<std::size_t>(owner(f)));
+      owner(f) = number;
+    }
+    found_.push_back(std::move(grown));
+    std::sort(robbed.begin(), robbed.end());
+    robbed.erase(std::unique(robbed.begin(), robbed.end()), robbed.end());
+    for (const std::size_t r : robbed) {
+      auto& facets = found_[r].facets;
+      std::erase_if(facets, [&](int f) { return owner(f) != static_cast<int>(r); });
+      found_[r].points = vertices_of(facets).size();
+      if (!is_enough(found_[r])) release(r);
+    }
+  }
+
+  std::vector<std::size_t> smooth_regions(std::size_t r) {
+    std::vector<std::size_t> result;
+    for (const int f : found_[r].facets)
+      for (const FacetLink& link : facet(f).links)
+        if (is_smooth(link) && owner(link.other) >= 0 && owner(link.other) != static_cast<int>(r))
+          result.push_back(static_cast<std::size_t>(owner(link.other)));
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  std::optional<Grown> join(std::size_t a, std::size_t b) {
+    std::vector<int> both = found_[a].facets;
+    both.insert(both.end(), found_[b].facets.begin(), found_[b].facets.end());
+    const std::size_t step = 1 + both.size() / most_points;
+    std::vector<int> some;
+    for (std::size_t i = 0; i < both.size(); i += step) some.push_back(both[i]);
+    const SurfaceSample points = sample(some);
+    for (const SurfaceKind kind : {SurfaceKind::sphere, SurfaceKind::torus}) {
+      const auto fit = kind == SurfaceKind::torus ? fit_torus(found_[a].carrier, points.points)
+                                                  : fit_carrier(kind, points);
+      if (!fit || !(fit->largest <= tolerance_)) continue;
+      auto grown = grow(fit->carrier, both);
+      if (grown && grown->facets.size() >= both.size() && has_rings(*grown, found_[a].carrier)) return grown;
+    }
+    return std::nullopt;
+  }
+
+  /// Whether vertices are at enough heights along an axis: a torus passes through any three circles about it,
+  /// a sphere through any two.
+  bool has_rings(const Grown& grown, const Carrier& about) {
+    std::vector<double> heights;
+    const std::size_t enough = grown.carrier.kind == SurfaceKind::torus ? 4 : 3;
+    for (const int v : vertices_of(grown.facets)) {
+      const double height = about.axis.dot(mesh_.vertices.col(v) - about.origin);
+      const double near = 20 * tolerance_;
+      if (std::none_of(heights.begin(), heights.end(), [&](double h) { return std::abs(h - height) < near; }))
+        heights.push_back(height);
+      if (heights.size() >= enough) return true;
+    }
+    return false;
+  }
+
+  void release(std::size_t r) {
+    for (const int f : found_[r].facets) owner(f) = -1;
+    found_[r].facets.clear();
+  }
+
+  /// Facets without a carrier that hang together smoothly.
+  std::vector<int> left_around(int start, std::vector<bool>& done) const {
+    std::vector<int> result{start};
+    done[static_cast<std::size_t>(start)] = true;
+    for (std::size_t next = 0; next < result.size(); ++next)
+      for (const FacetLink& link : facet(result[next]).links) {
+        const auto other = static_cast<std::size_t>(link.other);
+        if (owner_[other] >= 0 || done[other] || !is_smooth(link) || plane_[other]) continue;
+        done[other] = true;
+        result.push_back(link.other);
+      }
+    return result;
+  }
+
+  /// Whether a facet is much larger than what is beside it.
+  bool is_large(int f) const {
+    double sum = 0;
+    int count = 0;
+    for (const FacetLink& link : facet(f).links)
+      if (is_smooth(link)) {
+        sum += facet(link.other).area;
+        ++count;
+      }
+    return count == 0 || facet(f).area * count > plane_ratio * sum;
+  }
+
+  /// By facet: how many small ones without a carrier hang together there; 0 for all others.
+  std::vector<std::size_t> free_sizes() const {
+    std::vector<std::size_t> result(facets_.size(), 0);
+    std::vector<bool> done(facets_.size(), false);
+    for (std::size_t f = 0; f < facets_.size(); ++f) {
+      if (owner_[f] >= 0 || done[f] || plane_[f]) continue;
+      const std::vector<int> together = left_around(static_cast<int>(f), done);
+      for (const int one : together) result[static_cast<std::size_t>(one)] = together.size();
+    }
+    return result;
+  }
+
+  Carrier plane_of(int f) const { return {SurfaceKind::plane, facet(f).middle, facet(f).normal, 0, 0, {}}; }
+
+  void add(Regions& result, const std::vector<int>& facets, const std::optional<Carrier>& carrier) {
+    Region region;
+    region.carrier = carrier;
+    double along = 0;
+    for (const int f : facets) {
+      for (const int t : facet(f).triangles) {
+        region.triangles.push_back(t);
+        result.of_triangle[static_cast<std::size_t>(t)] = static_cast<int>(result.regions.size());
+      }
+      region.area += facet(f).area;
+      if (!carrier) continue;
+      along += carrier_distance(*carrier, facet(f).middle).gradient.dot(facet(f).normal) * facet(f).area;
+      for (const int v : facet(f).vertices)
+        region.deviation =
+            std::fmax(region.deviation, std::abs(carrier_distance(*carrier, mesh_.vertices.col(v)).value));
+    }
+    region.reversed = along < 0;
+    result.regions.push_back(std::move(region));
+  }
+
+  const geometry::TriangleMesh& mesh_;
+  const std::vector<Facet>& facets_;
+  double tolerance_;
+  const ReconstructionOptions& options_;
+  std::vector<int> owner_;  ///< by facet: the carrier
+  std::vector<Grown> found_;
+  std::vector<bool> large_;  ///< by facet: much larger than its neighbours
+  std::vector<bool> plane_;  ///< by facet: a plane, unless it lies on a curved surface: large, or of more
+                             ///< triangles than others have
+  std::vector<int> mark_, vertex_mark_;
+  int stamp_ = 0, vertex_stamp_ = 0;
+};
+
+}  // namespace
+
+Regions carrier_regions(const geometry::TriangleMesh& mesh, const Facets& facets, double tolerance,
+                        const ReconstructionOptions& options, const Progress& progress) {
+  CarrierGrower grower(mesh, facets, tolerance, options);
+  grower.search(progress);
+  grower.join_rings();
+  grower.drop_leaves();
+  return grower.regions(static_cast<std::size_t>(mesh.triangles.cols()));
+}
+
+}  // namespace isopatch::segmentation

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "geometry/brep/carrier_solid.hpp"
+#include "geometry/mesh/mesh_neighbours.hpp"
+#include "geometry/mesh/triangle_mesh.hpp"
+#include "segmentation/reconstruction/regions.hpp"
+
+namespace isopatch::segmentation {
+
+/// Faces from regions, which all have carriers, edges where these meet, vertices where more of them do. Axes
+/// of spheres may be turned.
+/// @throws Error unsupported  as `add_seams`
+geometry::CarrierSolid solid_of_regions(const geometry::TriangleMesh& mesh,
+                                        const geometry::MeshNeighbours& neighbours, Regions& regions);
+
+/// "plane_1", "cylinder_2", ...: the kind and the number of the face among those of its kind.
+std::vector<std::string> face_names(const Regions& regions);
+
+}  // namespace isopatch::segmentation

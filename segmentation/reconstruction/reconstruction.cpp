@@ -1,0 +1,165 @@
+#include "segmentation/reconstruction/reconstruction.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "geometry/base/error.hpp"
+#include "geometry/base/processor_stopwatch.hpp"
+#include "geometry/brep/contradictions.hpp"
+#include "geometry/brep/solid_on_carriers.hpp"
+#include "geometry/mesh/mend.hpp"
+#include "geometry/mesh/mesh_neighbours.hpp"
+#include "segmentation/reconstruction/internal/angle_regions.hpp"
+#include "segmentation/reconstruction/internal/carrier_distance.hpp"
+#include "segmentation/reconstruction/internal/carrier_regions.hpp"
+#include "segmentation/reconstruction/internal/facets.hpp"
+#include "segmentation/reconstruction/internal/regularise.hpp"
+#include "segmentation/reconstruction/internal/solid_of_regions.hpp"
+
+namespace isopatch::segmentation {
+namespace {
+
+// Steps of the file's coordinates by which rounded vertices are off their surface at most: half a step in
+// each direction, of the point and of those that the surface was fitted to.
+constexpr double steps_of_rounding = 4;
+// Vertices of a plane face of a CAD file are nearer to it than those of curved faces.
+constexpr double plane_share = 0.2;
+
+double tolerance_of(const geometry::TriangleMesh& mesh, const ReconstructionOptions& options,
+                    double share = 1) {
+  return std::max(share * options.tolerance * geometry::diagonal(mesh), steps_of_rounding * mesh.grain);
+}
+
+Regions by_area(Regions regions) {
+  std::vector<std::size_t> order(regions.regions.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return regions.regions[a].area > regions.regions[b].area;
+  });
+  Regions result;
+  result.of_triangle.resize(regions.of_triangle.size());
+  for (const std::size_t r : order) {
+    for (const int t : regions.regions[r].triangles)
+      result.of_triangle[static_cast<std::size_t>(t)] = static_cast<int>(result.regions.size());
+    result.regions.push_back(std::move(regions.regions[r]));
+  }
+  return result;
+}
+
+Regions regions_of(const geometry::TriangleMesh& mesh, const geometry::MeshNeighbours& neighbours,
+                   const ReconstructionOptions& options, const Progress& progress) {
+  if (options.method == RegionMethod::angles)
+    return by_area(angle_regions(mesh, neighbours, tolerance_of(mesh, options), options));
+  progress("joining triangles to planes", 0);
+  const Facets facets = plane_facets(mesh, neighbours, tolerance_of(mesh, options, plane_share));
+  return by_area(carrier_regions(mesh, facets, tolerance_of(mesh, options), options, progress));
+}
+
+void require_carriers(const geometry::TriangleMesh& mesh, const Regions& regions) {
+  int free = 0;
+  const Region* first = nullptr;
+  for (const Region& region : regions.regions) {
+    if (region.carrier) continue;
+    ++free;
+    if (first == nullptr) first = &region;
+  }
+  if (first == nullptr) return;
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const int t : first->triangles)
+    middle += mesh.vertices.col(mesh.triangles(0, t)) / double(first->triangles.size());
+  throw Error(ErrorCode::unsupported,
+              fmt::format("{} of {} faces {} no plane, cylinder, cone, sphere or torus; the largest, of {} "
+                          "triangles and {:.4g} m^2, lies around "
+                          "({:.6g}, {:.6g}, {:.6g}) m; freeform faces cannot be reconstructed yet",
+                          free, regions.regions.size(), free == 1 ? "is" : "are", first->triangles.size(),
+                          first->area, middle.x(), middle.y(), middle.z()));
+}
+
+void measure_deviation(const geometry::TriangleMesh& mesh, const Regions& regions,
+                       ReconstructionReport& report) {
+  double squares = 0, count = 0, between = 0;
+  for (const Region& region : regions.regions)
+    for (const int t : region.triangles) {
+      double sum = 0;
+      std::array<Eigen::Vector3d, 3> p;
+      for (int i = 0; i < 3; ++i) p[static_cast<std::size_t>(i)] = mesh.vertices.col(mesh.triangles(i, t));
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double off = carrier_distance(*region.carrier, p[i]).value;
+        report.largest_deviation = std::fmax(report.largest_deviation, std::abs(off));
+        squares += off * off;
+        ++count;
+        sum += carrier_distance(*region.carrier, (p[i] + p[(i + 1) % 3]) / 2).value / 3;
+      }
+      const double area = geometry::area_vector(mesh, t).norm() / 2;
+      between += (region.reversed ? sum : -sum) * area;
+    }
+  report.mean_deviation = std::sqrt(squares / count);
+  report.mesh_volume = geometry::volume(mesh);
+  report.expected_volume = report.mesh_volume + between;
+}
+
+/// The solid has the volume that the triangles and their distances from the surfaces say.
+void require_volume(const ReconstructionReport& report) {
+  const double allowed =
+      0.05 * std::abs(report.expected_volume - report.mesh_volume) + 1e-5 * report.mesh_volume;
+  if (std::abs(report.volume - report.expected_volume) <= allowed) return;
+  throw Error(
+      ErrorCode::unsupported,
+      fmt::format(
+          "the surfaces bound another solid than the triangles: {:.6g} m^3 where {:.6g} m^3 were expected",
+          report.volume, report.expected_volume));
+}
+
+}  // namespace
+
+Regions find_regions(const geometry::TriangleMesh& mesh, const ReconstructionOptions& options,
+                     const Progress& progress) {
+  validate(options);
+  return regions_of(mesh, geometry::neighbours(mesh), options, progress);
+}
+
+std::string kinds_text(const Regions& regions) {
+  std::vector<std::pair<std::string, int>> counts;
+  for (const Region& region : regions.regions) {
+    const std::string kind = region.carrier ? geometry::name(region.carrier->kind) : "freeform surface";
+    auto known = std::find_if(counts.begin(), counts.end(), [&](const auto& c) { return c.first == kind; });
+    if (known == counts.end()) known = counts.insert(counts.end(), {kind, 0});
+    ++known->second;
+  }
+  std::vector<std::string> texts;
+  for (const auto& [kind, count] : counts)
+    texts.push_back(fmt::format("{} {}", count, count == 1 ? kind : kind == "torus" ? "tori" : kind + "s"));
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+Reconstruction reconstruct(const geometry::TriangleMesh& given, const ReconstructionOptions& options,
+                           const Progress& progress) {
+  validate(options);
+  const ProcessorStopwatch watch;
+  progress("looking at the triangles", 0);
+  geometry::MendedMesh mended = geometry::mended(given, given.grain);
+  const geometry::MeshNeighbours neighbours = geometry::neighbours(mended.mesh);
+  Regions regions = regions_of(mended.mesh, neighbours, options, progress);
+  require_carriers(mended.mesh, regions);
+  ReconstructionReport report;
+  report.regularity = regularise(mended.mesh, regions, tolerance_of(mended.mesh, options));
+  report.remarks = std::move(mended.remarks);
+  report.tolerance = tolerance_of(mended.mesh, options);
+  measure_deviation(mended.mesh, regions, report);
+  progress("bounding the faces", 0);
+  const geometry::CarrierSolid solid = solid_of_regions(mended.mesh, neighbours, regions);
+  const geometry::Brep brep = geometry::make_brep(solid, 3 * report.tolerance);
+  progress("checking the solid", 0);
+  geometry::require_sound(brep);
+  report.volume = brep.volume();
+  require_volume(report);
+  report.seconds = watch.seconds();
+  return {brep, std::move(mended.mesh), std::move(regions), std::move(report)};
+}
+
+}  // namespace isopatch::segmentation
