@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 #include "geometry/base/error.hpp"
 #include "geometry/base/processor_stopwatch.hpp"
@@ -29,6 +31,8 @@ namespace {
 constexpr double steps_of_rounding = 4;
 // Vertices of a plane face of a CAD file are nearer to it than those of curved faces.
 constexpr double plane_share = 0.2;
+// What is farther off its surface than this share of the size lies on another one.
+constexpr double loosest = 1e-3;
 
 double tolerance_of(const geometry::TriangleMesh& mesh, const ReconstructionOptions& options,
                     double share = 1) {
@@ -104,15 +108,66 @@ void measure_deviation(const geometry::TriangleMesh& mesh, const Regions& region
 }
 
 /// The solid has the volume that the triangles and their distances from the surfaces say.
-void require_volume(const ReconstructionReport& report) {
-  const double allowed =
-      0.05 * std::abs(report.expected_volume - report.mesh_volume) + 1e-5 * report.mesh_volume;
+void require_volume(const ReconstructionReport& report, double area) {
+  const double allowed = 0.05 * std::abs(report.expected_volume - report.mesh_volume) +
+                         1e-5 * report.mesh_volume + report.mean_deviation * area;
   if (std::abs(report.volume - report.expected_volume) <= allowed) return;
   throw Error(
       ErrorCode::unsupported,
       fmt::format(
           "the surfaces bound another solid than the triangles: {:.6g} m^3 where {:.6g} m^3 were expected",
           report.volume, report.expected_volume));
+}
+
+/// The solid of regions that all have carriers.
+Reconstruction bounded(const geometry::TriangleMesh& mesh, const geometry::MeshNeighbours& neighbours,
+                       Regions regions, const ReconstructionOptions& options, const Progress& progress) {
+  ReconstructionReport report;
+  report.tolerance = tolerance_of(mesh, options);
+  report.regularity = regularise(mesh, regions, report.tolerance);
+  measure_deviation(mesh, regions, report);
+  progress("bounding the faces", 0);
+  const geometry::CarrierSolid solid = solid_of_regions(mesh, neighbours, regions);
+  const geometry::Brep brep = geometry::make_brep(solid, 3 * report.tolerance);
+  progress("checking the solid", 0);
+  geometry::require_sound(brep);
+  report.volume = brep.volume();
+  require_volume(report, geometry::area(mesh));
+  return {brep, mesh, std::move(regions), std::move(report)};
+}
+
+bool is_freeform(const Regions& regions) {
+  return std::any_of(regions.regions.begin(), regions.regions.end(),
+                     [](const Region& region) { return !region.carrier; });
+}
+
+/// Some programs put vertices on edges that are only near their surfaces: the solid of the fewest faces that
+/// looser tolerances give, if they leave no freeform face and no more faces than the strict one.
+std::optional<Reconstruction> loosely(const geometry::TriangleMesh& mesh,
+                                      const geometry::MeshNeighbours& neighbours, const Regions& strict,
+                                      const ReconstructionOptions& options, const Progress& progress) {
+  std::optional<Reconstruction> best;
+  for (const double factor : {10.0, 100.0, 500.0}) {
+    ReconstructionOptions looser = options;
+    looser.tolerance = factor * options.tolerance;
+    if (looser.tolerance > loosest) break;
+    Regions regions = regions_of(mesh, neighbours, looser, progress);
+    const std::size_t most = best ? best->regions.regions.size() - 1 : strict.regions.size();
+    if (is_freeform(regions) || regions.regions.size() > most) continue;
+    try {
+      best = bounded(mesh, neighbours, std::move(regions), looser, progress);
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::internal) throw;
+      continue;
+    }
+    best->report.remarks = {
+        fmt::format("vertices are up to {:.2g} m off the surfaces that they belong to, {:.1g} of the size; "
+                    "surfaces were taken for what they are "
+                    "within {:.1g} of it",
+                    best->report.largest_deviation, best->report.largest_deviation / geometry::diagonal(mesh),
+                    looser.tolerance)};
+  }
+  return best;
 }
 
 }  // namespace
@@ -144,22 +199,17 @@ Reconstruction reconstruct(const geometry::TriangleMesh& given, const Reconstruc
   progress("looking at the triangles", 0);
   geometry::MendedMesh mended = geometry::mended(given, given.grain);
   const geometry::MeshNeighbours neighbours = geometry::neighbours(mended.mesh);
-  Regions regions = regions_of(mended.mesh, neighbours, options, progress);
-  require_carriers(mended.mesh, regions);
-  ReconstructionReport report;
-  report.regularity = regularise(mended.mesh, regions, tolerance_of(mended.mesh, options));
-  report.remarks = std::move(mended.remarks);
-  report.tolerance = tolerance_of(mended.mesh, options);
-  measure_deviation(mended.mesh, regions, report);
-  progress("bounding the faces", 0);
-  const geometry::CarrierSolid solid = solid_of_regions(mended.mesh, neighbours, regions);
-  const geometry::Brep brep = geometry::make_brep(solid, 3 * report.tolerance);
-  progress("checking the solid", 0);
-  geometry::require_sound(brep);
-  report.volume = brep.volume();
-  require_volume(report);
-  report.seconds = watch.seconds();
-  return {brep, std::move(mended.mesh), std::move(regions), std::move(report)};
+  const Regions regions = regions_of(mended.mesh, neighbours, options, progress);
+  std::optional<Reconstruction> result;
+  if (is_freeform(regions) && options.method == RegionMethod::carriers)
+    result = loosely(mended.mesh, neighbours, regions, options, progress);
+  if (!result) {
+    require_carriers(mended.mesh, regions);
+    result = bounded(mended.mesh, neighbours, regions, options, progress);
+  }
+  result->report.remarks.insert(result->report.remarks.begin(), mended.remarks.begin(), mended.remarks.end());
+  result->report.seconds = watch.seconds();
+  return *result;
 }
 
 }  // namespace isopatch::segmentation

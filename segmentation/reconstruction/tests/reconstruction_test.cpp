@@ -114,6 +114,18 @@ TEST(Reconstruction, AllowsForTheRoundingOfTheFile) {
   EXPECT_EQ(kinds_text(reconstruct(mesh).regions), "6 planes, 1 cylinder");
 }
 
+TEST(Reconstruction, TakesVerticesThatAreOnlyNearTheirSurfacesAndSaysSo) {
+  const test::Triangulated truth = test::triangulated(made_brep("drilled"), 1e-3, 12, false);
+  geometry::TriangleMesh mesh = geometry::mended(truth.mesh, 0).mesh;
+  for (Eigen::Index v = 0; v < mesh.vertices.cols(); ++v)
+    mesh.vertices.col(v) += 2e-7 * Eigen::Vector3d(std::sin(7.0 * double(v)), std::sin(11.0 * double(v)),
+                                                   std::sin(13.0 * double(v)));
+  const Reconstruction made = reconstruct(mesh);
+  EXPECT_EQ(kinds_text(made.regions), "6 planes, 1 cylinder");
+  ASSERT_EQ(made.report.remarks.size(), 1u);
+  EXPECT_NE(made.report.remarks[0].find("off the surfaces"), std::string::npos);
+}
+
 TEST(Reconstruction, WorksFarFromTheOrigin) {
   geometry::TriangleMesh mesh = test::triangulated(made_brep("drilled"), 1e-3, 12, false).mesh;
   mesh.vertices.colwise() += Eigen::Vector3d(1, 2, 0);
