@@ -272,6 +272,13 @@ class Decomposer {
   std::string why_not_;  // the last way did not end
 };
 
+/// With why it was not swept either.
+std::string with_reason(const Error& error, const KnownShape& known) {
+  if (!known.why_not.empty()) return fmt::format("{}. It looks swept, but {}", error.what(), known.why_not);
+  if (known.no_stack.empty()) return error.what();
+  return fmt::format("{}. It is no stack to be swept: {}", error.what(), known.no_stack);
+}
+
 /// What is known of it without a search, or by one.
 Decomposition decomposed(const Brep& solid, const std::string& name, const DecompositionOptions& options,
                          const Progress& progress) {
@@ -281,11 +288,13 @@ Decomposition decomposed(const Brep& solid, const std::string& name, const Decom
     decomposer.emplace(solid, name, options, progress, known.decomposition);
   } catch (const geometry::SolidError& error) {
     if (known.decomposition) return std::move(*known.decomposition);
-    if (known.why_not.empty()) throw;
-    throw geometry::SolidError(
-        error.code(), fmt::format("{}. It looks swept, but {}", error.what(), known.why_not), error.fault());
+    throw geometry::SolidError(error.code(), with_reason(error, known), error.fault());
   }
-  return decomposer->make();
+  try {
+    return decomposer->make();
+  } catch (const CuttingError& error) {
+    throw CuttingError(error.code(), with_reason(error, known), error.fault(), error.parts());
+  }
 }
 
 }  // namespace

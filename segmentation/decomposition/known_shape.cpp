@@ -2,11 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/base/error.hpp"
 #include "geometry/base/stopwatch.hpp"
+#include "geometry/brep/require_solid.hpp"
 #include "segmentation/decomposition/prepare.hpp"
+#include "segmentation/sweeps/in_the_way.hpp"
+#include "segmentation/sweeps/rounds.hpp"
 #include "segmentation/sweeps/swept_cells.hpp"
 
 namespace isopatch::segmentation {
@@ -29,6 +33,35 @@ bool planes_are_divided(const geometry::Brep& solid) {
   }
 }
 
+/// "face 3 (torus), face 5 'rim' (cone)", the first few.
+std::string listed(const geometry::Brep& solid, const std::vector<FaceId>& faces) {
+  constexpr std::size_t most = 4;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, faces.size()); ++i)
+    text += fmt::format("{}{} ({})", i == 0 ? "" : ", ", describe(solid, faces[i]),
+                        name(solid.face(faces[i]).kind));
+  return faces.size() > most ? fmt::format("{} and {} more", text, faces.size() - most) : text;
+}
+
+/// Why a solid is no stack: what is in the way along its best direction, and whether it could be left out.
+std::string no_stack(const geometry::Brep& solid, const DecompositionOptions& options) {
+  const std::optional<InTheWay> least = least_in_the_way(solid);
+  if (!least) return "it has no plane face, so nothing to sweep from";
+  if (least->faces.empty()) return fmt::format("along {} it has no two floors", direction_text(least->along));
+  const std::string what =
+      fmt::format("along {}, where the fewest are in the way, {} {} neither across nor along it: {}",
+                  direction_text(least->along), least->faces.size(),
+                  least->faces.size() == 1 ? "face is" : "faces are", listed(solid, least->faces));
+  const Rounds rounds = rounds_in_the_way(solid, solid.size());
+  const double share = 1.01 * rounds.largest_radius / solid.size();
+  const bool small = share < options.largest_blend;
+  if (rounds.faces.empty() || (options.blends == Blends::remove && small)) return what;
+  return fmt::format(
+      "{}. These are rounds of {:.3g} m at most: with blends = \"remove\"{} they are taken off, "
+      "and the rest is swept",
+      what, rounds.largest_radius, small ? "" : fmt::format(" and largest_blend = {:.2g}", share));
+}
+
 std::string text_of(const SweptCells& swept) {
   return fmt::format("swept along {}: {} quadrilateral{} between {} levels", direction_text(swept.along),
                      swept.quadrilaterals, swept.quadrilaterals == 1 ? "" : "s", swept.levels);
@@ -43,7 +76,10 @@ KnownShape known_shape(const geometry::Brep& solid, const DecompositionOptions& 
   if (planes_are_divided(solid)) return result;
   try {
     const std::optional<SweptCells> swept = swept_cells(solid);
-    if (!swept) return result;
+    if (!swept) {
+      result.no_stack = no_stack(solid, options);
+      return result;
+    }
     Decomposition& made = result.decomposition.emplace(Decomposition{swept->complex, swept->complex, {}, {}});
     made.report.cells = made.report.hexahedra = static_cast<int>(made.complex.cells.size());
     made.report.seen_as = text_of(*swept);

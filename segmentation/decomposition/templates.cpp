@@ -99,8 +99,8 @@ class Templates {
     for (const geometry::CellEdge& edge : complex_.edges) ends_.emplace_back(edge.start, edge.end);
   }
 
-  /// Of half the length; of half the angle of an arc, so that on a cylinder the middles of opposite edges lie on
-  /// one ruling.
+  /// Of half the length; of half the angle of an arc, so that on a cylinder the middles of opposite edges lie
+  /// on one ruling.
   double middle_parameter(EdgeId edge) const {
     if (shapes().is_arc(edge)) return shoulder(edge);
     constexpr int pieces = 64;

@@ -6,17 +6,15 @@
 #include <utility>
 
 #include "geometry/base/error.hpp"
-#include "geometry/brep/cell_solids.hpp"
 #include "segmentation/profiles/quadrangulate.hpp"
 #include "segmentation/sweeps/internal/column_complex.hpp"
+#include "segmentation/sweeps/internal/column_volume.hpp"
 
 namespace isopatch::segmentation {
 namespace {
 
 /// What is seen along a direction that is not the stack's looks like one and leaves something out.
-void require_whole(const geometry::Brep& solid, const geometry::CellComplex& complex) {
-  double volume = 0;
-  for (const geometry::Brep& cell : cell_solids(solid, complex)) volume += cell.volume();
+void require_whole(const geometry::Brep& solid, double volume) {
   if (std::abs(volume - solid.volume()) > 1e-5 * solid.volume())
     throw Error(ErrorCode::unsupported, fmt::format("{:.3g} of {:.3g} m^3 are no part of the stack",
                                                     solid.volume() - volume, solid.volume()));
@@ -30,7 +28,7 @@ SweptCells swept_along(const geometry::Brep& solid, const SweepFrame& frame,
   const Layers columns = layers(quads, drawing.slabs, moving, 1e-7 * solid.size());
   SweptCells result{column_complex(solid, frame, quads, moving, columns), frame.along,
                     static_cast<int>(quads.quads.size()), static_cast<int>(columns.levels.size())};
-  require_whole(solid, result.complex);
+  require_whole(solid, column_volume(frame, quads, moving, columns));
   return result;
 }
 

@@ -16,29 +16,48 @@
 namespace isopatch::segmentation {
 namespace {
 
-TEST(ObliqueCuts, OfABoredBlockLeaveItsPatchesExact) {
-  const Eigen::Vector3d normal = Eigen::Vector3d(0.1, -0.06, 1).normalized(), x = normal.unitOrthogonal();
-  const geometry::PlaneSurface plane{{0.015, 0.01, 0.005}, x, normal.cross(x)};
-  std::vector<geometry::BrepFile> blocks;
-  for (const geometry::BrepFile& quarter :
-       geometry::read_breps(geometry::test::made_solid("drilled_quarters")).bodies) {
-    const CutAttempt attempt =
-        samples::cut_across(quarter.brep, one_cell(quarter.brep), geometry::CellId(0), plane);
-    ASSERT_TRUE(attempt.cut) << attempt.refusal;
-    for (const geometry::Brep& part : cell_solids(quarter.brep, attempt.cut->complex))
-      blocks.push_back({part, "block " + std::to_string(blocks.size()), 0});
+geometry::PlaneSurface plane_at(const Eigen::Vector3d& origin, const Eigen::Vector3d& normal) {
+  const Eigen::Vector3d n = normal.normalized(), x = n.unitOrthogonal();
+  return {origin, x, n.cross(x)};
+}
+
+/// Each in two.
+std::vector<geometry::Brep> cut(const std::vector<geometry::Brep>& solids,
+                                const geometry::PlaneSurface& plane) {
+  std::vector<geometry::Brep> parts;
+  for (const geometry::Brep& solid : solids) {
+    const CutAttempt attempt = samples::cut_across(solid, one_cell(solid), geometry::CellId(0), plane);
+    EXPECT_TRUE(attempt.cut) << attempt.refusal;
+    if (!attempt.cut) continue;
+    for (const geometry::Brep& part : cell_solids(solid, attempt.cut->complex)) parts.push_back(part);
   }
-  ASSERT_EQ(blocks.size(), 8U);
+  return parts;
+}
+
+/// Patches of one element of degree 3, so that nothing was fitted, that have the volume, m^3.
+void expect_exact(const std::vector<geometry::Brep>& parts, double volume) {
+  std::vector<geometry::BrepFile> blocks;
+  for (const geometry::Brep& part : parts)
+    blocks.push_back({part, "block " + std::to_string(blocks.size()), 0});
   const Parameterization made = parameterize(hex_model(blocks));
   EXPECT_TRUE(made.report.usable()) << testing::PrintToString(made.report.complaints());
   EXPECT_LT(made.report.worst_face().deviation, 1e-11 * made.report.size);
-  double volume = 0;
+  double sum = 0;
   for (const PatchReport& patch : made.report.patches) {
-    volume += patch.volume;
-    EXPECT_EQ(patch.control_points, 64) << patch.name;  // one element of degree 3: nothing was fitted
+    sum += patch.volume;
+    EXPECT_EQ(patch.control_points, 64) << patch.name;
   }
-  const double exact = 1e-9 * (30 * 20 * 10 - std::numbers::pi * 25 * 10);
-  EXPECT_NEAR(volume, exact, 1e-10 * exact);
+  EXPECT_NEAR(sum, volume, 1e-10 * volume);
+}
+
+TEST(ObliqueCuts, OfABoredBlockLeaveItsPatchesExact) {
+  std::vector<geometry::Brep> quarters;
+  for (const geometry::BrepFile& quarter :
+       geometry::read_breps(geometry::test::made_solid("drilled_quarters")).bodies)
+    quarters.push_back(quarter.brep);
+  const std::vector<geometry::Brep> blocks = cut(quarters, plane_at({0.015, 0.01, 0.005}, {0.1, -0.06, 1}));
+  ASSERT_EQ(blocks.size(), 8U);
+  expect_exact(blocks, 1e-9 * (30 * 20 * 10 - std::numbers::pi * 25 * 10));
 }
 
 }  // namespace

@@ -12,8 +12,8 @@ struct CurveEnd {
   Eigen::Vector3d point;
 };
 
-/// The circle or other conic in which a plane cuts a cylinder, cone, sphere or torus of the source, exact, with
-/// its curve in the domain to `tolerance`.
+/// The circle or other conic in which a plane cuts a cylinder, cone, sphere or torus of the source, exact,
+/// with its curve in the domain to `tolerance`.
 /// @param by  a point of the domain, seen from the axis between the ends
 /// @param tolerance  m
 /// @return  nothing for other surfaces and where the section is straight or no conic (`conic_arc`)

@@ -162,8 +162,7 @@ std::optional<geometry::PlaneSurface> plane_of_path(const CellShapes& shapes, ge
 geometry::CellCurve curve_in_domain(const CellShapes& shapes, geometry::SurfaceId surface,
                                     const CurveEnd& from, const CurveEnd& to, double tolerance) {
   if (const auto plane = plane_of_path(shapes, surface, from, to, tolerance))
-    if (auto arc =
-            arc_on_surface(shapes, surface, *plane, from, (from.uv + to.uv) / 2, to, tolerance))
+    if (auto arc = arc_on_surface(shapes, surface, *plane, from, (from.uv + to.uv) / 2, to, tolerance))
       return std::move(*arc);
   Eigen::Matrix3Xd ends = Eigen::Matrix3Xd::Zero(3, 2);
   ends.topRows<2>() << from.uv, to.uv;

@@ -7,8 +7,8 @@
 
 namespace isopatch::segmentation {
 
-/// The curve on a surface that is straight in its domain, over [0, 1]: exact where it is straight in space or a
-/// conic, as circles around an axis are.
+/// The curve on a surface that is straight in its domain, over [0, 1]: exact where it is straight in space or
+/// a conic, as circles around an axis are.
 /// @param tolerance  m, of the curve in space where it is neither
 geometry::CellCurve curve_in_domain(const CellShapes& shapes, geometry::SurfaceId surface,
                                     const CurveEnd& from, const CurveEnd& to, double tolerance);

@@ -79,9 +79,8 @@ class ChordMaker {
       }
     for (const FaceId face : std::vector<FaceId>(side_)) {
       if (!has(face, from) || !has(face, to)) continue;
-      if (const auto use =
-              put(face, from, to,
-                  section_curve(shapes(), face, from, to, *options_.plane, options_.tolerance)))
+      if (const auto use = put(face, from, to,
+                               section_curve(shapes(), face, from, to, *options_.plane, options_.tolerance)))
         return std::vector<EdgeUse>{*use};
     }
     return std::nullopt;

@@ -15,8 +15,9 @@ struct ChordOptions {
   std::optional<geometry::PlaneSurface> plane = {};
 };
 
-/// Puts an auxiliary edge across a side of a cell, in a plane if one is given, or straight in its domain: along edges that are there already
-/// where it meets them, with new vertices where it crosses others. A bent one crosses one face of the side.
+/// Puts an auxiliary edge across a side of a cell, in a plane if one is given, or straight in its domain:
+/// along edges that are there already where it meets them, with new vertices where it crosses others. A bent
+/// one crosses one face of the side.
 /// @param side  faces on one surface, that continue each other
 /// @return  its edges from `from` to `to`; nothing, and the complex as it was or divided in part, where it
 /// leaves the side or comes too close to its outline

@@ -54,7 +54,8 @@ std::optional<ProjectedCircle> circle_of(const Carrier& carrier, const PlaneSurf
         return std::nullopt;
       return seen_from(circle_about(apex, carrier.axis, from), {apex.x(), apex.y(), apex.z(), 1});
     }
-    case SurfaceKind::sphere: return circle_about(carrier.origin, normal, from);
+    case SurfaceKind::sphere:
+      return circle_about(carrier.origin, normal, from);
     case SurfaceKind::torus: {
       if (normal.cross(carrier.axis).norm() < same_direction)
         return circle_about(carrier.origin, carrier.axis, from);
@@ -65,7 +66,8 @@ std::optional<ProjectedCircle> circle_of(const Carrier& carrier, const PlaneSurf
           from - carrier.origin - carrier.axis * carrier.axis.dot(from - carrier.origin);
       return circle_about(carrier.origin + carrier.radius * out.normalized(), normal, from);
     }
-    default: return std::nullopt;
+    default:
+      return std::nullopt;
   }
 }
 

@@ -8,9 +8,9 @@
 
 namespace isopatch::segmentation {
 
-/// The arc in which a plane cuts a cylinder, a cone or a sphere, or a torus across or along its axis: exact, a
-/// rational curve of degree 2 over [0, 1]. A wider arc than 120 degrees about the axis has double knots, at equal
-/// angles.
+/// The arc in which a plane cuts a cylinder, a cone or a sphere, or a torus across or along its axis: exact,
+/// a rational curve of degree 2 over [0, 1]. A wider arc than 120 degrees about the axis has double knots, at
+/// equal angles.
 ///
 /// End weights are 1; so arcs over the same angle of one cylinder have the same weights, and their
 /// points of equal parameters lie on its rulings.

@@ -144,8 +144,8 @@ class Cutter {
         points.push_back(complex_.vertex(places[k]));
         continue;
       }
-      const Eigen::Matrix3Xd along_step = points_along(
-          shapes(), along(loop.steps[k].edge, places[k], places[(k + 1) % places.size()]));
+      const Eigen::Matrix3Xd along_step =
+          points_along(shapes(), along(loop.steps[k].edge, places[k], places[(k + 1) % places.size()]));
       for (const auto& point : along_step.colwise()) points.emplace_back(point);
     }
     return plane_through(Eigen::Map<const Eigen::Matrix3Xd>(points.front().data(), 3,

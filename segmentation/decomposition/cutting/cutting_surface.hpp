@@ -11,8 +11,8 @@ namespace isopatch::segmentation {
 using StepWalk = std::vector<std::vector<geometry::EdgeUse>>;
 std::vector<geometry::EdgeUse> joined(const StepWalk& steps);
 
-/// The plane that the points of a polygon, (3, n), m, lie in to `tolerance`; the polygon runs counter-clockwise
-/// around it. Nothing for points on a line.
+/// The plane that the points of a polygon, (3, n), m, lie in to `tolerance`; the polygon runs
+/// counter-clockwise around it. Nothing for points on a line.
 std::optional<geometry::PlaneSurface> plane_through(const Eigen::Matrix3Xd& points, double tolerance);
 
 /// Points along a walk of edges, m: the start of each edge, and some more on curved ones; (3, n).

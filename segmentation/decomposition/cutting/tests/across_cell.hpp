@@ -34,8 +34,9 @@ inline CutAttempt cut_across(const geometry::Brep& source, const geometry::CellC
   std::vector<std::size_t> order = {0, 1, 2, 3};
   const auto share_a_side = [&](std::size_t a, std::size_t b) {
     const auto one = faces_at(incidence, places[a]), other = faces_at(incidence, places[b]);
-    return std::any_of(one.begin(), one.end(),
-                       [&](FaceId face) { return std::find(other.begin(), other.end(), face) != other.end(); });
+    return std::any_of(one.begin(), one.end(), [&](FaceId face) {
+      return std::find(other.begin(), other.end(), face) != other.end();
+    });
   };
   const auto is_round = [&] {
     for (std::size_t i = 0; i < 4; ++i)

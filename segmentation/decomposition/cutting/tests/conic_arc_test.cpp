@@ -90,7 +90,8 @@ TEST(ConicArc, OnASphereAndATorusIsACircle) {
   const Carrier sphere{SurfaceKind::sphere, {0, 0, 0}, {0, 0, 1}, 5};
   const PlaneSurface across = plane_at({1, 2, 2}, {1, 2, 2});  // radius 4
   const auto at = [&](double degrees) -> Eigen::Vector3d {
-    return across.origin + 4 * (std::cos(degrees * degree) * across.x + std::sin(degrees * degree) * across.y);
+    return across.origin +
+           4 * (std::cos(degrees * degree) * across.x + std::sin(degrees * degree) * across.y);
   };
   const auto arc = conic_arc(sphere, across, at(10), at(40), at(100));
   ASSERT_TRUE(arc);
