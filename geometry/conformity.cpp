@@ -77,8 +77,10 @@ bool is_near_miss(const std::vector<NurbsVolume>& patches, const Neighbours& nei
                   const FreeFace& b, const FaceMatch& match, double limit) {
   if (match.distance > std::min(limit, near_miss_of_face * std::min(a.width, b.width))) return false;
   if (is_gap(patches, a, match)) return true;
-  // Patches that meet in a face do not overlap: what lies between the two is the thin end of a wedge.
-  if (neighbours.contains(std::minmax(a.face.patch, b.face.patch))) return false;
+  // A patch does not overlap itself, nor one that it shares a face with: between the two is the thin end of a
+  // wedge.
+  if (a.face.patch == b.face.patch || neighbours.contains(std::minmax(a.face.patch, b.face.patch)))
+    return false;
   const auto across = [&](const FreeFace& f) {
     return thickness(patches[static_cast<std::size_t>(f.face.patch.value)], f.face.side);
   };

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -28,9 +29,14 @@ std::string no_disc(const Brep& source, FaceId id) {
 
 /// "a cone at (0.01, 0, 0.02) m".
 std::string what_and_where(const Brep& source, FaceId id) {
-  const Eigen::Vector3d at = source.point(source.face(id).loops.front().front().edge, 0.5);
-  return fmt::format("a {} at ({:.4g}, {:.4g}, {:.4g}) m", name(source.face(id).kind), at.x(), at.y(),
-                     at.z());
+  const BrepFace& face = source.face(id);
+  const DomainBox domain = source.domain(id);
+  const bool has_edges = !face.loops.empty() && !face.loops.front().empty();
+  const Eigen::Vector3d place = has_edges ? source.point(face.loops.front().front().edge, 0.5)
+                                          : source.point(id, (domain.low + domain.high) / 2);
+  const double round_off = 1e-9 * source.size();
+  const Eigen::Vector3d at = place.unaryExpr([&](double x) { return std::abs(x) < round_off ? 0.0 : x; });
+  return fmt::format("a {} at ({:.4g}, {:.4g}, {:.4g}) m", name(face.kind), at.x(), at.y(), at.z());
 }
 
 void require_discs(const Brep& source) {

@@ -234,6 +234,13 @@ TEST(Connect, TakesTheSidesOfAWedgeForApart) {
   };
   const MultiPatch wedge = connect({{half(1), half(-1)}, {}, {}});
   EXPECT_EQ(wedge.interfaces().size(), 1u);
+  // Two sides of one patch, at its sharp corner.
+  Eigen::Matrix3Xd kite(3, 8);
+  kite << 0, 0.5, 0.5, 2.0 / 3, 0, 0.5, 0.5, 2.0 / 3,  //
+      0, 0, h / 2, h / 3, 0, 0, h / 2, h / 3,          //
+      0, 0, 0, 0, 1, 1, 1, 1;
+  EXPECT_EQ(connect({{NurbsVolume({KnotVector(), KnotVector(), KnotVector()}, kite)}, {}, {}}).patch_count(),
+            1);
 }
 
 TEST(Connect, SaysHowThinAPatchIsAndWhere) {

@@ -15,7 +15,7 @@ using geometry::test::made_brep;
 TEST(Refusals, SayWhatIsInTheWayOfCuttingAndOfSweeping) {
   const geometry::Brep torus = made_brep("torus");
   EXPECT_ERROR(decompose(torus, "ring"), ErrorCode::unsupported,
-               "It is no stack to be swept: it has no plane face");
+               "(face 0 is a torus at (0.007, 0, 0) m). It is no stack to be swept: it has no plane face");
 }
 
 TEST(Refusals, OfSolidsWithRoundsSayThatTheseCanBeRemoved) {
