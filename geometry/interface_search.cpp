@@ -36,16 +36,21 @@ void check_sides(const Interface& found, const FaceLabel& label) {
 }
 
 void check_thickness(const std::vector<NurbsVolume>& patches, const Interface& found, double same_point,
-                     const FaceLabel& label) {
+                     double size, const FaceLabel& label) {
   if (found.first.patch != found.second.patch || found.second.side != opposite(found.first.side)) return;
-  if (thickness(patches[static_cast<std::size_t>(found.first.patch.value)], found.first.side) <
-      10 * same_point)
-    throw Error(
-        ErrorCode::not_conforming,
-        fmt::format(
-            "the patch between faces {} and {} is thinner than the tolerance for equal points, {:.3g}; "
-            "remove the patch or lower same_point (in a study: model.same_point)",
-            label(found.first), label(found.second), same_point));
+  const NurbsVolume& patch = patches[static_cast<std::size_t>(found.first.patch.value)];
+  const double across = thickness(patch, found.first.side);
+  if (!(across < 10 * same_point)) return;
+  Parameter<3> at;
+  for (int d = 0; d < 3; ++d) at[d] = patch.knots(d).first() + patch.knots(d).length() / 2;
+  const Eigen::Vector3d middle = patch.point(at);
+  throw Error(
+      ErrorCode::not_conforming,
+      fmt::format("the patch between faces {} and {} is {:.3g} thick at ({:.6g}, {:.6g}, {:.6g}), and "
+                  "points nearer than {:.3g} count as one; make it thicker, remove it, or lower "
+                  "same_point to {:.1g} (in a study: model.same_point)",
+                  label(found.first), label(found.second), across, middle[0], middle[1], middle[2],
+                  same_point, across / size / 20));
 }
 
 void check_at_most_two(const std::vector<Interface>& interfaces, const FaceLabel& label) {
@@ -143,7 +148,7 @@ FaceSets find_interfaces(const std::vector<NurbsVolume>& patches, const std::vec
                                 : match_faces(surfaces[i], surfaces[j], known->second);
     if (match.distance > same_point) continue;
     const Interface found{faces[i], faces[j], match.orientation, match.distance};
-    check_thickness(patches, found, same_point, label);
+    check_thickness(patches, found, same_point, size, label);
     sets.interfaces.push_back(found);
     joined[i] = joined[j] = true;
   }

@@ -9,6 +9,7 @@
 #include "app/base/place_tolerance.hpp"
 #include "app/problem/face_name.hpp"
 #include "geometry/base/nearest_name.hpp"
+#include "geometry/face_match.hpp"
 #include "geometry/measures.hpp"
 
 namespace isopatch::app {
@@ -47,7 +48,14 @@ void check_boundary(const MultiPatch& model, const PatchFace& face, const std::s
     throw error_at(place,
                    fmt::format("face {} is no boundary: it is joined to {}", name, model.label(other)));
   }
-  throw error_at(place, fmt::format("face {} is collapsed to a curve or a point and has no area", name));
+  const geometry::NurbsSurface surface = geometry::face_surface(model.patch(face.patch), face.side);
+  const Eigen::Vector3d middle = surface.point(geometry::unscaled(surface, {0.5, 0.5}));
+  throw error_at(
+      place,
+      fmt::format("face {} at {} is collapsed to a curve or a point and has no area: points nearer than {} "
+                  "count as one. Choose another face; if this one is narrow, lower model.same_point",
+                  name, place_with_unit(middle, model.size()),
+                  with_unit(model.tolerance().same_point * model.size(), "m")));
 }
 
 /// Boundary faces, as isopatch names them.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <string>
 #include <utility>
 
 #include "geometry/base/error.hpp"
@@ -12,29 +14,53 @@
 namespace isopatch::geometry {
 namespace {
 
-void require_disc(const Brep& source, FaceId id) {
+/// Why a face is no disc bounded by several edges; "" if it is one.
+std::string no_disc(const Brep& source, FaceId id) {
   const BrepFace& face = source.face(id);
-  const auto refuse = [&](const std::string& what) {
-    throw SolidError(
-        ErrorCode::unsupported,
-        fmt::format(
-            "{} {}; cut the solid through it in the CAD program, so that each face has one outline of "
-            "several edges",
-            describe(source, id), what),
-        {.faces = {{id.value}}});
-  };
-  if (face.loops.size() != 1) refuse(fmt::format("has {} outlines; one is needed", face.loops.size()));
+  if (face.loops.size() != 1) return fmt::format("has {} outlines; one is needed", face.loops.size());
   for (const EdgeUse& use : face.loops.front()) {
     const BrepEdge& edge = source.edge(use.edge);
-    if (edge.start == edge.end) refuse(fmt::format("is bounded by the closed edge {}", use.edge.value));
+    if (edge.start == edge.end) return fmt::format("is bounded by the closed edge {}", use.edge.value);
     if (edge.faces.size() == 2 && edge.faces[0] == edge.faces[1])
-      refuse(fmt::format("is closed on itself along edge {}", use.edge.value));
+      return fmt::format("is closed on itself along edge {}", use.edge.value);
   }
+  return "";
+}
+
+/// "a cone at (0.01, 0, 0.02) m".
+std::string what_and_where(const Brep& source, FaceId id) {
+  const BrepFace& face = source.face(id);
+  const DomainBox domain = source.domain(id);
+  const bool has_edges = !face.loops.empty() && !face.loops.front().empty();
+  const Eigen::Vector3d place = has_edges ? source.point(face.loops.front().front().edge, 0.5)
+                                          : source.point(id, (domain.low + domain.high) / 2);
+  const double round_off = 1e-9 * source.size();
+  const Eigen::Vector3d at = place.unaryExpr([&](double x) { return std::abs(x) < round_off ? 0.0 : x; });
+  return fmt::format("a {} at ({:.4g}, {:.4g}, {:.4g}) m", name(face.kind), at.x(), at.y(), at.z());
+}
+
+void require_discs(const Brep& source) {
+  std::vector<FaceId> others;
+  for (std::size_t f = 0; f < source.faces().size(); ++f)
+    if (const FaceId id(static_cast<int>(f)); !no_disc(source, id).empty()) others.push_back(id);
+  if (others.empty()) return;
+  SolidFault fault;
+  for (const FaceId id : others) fault.faces.push_back({id.value});
+  const std::string more =
+      others.size() == 1 ? "" : fmt::format(", and {} more of its faces are alike", others.size() - 1);
+  throw SolidError(
+      ErrorCode::unsupported,
+      fmt::format("{} {}; cut the solid through it in the CAD program, so that each face has one outline of "
+                  "several edges ({} is {}{})",
+                  describe(source, others.front()), no_disc(source, others.front()),
+                  describe(source, others.front()), what_and_where(source, others.front()), more),
+      std::move(fault));
 }
 
 }  // namespace
 
 CellComplex one_cell(const Brep& source) {
+  require_discs(source);
   CellComplex complex;
   for (Eigen::Index v = 0; v < source.vertices().cols(); ++v)
     complex.vertices.emplace_back(source.vertices().col(v));
@@ -46,7 +72,6 @@ CellComplex one_cell(const Brep& source) {
   Cell& cell = complex.cells.emplace_back();
   for (std::size_t f = 0; f < source.faces().size(); ++f) {
     const FaceId id(static_cast<int>(f));
-    require_disc(source, id);
     complex.surfaces.emplace_back(id);
     complex.faces.push_back({SurfaceId(id.value), source.face(id).loops.front(), id});
     cell.faces.push_back({id, false, id.value});

@@ -221,6 +221,35 @@ TEST(Connect, TakesThinWallsForWalls) {
   EXPECT_EQ(three.boundary_faces().size(), 14u);
 }
 
+TEST(Connect, TakesTheSidesOfAWedgeForApart) {
+  // Cut along its length in the middle: two patches, whose outer sides nearly meet at their thin ends.
+  const double h = 1e-3;
+  const auto half = [&](double sign) {
+    Eigen::Matrix3Xd points(3, 8);
+    points << 0, 1, 0, 1, 0, 1, 0, 1,  //
+        0, 0, 1, 1, 0, 0, 1, 1,        //
+        0, 0, 0, 0, h, h / 10, h, h / 10;
+    points.row(2) *= sign;
+    return NurbsVolume({KnotVector(), KnotVector(), KnotVector()}, points);
+  };
+  const MultiPatch wedge = connect({{half(1), half(-1)}, {}, {}});
+  EXPECT_EQ(wedge.interfaces().size(), 1u);
+  // Two sides of one patch, at its sharp corner.
+  Eigen::Matrix3Xd kite(3, 8);
+  kite << 0, 0.5, 0.5, 2.0 / 3, 0, 0.5, 0.5, 2.0 / 3,  //
+      0, 0, h / 2, h / 3, 0, 0, h / 2, h / 3,          //
+      0, 0, 0, 0, 1, 1, 1, 1;
+  EXPECT_EQ(connect({{NurbsVolume({KnotVector(), KnotVector(), KnotVector()}, kite)}, {}, {}}).patch_count(),
+            1);
+}
+
+TEST(Connect, SaysHowThinAPatchIsAndWhere) {
+  EXPECT_THAT(refusal({{box_between({0, 0, 0}, {10, 10, 1e-5})}, {}, {}}),
+              AllOf(HasSubstr("is 1e-05 thick at (5, 5, 5e-06)"), HasSubstr("1.41e-05 count as one"),
+                    HasSubstr("lower same_point to 4e-08")));
+  connect({{box_between({0, 0, 0}, {10, 10, 1e-5})}, {}, {}}, {.same_point = 4e-8});
+}
+
 TEST(Connect, SeesAGapBetweenThinPlates) {
   // The gap is most of the plates' thickness, but it lies outside both.
   EXPECT_THAT(

@@ -15,6 +15,10 @@ namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
+/// Of the part's size: thinner patches are none (`Tolerance::same_point`), and places of CAD files are no
+/// better.
+constexpr double least_arm = 2e-7;
+
 std::string text(const Eigen::Vector3d& v) {
   const auto clean = [](double x) { return std::abs(x) < 5e-7 ? 0.0 : x; };
   return fmt::format("({:.4g}, {:.4g}, {:.4g})", clean(v[0]), clean(v[1]), clean(v[2]));
@@ -104,8 +108,9 @@ std::vector<FreeBody> free_bodies(const Discretization& d, const GlobalNodes& gl
       }
     }
     const SymmetricEigen eigen = symmetric_eigen(gram);
-    // A support that holds a motion only by round-off or by a millionth of the part is none.
-    const double threshold = 1e-10 * std::max(eigen.values[5], 1e-300);
+    // A support that holds a motion only by round-off is none. The edge of a thin sheet holds it by half its
+    // thickness, of which these are the squares.
+    const double threshold = least_arm * least_arm * std::max(eigen.values[5], 1e-300);
     Eigen::Index free = 0;
     while (free < 6 && eigen.values[free] <= threshold) ++free;
     if (free > 0) result.push_back({body, described(eigen.vectors.leftCols(free), centre, size)});

@@ -8,6 +8,7 @@
 #include "geometry/base/error.hpp"
 #include "geometry/base/larger.hpp"
 #include "geometry/base/tests/expect_error.hpp"
+#include "geometry/models/box.hpp"
 #include "geometry/models/cylinder.hpp"
 #include "iga/tests/small_models.hpp"
 
@@ -219,6 +220,20 @@ TEST(SolveElasticity, NamesFreeDirectionsByTheCoordinateAxesWhereTheseAre) {
     EXPECT_THAT(error.what(),
                 HasSubstr("translation along y; translation along z; rotation about the axis through"));
     EXPECT_THAT(error.what(), HasSubstr("m along x\n"));
+  }
+}
+
+// Its edge holds it, by half its thickness: not a motion is left, but such an element is too thin.
+TEST(SolveElasticity, TakesAThinSheetForHeldByItsEdge) {
+  ElasticityProblem p = problem(geometry::connect(geometry::box_model({.size = {10, 10, 1e-4}})), {}, steel);
+  const auto& model = p.discretization.model;
+  p.supports = {{"clamp", boundary(model, "x_min"), PrescribedDisplacement{}}};
+  p.surface_loads = {constant_traction("pull", boundary(model, "x_max"), {1e6, 0, 0})};
+  try {
+    solve_elasticity(p);
+  } catch (const Error& error) {
+    EXPECT_NE(error.code(), ErrorCode::free_body);
+    EXPECT_THAT(error.what(), HasSubstr("100000 times as long as thick"));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -12,8 +13,8 @@
 #include "segmentation/decomposition/prepare.hpp"
 #include "segmentation/pieces/mirrored_cells.hpp"
 #include "segmentation/pieces/pieced_cells.hpp"
+#include "segmentation/sweeps/in_the_way.hpp"
 #include "segmentation/sweeps/rounds.hpp"
-#include "segmentation/sweeps/sweep_frame.hpp"
 #include "segmentation/sweeps/swept_cells.hpp"
 #include "segmentation/turned/turned_cells.hpp"
 
@@ -35,6 +36,37 @@ bool planes_are_divided(const geometry::Brep& solid) {
   } catch (const Error&) {
     return false;  // faces with holes or seams are of no triangulation
   }
+}
+
+/// "face 3 (torus), face 5 'rim' (cone)", the first few.
+std::string listed(const geometry::Brep& solid, const std::vector<FaceId>& faces) {
+  constexpr std::size_t most = 4;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, faces.size()); ++i)
+    text += fmt::format("{}{} ({})", i == 0 ? "" : ", ", describe(solid, faces[i]),
+                        name(solid.face(faces[i]).kind));
+  return faces.size() > most ? fmt::format("{} and {} more", text, faces.size() - most) : text;
+}
+
+/// Why a solid is no stack, as a sentence: what is in the way along its best direction, and what can be done;
+/// "" if nothing is.
+std::string no_stack(const geometry::Brep& solid, const DecompositionOptions& options) {
+  const std::optional<InTheWay> least = least_in_the_way(solid);
+  if (!least || least->faces.empty()) return "";
+  const std::string what = fmt::format(
+      "It is no stack to be swept: along {}, where the fewest are in the way, {} {} neither across nor along "
+      "it: {}",
+      direction_text(least->along), least->faces.size(), least->faces.size() == 1 ? "face is" : "faces are",
+      listed(solid, least->faces));
+  const Rounds rounds = rounds_in_the_way(solid, solid.size());
+  const double share = 1.01 * rounds.largest_radius / solid.size();
+  const bool small = share < options.largest_blend;
+  if (rounds.faces.empty() || (options.blends == Blends::remove && small))
+    return what + "; a [[segmentation.cut]] that parts it from the rest may help";
+  return fmt::format(
+      "{}. These are rounds of {:.3g} m at most: with blends = \"remove\"{} they are taken off, "
+      "if the faces around them meet then",
+      what, rounds.largest_radius, small ? "" : fmt::format(" and largest_blend = {:.2g}", share));
 }
 
 std::string text_of(const SweptCells& swept) {
@@ -122,34 +154,6 @@ KnownCells by_hand(const geometry::Brep& solid, const DecompositionOptions& opti
   return {std::move(complex), "one half mirrored, " + halves};
 }
 
-/// What is in the way of a sweep, and what can be done; "" where most of the solid is.
-std::string in_the_way(const geometry::Brep& solid, const DecompositionOptions& options) {
-  const Rounds rounds = rounds_in_the_way(solid, options.largest_blend * solid.size());
-  if (!rounds.faces.empty() && options.blends == Blends::keep)
-    return fmt::format(
-        "It would be swept without {} round{} of {:.3g} m radius at most: blends = \"remove\" takes "
-        "{} off",
-        rounds.faces.size(), rounds.faces.size() == 1 ? "" : "s", rounds.largest_radius,
-        rounds.faces.size() == 1 ? "it" : "them");
-  std::optional<std::vector<FaceId>> fewest;
-  Eigen::Vector3d direction = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& along : floor_directions(solid)) {
-    std::vector<FaceId> others = neither_floor_nor_wall(solid, along);
-    if (fewest && others.size() >= fewest->size()) continue;
-    fewest = std::move(others);
-    direction = along;
-  }
-  if (!fewest || fewest->empty() || 3 * fewest->size() > solid.faces().size()) return "";
-  return fmt::format(
-      "It would be swept along {} but for {}{}, which {} neither across this direction nor along it; a "
-      "cut that parts {} from the rest helps: [[segmentation.cut]]",
-      direction_text(direction), describe(solid, fewest->front()),
-      fewest->size() == 1
-          ? ""
-          : fmt::format(" and {} other{}", fewest->size() - 1, fewest->size() == 2 ? "" : "s"),
-      fewest->size() == 1 ? "is" : "are", fewest->size() == 1 ? "it" : "them");
-}
-
 Decomposition decomposition_of(KnownCells cells, double seconds) {
   Decomposition result{cells.complex, cells.complex, {}, {}};
   result.report.cells = result.report.hexahedra = static_cast<int>(cells.complex.cells.size());
@@ -171,7 +175,7 @@ KnownShape known_shape(const geometry::Brep& solid, const DecompositionOptions& 
   std::string stopped_by;
   if (std::optional<KnownCells> made = known_cells(solid, stopped_by))
     result.decomposition = decomposition_of(std::move(*made), watch.seconds());
-  else if (result.why_not = in_the_way(solid, options); result.why_not.empty() && !stopped_by.empty())
+  else if (result.why_not = no_stack(solid, options); result.why_not.empty() && !stopped_by.empty())
     result.why_not = "It looks swept or turned, but " + stopped_by;
   return result;
 }

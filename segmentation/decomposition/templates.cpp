@@ -99,8 +99,10 @@ class Templates {
     for (const geometry::CellEdge& edge : complex_.edges) ends_.emplace_back(edge.start, edge.end);
   }
 
-  /// Of half the length.
+  /// Of half the length; of half the angle of an arc, so that on a cylinder the middles of opposite edges lie
+  /// on one ruling.
   double middle_parameter(EdgeId edge) const {
+    if (shapes().is_arc(edge)) return shoulder(edge);
     constexpr int pieces = 64;
     std::vector<double> length = {0};
     for (int i = 1; i <= pieces; ++i)
@@ -112,6 +114,18 @@ class Templates {
     const double before = length[static_cast<std::size_t>(i) - 1],
                  after = length[static_cast<std::size_t>(i)];
     return (i - 1 + (length.back() / 2 - before) / (after - before)) / pieces;
+  }
+  /// Where an arc of a circle or an ellipse runs parallel to its chord.
+  double shoulder(EdgeId edge) const {
+    const Eigen::Vector3d start = shapes().point(edge, 0), chord = shapes().point(edge, 1) - start;
+    Eigen::Vector3d up = shapes().point(edge, 0.5) - start;
+    up -= chord * (chord.dot(up) / chord.squaredNorm());
+    double low = 0, high = 1;
+    for (int i = 0; i < 60; ++i) {
+      const double t = (low + high) / 2;
+      (shapes().tangent(edge, t).dot(up) > 0 ? low : high) = t;
+    }
+    return (low + high) / 2;
   }
   Eigen::Vector3d middle_point(EdgeId edge) const { return shapes().point(edge, middle_parameter(edge)); }
 

@@ -169,7 +169,7 @@ class ColumnComplex {
     return PlaneSurface{a, x, y};
   }
 
-  /// The face of the solid on which all of a wall lies.
+  /// The face of the solid on which all of a wall lies: the nearest, since others may be narrow and near.
   FaceId wall_of_solid(const NurbsCurve& below, const NurbsCurve& above) const {
     const auto point = [&](double u, double v) -> Eigen::Vector3d {
       const Eigen::Matrix<double, 1, 1> t(u);
@@ -177,18 +177,23 @@ class ColumnComplex {
     };
     const Eigen::Vector3d middle = point(0.5, 0.5);
     const double tolerance = off_the_wall * solid_.size();
+    std::optional<FaceId> best;
+    double least = 1e300;
     for (const FaceId face : frame_.walls) {
       const geometry::FaceProjection nearest = solid_.project(face, middle);
       if (nearest.distance > tolerance || !solid_.contains(face, nearest.uv)) continue;
+      double off = nearest.distance;
       for (const double u : {0.1, 0.3, 0.7, 0.9})
-        for (const double v : {0.2, 0.8})
-          if (solid_.project(face, point(u, v)).distance > tolerance)
-            throw Error(ErrorCode::unsupported,
-                        fmt::format("{} is not straight from floor to floor", describe(solid_, face)));
-      return face;
+        for (const double v : {0.2, 0.8}) off = std::max(off, solid_.project(face, point(u, v)).distance);
+      if (off < least) best = face, least = off;
     }
-    throw Error(ErrorCode::unsupported, fmt::format("no wall of the solid is at ({:.6g}, {:.6g}, {:.6g}) m",
-                                                    middle.x(), middle.y(), middle.z()));
+    if (!best)
+      throw Error(ErrorCode::unsupported, fmt::format("no wall of the solid is at ({:.6g}, {:.6g}, {:.6g}) m",
+                                                      middle.x(), middle.y(), middle.z()));
+    if (least > tolerance)
+      throw Error(ErrorCode::unsupported,
+                  fmt::format("{} is not straight from floor to floor", describe(solid_, *best)));
+    return *best;
   }
 
   void add_cell(int quad, const Layer& layer) {

@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "geometry/base/error.hpp"
-#include "geometry/brep/cell_solids.hpp"
 #include "segmentation/profiles/divide_side.hpp"
 #include "segmentation/profiles/quadrangulate.hpp"
 #include "segmentation/sweeps/internal/column_complex.hpp"
+#include "segmentation/sweeps/internal/column_volume.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -21,9 +21,7 @@ using geometry::Brep;
 using geometry::PlaneSurface;
 
 /// What is seen along a direction that is not the stack's looks like one and leaves something out.
-void require_whole(const Brep& solid, const geometry::CellComplex& complex) {
-  double volume = 0;
-  for (const Brep& cell : cell_solids(solid, complex)) volume += cell.volume();
+void require_whole(const Brep& solid, double volume) {
   if (std::abs(volume - solid.volume()) > 1e-5 * solid.volume())
     throw Error(ErrorCode::unsupported, fmt::format("{:.3g} of {:.3g} m^3 are no part of the stack",
                                                     solid.volume() - volume, solid.volume()));
@@ -226,10 +224,9 @@ void Stack::divide(const PlaneSurface& plane, const StackSide& side, int axis, d
 
 geometry::CellComplex Stack::complex() const {
   const MovingDrawing moving = parts_->moving();
-  geometry::CellComplex result =
-      column_complex(parts_->solid, parts_->frame, parts_->quads, moving, parts_->layers(moving));
-  require_whole(parts_->solid, result);
-  return result;
+  const Layers layers = parts_->layers(moving);
+  require_whole(parts_->solid, column_volume(parts_->frame, parts_->quads, moving, layers));
+  return column_complex(parts_->solid, parts_->frame, parts_->quads, moving, layers);
 }
 
 }  // namespace isopatch::segmentation

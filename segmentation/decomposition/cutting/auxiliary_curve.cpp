@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "geometry/base/error.hpp"
 #include "segmentation/decomposition/cutting/inside.hpp"
@@ -137,10 +138,32 @@ NurbsCurve bow(const Eigen::Vector2d& from, const Eigen::Vector2d& by, const Eig
   return NurbsCurve({geometry::KnotVector::bezier(3)}, control);
 }
 
+/// The plane that a curve lies in which is straight in the domain; nothing for a straight one.
+std::optional<geometry::PlaneSurface> plane_of_path(const CellShapes& shapes, geometry::SurfaceId surface,
+                                                    const CurveEnd& from, const CurveEnd& to,
+                                                    double tolerance) {
+  const auto at = [&](double t) -> Eigen::Vector3d {
+    return shapes.point(surface, from.uv + t * (to.uv - from.uv));
+  };
+  geometry::PlaneSurface plane;
+  plane.origin = at(0);
+  const Eigen::Vector3d middle = at(0.5) - plane.origin, end = at(1) - plane.origin;
+  const Eigen::Vector3d normal = middle.cross(end);
+  if (!(normal.norm() > 1e-6 * middle.norm() * end.norm())) return std::nullopt;
+  plane.x = middle.normalized();
+  plane.y = normal.cross(middle).normalized();
+  for (const double t : {0.1, 0.23, 0.37, 0.68, 0.81, 0.94})
+    if (!(std::abs(plane.normal().dot(at(t) - plane.origin)) <= tolerance)) return std::nullopt;
+  return plane;
+}
+
 }  // namespace
 
 geometry::CellCurve curve_in_domain(const CellShapes& shapes, geometry::SurfaceId surface,
                                     const CurveEnd& from, const CurveEnd& to, double tolerance) {
+  if (const auto plane = plane_of_path(shapes, surface, from, to, tolerance))
+    if (auto arc = arc_on_surface(shapes, surface, *plane, from, (from.uv + to.uv) / 2, to, tolerance))
+      return std::move(*arc);
   Eigen::Matrix3Xd ends = Eigen::Matrix3Xd::Zero(3, 2);
   ends.topRows<2>() << from.uv, to.uv;
   return curve_along(shapes, surface, NurbsCurve({geometry::KnotVector()}, ends), from, to, tolerance);
@@ -155,6 +178,21 @@ std::optional<AuxiliaryCurve> auxiliary_curve(const CellShapes& shapes, FaceId i
   return AuxiliaryCurve{
       curve_in_domain(shapes, shapes.complex().face(id).surface, face.from, face.to, tolerance),
       Angle::radians(angle)};
+}
+
+std::optional<AuxiliaryCurve> section_curve(const CellShapes& shapes, FaceId id, VertexId from, VertexId to,
+                                            const geometry::PlaneSurface& plane, double tolerance) {
+  const FaceToCross face(shapes, id, from, to);
+  auto arc = arc_on_surface(shapes, shapes.complex().face(id).surface, plane, face.from,
+                            (face.from.uv + face.to.uv) / 2, face.to, tolerance);
+  if (!arc) return std::nullopt;
+  const NurbsCurve& path = arc->traces.front().domain;
+  const auto ahead = [&](double t) -> Eigen::Vector2d {
+    return path.jacobian(geometry::Parameter<1>(t)).head<2>();
+  };
+  const double angle = std::min(free_angle(face.first, ahead(0)), free_angle(face.last, -ahead(1)));
+  if (!(angle > 1e-3) || !(clearance(face, path) > 1e-3)) return std::nullopt;
+  return AuxiliaryCurve{std::move(*arc), Angle::radians(angle)};
 }
 
 std::optional<AuxiliaryCurve> bent_curve(const CellShapes& shapes, FaceId id, VertexId from, VertexId to,

@@ -2,18 +2,14 @@
 
 #include <optional>
 
+#include "segmentation/decomposition/cutting/arc_on_surface.hpp"
 #include "segmentation/decomposition/cutting/cell_shapes.hpp"
 
 namespace isopatch::segmentation {
 
-/// An end of a curve on a surface: in its domain, and the point in space that it must run to, m.
-struct CurveEnd {
-  Eigen::Vector2d uv;
-  Eigen::Vector3d point;
-};
-
-/// The curve on a surface that is straight in its domain, over [0, 1].
-/// @param tolerance  m, of the curve in space where it is not straight
+/// The curve on a surface that is straight in its domain, over [0, 1]: exact where it is straight in space or
+/// a conic, as circles around an axis are.
+/// @param tolerance  m, of the curve in space where it is neither
 geometry::CellCurve curve_in_domain(const CellShapes& shapes, geometry::SurfaceId surface,
                                     const CurveEnd& from, const CurveEnd& to, double tolerance);
 
@@ -30,6 +26,11 @@ struct AuxiliaryCurve {
 /// @param tolerance  m, of the curve in space from the one in the domain where neither is straight
 std::optional<AuxiliaryCurve> auxiliary_curve(const CellShapes& shapes, FaceId face, VertexId from,
                                               VertexId to, double tolerance);
+
+/// The conic between two vertices of a face's outline in which a plane through them cuts the face.
+/// @return  nothing where it would leave the face, or the face has no conic there (`arc_on_surface`)
+std::optional<AuxiliaryCurve> section_curve(const CellShapes& shapes, FaceId face, VertexId from, VertexId to,
+                                            const geometry::PlaneSurface& plane, double tolerance);
 
 /// A bent curve between two vertices of a face's outline, for where the straight one leaves the face or comes
 /// too close to its outline: the cubic of one bend in the domain that keeps away from the outline best.

@@ -91,6 +91,14 @@ bool CellShapes::is_straight(EdgeId id) const {
   return std::get<NurbsCurve>(shape).size() == 2;
 }
 
+bool CellShapes::is_arc(EdgeId id) const {
+  const auto& shape = complex_.curve(complex_.edge(id).curve).shape;
+  if (const auto* source = std::get_if<EdgeId>(&shape))
+    return source_.edge(*source).kind == geometry::CurveKind::circle ||
+           source_.edge(*source).kind == geometry::CurveKind::ellipse;
+  return std::get<NurbsCurve>(shape).is_rational();
+}
+
 Eigen::Matrix2Xd outline(const CellShapes& shapes, FaceId id, int pieces) {
   const geometry::CellFace& face = shapes.complex().face(id);
   const bool plane = shapes.is_plane(face.surface);

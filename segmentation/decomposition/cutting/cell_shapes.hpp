@@ -32,6 +32,8 @@ class CellShapes {
   /// looks inwards.
   bool is_turned(FaceId face) const;
   bool is_straight(EdgeId edge) const;
+  /// Whether an edge is a piece of a circle or an ellipse of the source, or a rational arc.
+  bool is_arc(EdgeId edge) const;
 
  private:
   double curve_parameter(const geometry::CellEdge& edge, double t) const {

@@ -36,6 +36,8 @@ class ChordMaker {
   }
 
   std::optional<std::vector<EdgeUse>> make(VertexId from, VertexId to) {
+    if (options_.plane && !plane_)
+      if (auto chord = make_in_plane(from, to)) return chord;
     if (!options_.bent) return make_straight(from, to);
     const CellComplex before = complex_;
     const std::vector<FaceId> side = side_;
@@ -59,12 +61,32 @@ class ChordMaker {
     return chord;
   }
 
+  bool has(FaceId face, VertexId vertex) const {
+    const std::vector<EdgeUse>& loop = complex_.face(face).loop;
+    return std::any_of(loop.begin(), loop.end(),
+                       [&](const EdgeUse& use) { return complex_.from(use) == vertex; });
+  }
+
+  /// An edge of the side between two vertices that lies in the plane, or a new one across one face.
+  std::optional<std::vector<EdgeUse>> make_in_plane(VertexId from, VertexId to) {
+    for (const FaceId face : side_)
+      for (EdgeUse use : complex_.face(face).loop) {
+        if (complex_.from(use) == to && complex_.to(use) == from) use.reversed = !use.reversed;
+        if (complex_.from(use) != from || complex_.to(use) != to) continue;
+        const Eigen::Vector3d middle = shapes().point(use.edge, 0.5) - options_.plane->origin;
+        if (std::abs(options_.plane->normal().dot(middle)) <= 100 * options_.tolerance)
+          return std::vector<EdgeUse>{use};
+      }
+    for (const FaceId face : std::vector<FaceId>(side_)) {
+      if (!has(face, from) || !has(face, to)) continue;
+      if (const auto use = put(face, from, to,
+                               section_curve(shapes(), face, from, to, *options_.plane, options_.tolerance)))
+        return std::vector<EdgeUse>{*use};
+    }
+    return std::nullopt;
+  }
+
   std::optional<std::vector<EdgeUse>> make_bent(VertexId from, VertexId to) {
-    const auto has = [&](FaceId face, VertexId vertex) {
-      const std::vector<EdgeUse>& loop = complex_.face(face).loop;
-      return std::any_of(loop.begin(), loop.end(),
-                         [&](const EdgeUse& use) { return complex_.from(use) == vertex; });
-    };
     for (const FaceId face : std::vector<FaceId>(side_)) {
       if (!has(face, from) || !has(face, to)) continue;
       if (const auto use = put(face, from, to, bent_curve(shapes(), face, from, to, options_.tolerance)))

@@ -135,8 +135,28 @@ class Cutter {
     return part;
   }
 
+  /// The plane that the places of a loop and the edges that it runs along lie in.
+  std::optional<geometry::PlaneSurface> plane_of(const CuttingLoop& loop,
+                                                 const std::vector<VertexId>& places) const {
+    std::vector<Eigen::Vector3d> points;
+    for (std::size_t k = 0; k < loop.steps.size(); ++k) {
+      if (loop.steps[k].auxiliary()) {
+        points.push_back(complex_.vertex(places[k]));
+        continue;
+      }
+      const Eigen::Matrix3Xd along_step =
+          points_along(shapes(), along(loop.steps[k].edge, places[k], places[(k + 1) % places.size()]));
+      for (const auto& point : along_step.colwise()) points.emplace_back(point);
+    }
+    return plane_through(Eigen::Map<const Eigen::Matrix3Xd>(points.front().data(), 3,
+                                                            static_cast<Eigen::Index>(points.size())),
+                         tolerance_);
+  }
+
   StepWalk walk(const CuttingLoop& loop, const std::vector<VertexId>& places) {
     StepWalk result;
+    ChordOptions options{tolerance_, options_.smallest_angle, is_free_form(), {}};
+    if (!polyhedral_) options.plane = plane_of(loop, places);
     for (std::size_t k = 0; k < loop.steps.size(); ++k) {
       const VertexId from = places[k], to = places[(k + 1) % places.size()];
       const LoopStep& step = loop.steps[k];
@@ -148,8 +168,7 @@ class Cutter {
       for (const CellFaceUse& face : complex_.cell(cell_).faces)
         if (face.side == sides_.faces[static_cast<std::size_t>(step.face.value)].front().side)
           side.push_back(face.face);
-      auto chord =
-          add_chord(source_, complex_, side, from, to, {tolerance_, options_.smallest_angle, is_free_form()});
+      auto chord = add_chord(source_, complex_, side, from, to, options);
       if (!chord)
         throw Refused{fmt::format("an auxiliary edge would leave side {} or come too close to its outline",
                                   step.face.value)};
@@ -232,7 +251,13 @@ class Cutter {
   void require_inside(const CellComplex& before, FaceId face) const {
     const Eigen::Matrix3Xd boundary =
         boundary_ != nullptr ? *boundary_ : boundary_triangles(CellShapes(source_, before), cell_);
-    const Eigen::Matrix2Xd inside = points_inside(outline(shapes(), face));
+    // Near curved sides the triangles may be on the wrong side of a point; in a plane distances are known.
+    const bool near_matters =
+        !polyhedral_ && shapes().is_plane(complex_.face(face).surface) && boundary.cols() > 0;
+    const double off =
+        near_matters ? triangles_off * (boundary.rowwise().maxCoeff() - boundary.rowwise().minCoeff()).norm()
+                     : 0;
+    const Eigen::Matrix2Xd inside = points_inside(outline(shapes(), face), off);
     if (inside.cols() == 0) throw Refused{"the cut would be too thin"};
     for (const auto& uv : inside.colwise())
       if (winding_number(boundary, shapes().point(complex_.face(face).surface, uv)) < 0.5)

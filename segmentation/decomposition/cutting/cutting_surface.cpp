@@ -17,39 +17,6 @@ using geometry::NurbsCurve;
 using geometry::NurbsSurface;
 using geometry::PlaneSurface;
 
-Eigen::Matrix3Xd points_along(const CellShapes& shapes, const std::vector<EdgeUse>& walk) {
-  std::vector<Eigen::Vector3d> points;
-  for (const EdgeUse& use : walk) {
-    const int pieces = shapes.is_straight(use.edge) ? 1 : 16;
-    for (int i = 0; i < pieces; ++i) {
-      const double t = double(i) / pieces;
-      points.push_back(shapes.point(use.edge, use.reversed ? 1 - t : t));
-    }
-  }
-  Eigen::Matrix3Xd result(3, static_cast<Eigen::Index>(points.size()));
-  for (std::size_t i = 0; i < points.size(); ++i) result.col(static_cast<Eigen::Index>(i)) = points[i];
-  return result;
-}
-
-std::optional<PlaneSurface> plane_through(const Eigen::Matrix3Xd& points, double tolerance) {
-  const Eigen::Vector3d centre = points.rowwise().mean();
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-  const Eigen::Index n = points.cols();
-  for (Eigen::Index i = 0; i < n; ++i)
-    normal += (points.col(i) - centre).cross(points.col((i + 1) % n) - centre);
-  if (!(normal.norm() > 0)) return std::nullopt;
-  normal.normalize();
-  if (((points.colwise() - centre).transpose() * normal).cwiseAbs().maxCoeff() > tolerance)
-    return std::nullopt;
-  PlaneSurface plane;
-  plane.origin = centre;
-  Eigen::Vector3d along = points.col(1) - points.col(0);
-  along -= along.dot(normal) * normal;
-  plane.x = along.normalized();
-  plane.y = normal.cross(plane.x);
-  return plane;
-}
-
 /// A step of a walk as one curve over [0, 1]: its edges share the interval as they do their curve, if they
 /// are pieces of one, or by length.
 class StepCurve {
@@ -162,6 +129,39 @@ std::optional<CuttingSurface> smooth_patch(const CellShapes& shapes, const StepW
 }
 
 }  // namespace
+
+Eigen::Matrix3Xd points_along(const CellShapes& shapes, const std::vector<EdgeUse>& walk) {
+  std::vector<Eigen::Vector3d> points;
+  for (const EdgeUse& use : walk) {
+    const int pieces = shapes.is_straight(use.edge) ? 1 : 16;
+    for (int i = 0; i < pieces; ++i) {
+      const double t = double(i) / pieces;
+      points.push_back(shapes.point(use.edge, use.reversed ? 1 - t : t));
+    }
+  }
+  Eigen::Matrix3Xd result(3, static_cast<Eigen::Index>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i) result.col(static_cast<Eigen::Index>(i)) = points[i];
+  return result;
+}
+
+std::optional<PlaneSurface> plane_through(const Eigen::Matrix3Xd& points, double tolerance) {
+  const Eigen::Vector3d centre = points.rowwise().mean();
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  const Eigen::Index n = points.cols();
+  for (Eigen::Index i = 0; i < n; ++i)
+    normal += (points.col(i) - centre).cross(points.col((i + 1) % n) - centre);
+  if (!(normal.norm() > 0)) return std::nullopt;
+  normal.normalize();
+  if (((points.colwise() - centre).transpose() * normal).cwiseAbs().maxCoeff() > tolerance)
+    return std::nullopt;
+  PlaneSurface plane;
+  plane.origin = centre;
+  Eigen::Vector3d along = points.col(1) - points.col(0);
+  along -= along.dot(normal) * normal;
+  plane.x = along.normalized();
+  plane.y = normal.cross(plane.x);
+  return plane;
+}
 
 std::vector<EdgeUse> joined(const StepWalk& steps) {
   std::vector<EdgeUse> result;

@@ -11,6 +11,13 @@ namespace isopatch::segmentation {
 using StepWalk = std::vector<std::vector<geometry::EdgeUse>>;
 std::vector<geometry::EdgeUse> joined(const StepWalk& steps);
 
+/// The plane that the points of a polygon, (3, n), m, lie in to `tolerance`; the polygon runs
+/// counter-clockwise around it. Nothing for points on a line.
+std::optional<geometry::PlaneSurface> plane_through(const Eigen::Matrix3Xd& points, double tolerance);
+
+/// Points along a walk of edges, m: the start of each edge, and some more on curved ones; (3, n).
+Eigen::Matrix3Xd points_along(const CellShapes& shapes, const std::vector<geometry::EdgeUse>& walk);
+
 /// A surface through a closed walk of edges, and what it adds to the edges' curves.
 struct CuttingSurface {
   geometry::CellSurface surface;  ///< the walk runs counter-clockwise around it

@@ -43,7 +43,7 @@ Eigen::Matrix3Xd boundary_triangles(const CellShapes& shapes, geometry::CellId c
   const geometry::Brep solid = cell_solids(shapes.source(), shapes.complex(), {cell}).front();
   std::vector<Eigen::Vector3d> points;
   for (const geometry::FaceTriangles& face :
-       tessellate(solid, {.chord = 5e-3, .turn = Angle::degrees(20)}).faces)
+       tessellate(solid, {.chord = triangles_off, .turn = Angle::degrees(20)}).faces)
     for (const auto& triangle : face.triangles.colwise())
       for (const int corner : triangle) points.emplace_back(face.points.col(corner));
   return columns(points);
@@ -83,9 +83,10 @@ double distance_to(const Eigen::Matrix2Xd& polygon, const Eigen::Vector2d& point
   return least;
 }
 
-Eigen::Matrix2Xd points_inside(const Eigen::Matrix2Xd& polygon) {
+Eigen::Matrix2Xd points_inside(const Eigen::Matrix2Xd& polygon, double wanted) {
   const Eigen::Vector2d low = polygon.rowwise().minCoeff(), extent = polygon.rowwise().maxCoeff() - low;
-  const double clear = 1e-6 * extent.norm();  // on the outline nothing is inside or outside
+  // On the outline nothing is inside or outside.
+  const double clear = std::max(wanted, 1e-6 * extent.norm());
   std::vector<Eigen::Vector2d> found;
   for (int n = 7; n <= 56 && found.size() < 20; n *= 2) {
     found.clear();
@@ -95,6 +96,7 @@ Eigen::Matrix2Xd points_inside(const Eigen::Matrix2Xd& polygon) {
         if (is_inside(polygon, at) && distance_to(polygon, at) > clear) found.push_back(at);
       }
   }
+  if (found.empty() && wanted > 0) return points_inside(polygon);
   Eigen::Matrix2Xd result(2, static_cast<Eigen::Index>(found.size()));
   for (std::size_t i = 0; i < found.size(); ++i) result.col(static_cast<Eigen::Index>(i)) = found[i];
   return result;

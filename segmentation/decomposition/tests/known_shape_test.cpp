@@ -21,7 +21,7 @@ TEST(KnownShape, IsTheWayWithFewerHexahedra) {
   // Swept it takes 29.
   EXPECT_EQ(seen_as("shaft"), "turned about z: 4 quadrilaterals in 4 sectors, 3 along the axis");
   EXPECT_EQ(seen_as("bent_tube"), "turned about (0, 0.6, 0.8): 4 quadrilaterals in 1 sector");
-  EXPECT_EQ(seen_as("round_corner"), "");
+  EXPECT_EQ(seen_as("spring"), "");
   EXPECT_EQ(seen_as("sphere", {.method = Method::cuts}), "");
 }
 

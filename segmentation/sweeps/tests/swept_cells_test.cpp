@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "geometry/brep/make_brep.hpp"
 #include "geometry/brep/tests/made_solids.hpp"
 #include "segmentation/sweeps/tests/sound_cells.hpp"
 
@@ -38,6 +39,23 @@ INSTANTIATE_TEST_SUITE_P(Solids, SweptCells,
 TEST(SweptCells, AreNoneOfOtherSolids) {
   for (const char* name : {"sphere", "torus", "spring", "round_corner"})
     EXPECT_FALSE(swept_cells(geometry::test::made_brep(name))) << name;
+}
+
+TEST(SweptCells, KnowNarrowWallsFromTheirNeighbours) {
+  // Chamfers of 1e-4 and 1e-6 of the block's edge.
+  for (const double e : {1e-4, 1e-6}) {
+    geometry::Polyhedron chamfered;
+    chamfered.vertices.resize(3, 10);
+    chamfered.vertices << 0, 1, 1, 1 - e, 0, 0, 1, 1, 1 - e, 0,  //
+        0, 0, 1 - e, 1, 1, 0, 0, 1 - e, 1, 1,                    //
+        0, 0, 0, 0, 0, 1, 1, 1, 1, 1;
+    chamfered.faces = {{4, 3, 2, 1, 0}, {5, 6, 7, 8, 9}, {0, 1, 6, 5}, {1, 2, 7, 6},
+                       {2, 3, 8, 7},    {3, 4, 9, 8},    {4, 0, 5, 9}};
+    const Brep block = geometry::make_brep(chamfered);
+    const auto swept = swept_cells(block);
+    ASSERT_TRUE(swept);
+    test::expect_sound(block, swept->complex);
+  }
 }
 
 }  // namespace

@@ -1,0 +1,20 @@
+# isopatch_drawn_solids(PROGRAM FILES LAST SOURCES...): a program that draws solids with OpenCASCADE, given a folder, and the
+# target FILES that runs it in the build tree; LAST is the file that it writes last. Sets `made` to the folder.
+function(isopatch_drawn_solids program files last)
+  set(libraries)
+  foreach(library TKOffset TKFillet TKBool TKBO TKPrim)
+    find_library(OPENCASCADE_${library} ${library} REQUIRED)
+    list(APPEND libraries "${OPENCASCADE_${library}}")
+  endforeach()
+  add_executable(${program} ${ARGN})
+  target_include_directories(${program} PRIVATE "${PROJECT_SOURCE_DIR}")
+  target_include_directories(${program} SYSTEM PRIVATE "${OPENCASCADE_INCLUDE_DIR}")
+  target_link_libraries(${program} PRIVATE isopatch_settings ${libraries} ${OPENCASCADE_LIBRARIES})
+  target_compile_options(${program} PRIVATE ${ISOPATCH_WARNINGS} -O1)
+  set(made "${CMAKE_CURRENT_BINARY_DIR}/files")
+  file(MAKE_DIRECTORY "${made}")
+  add_custom_command(OUTPUT "${made}/${last}" COMMAND ${program} "${made}" DEPENDS ${program}
+    COMMENT "Drawing solids: ${program}" VERBATIM)
+  add_custom_target(${files} DEPENDS "${made}/${last}")
+  set(made "${made}" PARENT_SCOPE)
+endfunction()
