@@ -235,10 +235,14 @@ double cost_of(const ShapeRules& rules, const std::vector<Curve>& curves, const 
     shapes[k] = side_shape(curves, mesh.nodes, cell.sides[k]);
     sides[k] = &shapes[k];
   }
-  const double cost = cost_of(rules, sides, cell.count);
+  return bounded_cost_of(rules, sides, cell.count);
+}
+
+double bounded_cost_of(const ShapeRules& rules, const std::array<const SideShape*, 4>& sides, int count) {
+  const double cost = cost_of(rules, sides, count);
   if (cost < refused) return std::min(cost, rules.not_valid);
   const double middle = (rules.invalid + rules.not_valid) / 2;
-  if (cell.count == 3) return middle;
+  if (count == 3) return middle;
   return middle - (rules.invalid - middle) * std::clamp(least_jacobian(sides), -1.0, 1.0);
 }
 

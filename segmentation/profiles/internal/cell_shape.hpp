@@ -79,6 +79,9 @@ bool map_stands(const std::array<const SideShape*, 4>& sides, double smallest);
 /// Cost of a cell: 1 and what its shape costs, or `refused`.
 double cost_of(const ShapeRules& rules, const std::array<const SideShape*, 4>& sides, int count);
 
+/// The same, from `rules.not_valid` to `rules.invalid` instead of `refused`.
+double bounded_cost_of(const ShapeRules& rules, const std::array<const SideShape*, 4>& sides, int count);
+
 /// Cost of a cell of a mesh: from `rules.not_valid` to `rules.invalid` instead of `refused`.
 double cost_of(const ShapeRules& rules, const std::vector<Curve>& curves, const CellMesh& mesh,
                const Cell& cell);

@@ -1,6 +1,7 @@
 #include "segmentation/profiles/internal/relax.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace isopatch::segmentation::planar {
@@ -17,11 +18,24 @@ class MovedNode {
       : rules_(rules), curves_(curves), mesh_(mesh), node_(node), cells_(neighbours.around(node)) {
     std::sort(cells_.begin(), cells_.end());
     cells_.erase(std::unique(cells_.begin(), cells_.end()), cells_.end());
+    shapes_.resize(cells_.size());
+    for (std::size_t c = 0; c < cells_.size(); ++c)
+      for (int k = 0; k < mesh_.cells[cells_[c]].count; ++k)
+        shapes_[c][k] = side_shape(curves_, mesh_.nodes, mesh_.cells[cells_[c]].sides[k]);
   }
 
-  double cost() const {
+  double cost() {
     double sum = 0;
-    for (const int cell : cells_) sum += cost_of(rules_, curves_, mesh_, mesh_.cells[cell]);
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+      const Cell& cell = mesh_.cells[cells_[c]];
+      std::array<const SideShape*, 4> sides = {};
+      for (int k = 0; k < cell.count; ++k) {
+        const Side& side = cell.sides[k];  // those that do not move are known
+        if (side.from == node_ || side.to == node_) shapes_[c][k] = side_shape(curves_, mesh_.nodes, side);
+        sides[k] = &shapes_[c][k];
+      }
+      sum += bounded_cost_of(rules_, sides, cell.count);
+    }
     return sum;
   }
 
@@ -67,6 +81,7 @@ class MovedNode {
   CellMesh& mesh_;
   int node_;
   std::vector<int> cells_;
+  std::vector<std::array<SideShape, 4>> shapes_;
 };
 
 /// Tries steps of a length in a few directions, longer ones after success.

@@ -178,6 +178,9 @@ void flip(const std::vector<Vector2d>& points, const std::vector<std::vector<int
 }  // namespace
 
 bool segments_meet(const Vector2d& a, const Vector2d& b, const Vector2d& c, const Vector2d& d) {
+  if (std::max(a.x(), b.x()) < std::min(c.x(), d.x()) || std::max(c.x(), d.x()) < std::min(a.x(), b.x()) ||
+      std::max(a.y(), b.y()) < std::min(c.y(), d.y()) || std::max(c.y(), d.y()) < std::min(a.y(), b.y()))
+    return false;
   const double tolerance = 1e-12 * ((b - a).squaredNorm() + (d - c).squaredNorm());
   const auto sign = [&](double area) { return area > tolerance ? 1 : area < -tolerance ? -1 : 0; };
   const int s1 = sign(area2(a, b, c)), s2 = sign(area2(a, b, d)), s3 = sign(area2(c, d, a)),
