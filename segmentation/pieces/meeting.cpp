@@ -48,7 +48,7 @@ PlaneSurface ruled(const PlaneSurface& plane, const Piece& first, const Piece& s
   const bool of_first = !is_floor(first, plane);
   if (!of_first && is_floor(second, plane)) return plane;
   const Eigen::Vector3d x = of_first ? first.frame.along : second.frame.along;
-  const PlaneSurface result{plane.origin, x, plane.normal().cross(x)};
+  PlaneSurface result{plane.origin, x, plane.normal().cross(x)};
   if (of_first && !is_floor(second, plane)) {
     const double turn = std::abs(x.dot(second.frame.along));
     if (turn > 1e-7 && turn < 1 - 1e-7)

@@ -11,8 +11,8 @@
 
 namespace isopatch::segmentation {
 
-/// A side of quadrilaterals: a piece of a profile's edge, run in that edge's direction, or a straight chord, or
-/// a parabola.
+/// A side of quadrilaterals: a piece of a profile's edge, run in that edge's direction, or a straight chord,
+/// or a parabola.
 struct QuadEdge {
   int start = -1, end = -1;  ///< vertices of the quadrangulation
   int profile_edge = -1;     ///< -1: a chord

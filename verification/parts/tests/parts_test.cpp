@@ -44,8 +44,9 @@ void expect_a_sound_solid_as_drawn(const json& part) {
                             [&](const geometry::BrepFace& face) { return face.name == name; }),
               1)
         << name;
-  if (!part["volume_in_mm3"].is_null())
+  if (!part["volume_in_mm3"].is_null()) {
     EXPECT_NEAR(1e9 * brep.volume() / part["volume_in_mm3"].get<double>(), 1, round_off);
+  }
 }
 
 void expect_all_of(const std::string& set) {
