@@ -5,8 +5,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
-#include <set>
-#include <utility>
 
 #include "geometry/base/error.hpp"
 #include "geometry/face_match.hpp"
@@ -70,17 +68,11 @@ bool is_gap(const std::vector<NurbsVolume>& patches, const FreeFace& first, cons
   return outward.dot(match.second_point - match.first_point) > 0.5 * match.distance;
 }
 
-/// Pairs of patches that share a face, the smaller one first.
-using Neighbours = std::set<std::pair<PatchId, PatchId>>;
-
-bool is_near_miss(const std::vector<NurbsVolume>& patches, const Neighbours& neighbours, const FreeFace& a,
-                  const FreeFace& b, const FaceMatch& match, double limit) {
+bool is_near_miss(const std::vector<NurbsVolume>& patches, const FreeFace& a, const FreeFace& b,
+                  const FaceMatch& match, double limit) {
   if (match.distance > std::min(limit, near_miss_of_face * std::min(a.width, b.width))) return false;
   if (is_gap(patches, a, match)) return true;
-  // A patch does not overlap itself, nor one that it shares a face with: between the two is the thin end of a
-  // wedge.
-  if (a.face.patch == b.face.patch || neighbours.contains(std::minmax(a.face.patch, b.face.patch)))
-    return false;
+  if (a.face.patch == b.face.patch) return false;  // sides of one patch beside a sharp edge
   const auto across = [&](const FreeFace& f) {
     return thickness(patches[static_cast<std::size_t>(f.face.patch.value)], f.face.side);
   };
@@ -88,11 +80,8 @@ bool is_near_miss(const std::vector<NurbsVolume>& patches, const Neighbours& nei
   return match.distance < 0.5 * std::max(across(a), across(b));
 }
 
-void check_near_misses(const std::vector<NurbsVolume>& patches, const std::vector<Interface>& interfaces,
-                       const std::vector<FreeFace>& faces, const Tolerance& tolerance, double size,
-                       const FaceLabel& label) {
-  Neighbours neighbours;
-  for (const Interface& i : interfaces) neighbours.insert(std::minmax(i.first.patch, i.second.patch));
+void check_near_misses(const std::vector<NurbsVolume>& patches, const std::vector<FreeFace>& faces,
+                       const Tolerance& tolerance, double size, const FaceLabel& label) {
   std::vector<Eigen::Vector3d> middles;
   for (const FreeFace& face : faces) middles.push_back(face.middle);
   const double limit = tolerance.near_miss * size;
@@ -100,7 +89,7 @@ void check_near_misses(const std::vector<NurbsVolume>& patches, const std::vecto
   int count = 0;
   for (const auto& [i, j] : close_pairs(middles, limit)) {
     const FaceMatch match = match_faces(faces[i].surface, faces[j].surface);
-    if (!is_near_miss(patches, neighbours, faces[i], faces[j], match, limit) || ++count > 1) continue;
+    if (!is_near_miss(patches, faces[i], faces[j], match, limit) || ++count > 1) continue;
     message = fmt::format(
         "faces {} and {} nearly meet: they differ by up to {:.3g} at {}, {:.2g} of the model's size, and "
         "{:.2g} is "
@@ -150,10 +139,10 @@ void check_other_parameters(const std::vector<FreeFace>& faces, double same_poin
 
 }  // namespace
 
-void check_conforming(const std::vector<NurbsVolume>& patches, const FaceSets& found,
+void check_conforming(const std::vector<NurbsVolume>& patches, const std::vector<PatchFace>& faces,
                       const Tolerance& tolerance, double size, const FaceLabel& label) {
-  const std::vector<FreeFace> free = free_faces(patches, found.boundary);
-  check_near_misses(patches, found.interfaces, free, tolerance, size, label);
+  const std::vector<FreeFace> free = free_faces(patches, faces);
+  check_near_misses(patches, free, tolerance, size, label);
   check_other_parameters(free, tolerance.same_point * size, label);
 }
 

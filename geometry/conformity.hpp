@@ -7,15 +7,14 @@ namespace isopatch::geometry {
 /// Refuses boundary faces that were probably meant to be interfaces.
 ///
 /// A near miss is a pair whose points of equal parameters differ by less than `tolerance.near_miss` times
-/// `size` and by less than 2 % of the narrower face's width, unless the two are the sides of a thin wall or
-/// of a wedge: on patches that share a face and overlap nowhere.
+/// `size` and by less than 2 % of the narrower face's width, unless the two are the sides of a thin wall.
 /// Faces of which one lies on the other, but with other parameters or another outline (a T-joint), are
 /// refused as well.
 ///
-/// @param found  by find_interfaces
+/// @param faces  the boundary faces found by find_interfaces
 /// @throws Error not_conforming, naming the faces, the distance and the place
 /// @cost   O(faces log faces + pairs of overlapping boxes)
-void check_conforming(const std::vector<NurbsVolume>& patches, const FaceSets& found,
+void check_conforming(const std::vector<NurbsVolume>& patches, const std::vector<PatchFace>& faces,
                       const Tolerance& tolerance, double size, const FaceLabel& label);
 
 /// Checks that every stated interface is among the ones found, in its orientation.

@@ -136,7 +136,7 @@ MultiPatch connect(PatchSet set, const Tolerance& tolerance) {
   const FaceLabel label = [&](PatchFace face) { return model.label(face); };
   FaceSets found = find_interfaces(model.patches_, set.interfaces, tolerance, model.size_, label);
   check_stated(model.patches_, found.interfaces, set.interfaces, tolerance, model.size_, label);
-  check_conforming(model.patches_, found, tolerance, model.size_, label);
+  check_conforming(model.patches_, found.boundary, tolerance, model.size_, label);
   model.interfaces_ = std::move(found.interfaces);
   model.boundary_faces_ = std::move(found.boundary);
   model.degenerate_faces_ = std::move(found.degenerate);

@@ -115,21 +115,24 @@ void look(const Look& at, std::optional<KnownCells>& best, std::string& why_not)
   }
 }
 
-std::optional<KnownCells> known_cells(const geometry::Brep& solid, std::string& why_not) {
+/// @param seconds  to look for planes that cut it into pieces
+std::optional<KnownCells> known_cells(const geometry::Brep& solid, double seconds, std::string& why_not) {
   std::optional<KnownCells> best;
   if (!planes_are_divided(solid)) look([&] { return swept_cells(solid); }, best, why_not);
   look([&] { return turned_cells(solid); }, best, why_not);
-  if (!best && !planes_are_divided(solid)) look([&] { return pieced_cells(solid); }, best, why_not);
+  if (!best && !planes_are_divided(solid))
+    look([&] { return pieced_cells(solid, {}, seconds); }, best, why_not);
   return best;
 }
 
 /// With the cuts given; nothing else will do.
-KnownCells as_given(const geometry::Brep& solid, const std::vector<geometry::PlaneSurface>& cuts) {
+KnownCells as_given(const geometry::Brep& solid, const std::vector<geometry::PlaneSurface>& cuts,
+                    double seconds) {
   std::string why_not;
   std::optional<KnownCells> made;
   if (cuts.empty())
-    made = known_cells(solid, why_not);
-  else if (std::optional<PiecedCells> pieces = pieced_cells(solid, cuts))
+    made = known_cells(solid, seconds, why_not);
+  else if (std::optional<PiecedCells> pieces = pieced_cells(solid, cuts, seconds))
     made = KnownCells{pieces->complex, text_of(*pieces)};
   if (!made)
     throw Error(
@@ -141,13 +144,14 @@ KnownCells as_given(const geometry::Brep& solid, const std::vector<geometry::Pla
 }
 
 KnownCells by_hand(const geometry::Brep& solid, const DecompositionOptions& options) {
+  const double seconds = options.time_limit / 4;
   std::vector<geometry::PlaneSurface> cuts;
   for (const GivenPlane& cut : options.cuts) cuts.push_back(plane_of(solid, cut));
-  if (!options.symmetry) return as_given(solid, cuts);
+  if (!options.symmetry) return as_given(solid, cuts, seconds);
   std::string halves;
   geometry::CellComplex complex =
       mirrored_cells(solid, plane_of(solid, *options.symmetry), [&](const geometry::Brep& half) {
-        KnownCells made = as_given(half, cuts);
+        KnownCells made = as_given(half, cuts, seconds);
         halves += (halves.empty() ? "" : "; ") + made.seen_as;
         return std::move(made.complex);
       });
@@ -173,7 +177,7 @@ KnownShape known_shape(const geometry::Brep& solid, const DecompositionOptions& 
   }
   if (options.method == Method::cuts || options.t_joints == TJoints::keep) return result;
   std::string stopped_by;
-  if (std::optional<KnownCells> made = known_cells(solid, stopped_by))
+  if (std::optional<KnownCells> made = known_cells(solid, options.time_limit / 4, stopped_by))
     result.decomposition = decomposition_of(std::move(*made), watch.seconds());
   else if (result.why_not = no_stack(solid, options); result.why_not.empty() && !stopped_by.empty())
     result.why_not = "It looks swept or turned, but " + stopped_by;

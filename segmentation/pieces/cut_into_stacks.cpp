@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/processor_stopwatch.hpp"
 #include "geometry/brep/cut_by_plane.hpp"
 #include "segmentation/pieces/internal/cut_planes.hpp"
 
@@ -60,6 +61,8 @@ State start(const Brep& solid, const std::vector<geometry::PlaneSurface>& cuts) 
 
 class Search {
  public:
+  explicit Search(double seconds) : seconds_(seconds) {}
+
   std::vector<std::vector<Piece>> make(const Brep& solid, const std::vector<geometry::PlaneSurface>& cuts) {
     std::vector<State> states = {start(solid, cuts)};
     if (states.front().faults == 0) found_.push_back(states.front());
@@ -78,10 +81,10 @@ class Search {
       const auto worst = std::max_element(state.pieces.begin(), state.pieces.end(),
                                           [](const Piece& a, const Piece& b) { return a.faults < b.faults; });
       for (const geometry::PlaneSurface& plane : cut_planes(worst->brep)) {
-        if (++cuts_ > most_cuts) return {};
+        if (++cuts_ > most_cuts || watch_.seconds() > seconds_) return {};
         try {
           State made = after(state, static_cast<std::size_t>(worst - state.pieces.begin()), plane);
-          if (made.pieces.size() == state.pieces.size()) continue;
+          if (made.pieces.size() == state.pieces.size() || made.faults > state.faults) continue;
           (made.faults == 0 ? found_ : next).push_back(std::move(made));
         } catch (const Error& error) {
           if (error.code() == ErrorCode::internal) throw;
@@ -95,13 +98,15 @@ class Search {
 
   std::vector<State> found_;
   int cuts_ = 0;
+  double seconds_;
+  ProcessorStopwatch watch_;
 };
 
 }  // namespace
 
 std::vector<std::vector<Piece>> ways_to_cut(const Brep& solid,
-                                            const std::vector<geometry::PlaneSurface>& cuts) {
-  return Search().make(solid, cuts);
+                                            const std::vector<geometry::PlaneSurface>& cuts, double seconds) {
+  return Search(seconds).make(solid, cuts);
 }
 
 }  // namespace isopatch::segmentation

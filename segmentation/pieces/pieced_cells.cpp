@@ -26,11 +26,11 @@ PiecedCells cells_of(const geometry::Brep& solid, const std::vector<Piece>& piec
 }  // namespace
 
 std::optional<PiecedCells> pieced_cells(const geometry::Brep& solid,
-                                        const std::vector<geometry::PlaneSurface>& cuts) {
+                                        const std::vector<geometry::PlaneSurface>& cuts, double seconds) {
   std::optional<PiecedCells> best;
   std::optional<Error> refusal;
   constexpr std::size_t most_ways = 4;
-  const std::vector<std::vector<Piece>> ways = ways_to_cut(solid, cuts);
+  const std::vector<std::vector<Piece>> ways = ways_to_cut(solid, cuts, seconds);
   for (std::size_t w = 0; w < std::min(ways.size(), most_ways); ++w) {
     try {
       PiecedCells made = cells_of(solid, ways[w]);
