@@ -99,4 +99,16 @@ void validate(const Profile& profile) {
   }
 }
 
+double twice_area(const Profile& profile, const std::vector<geometry::EdgeUse>& loop) {
+  double result = 0;
+  for (const geometry::EdgeUse& use : loop) {
+    const auto& points = profile.edges[static_cast<std::size_t>(use.edge.value)].points;
+    double part = 0;
+    for (std::size_t i = 1; i < points.size(); ++i)
+      part += points[i - 1].x() * points[i].y() - points[i - 1].y() * points[i].x();
+    result += use.reversed ? -part : part;
+  }
+  return result;
+}
+
 }  // namespace isopatch::segmentation

@@ -38,4 +38,7 @@ struct Profile {
 /// @cost linear in the points
 void validate(const Profile& profile);
 
+/// Twice the area of the polygon of a loop's points, positive if it runs counterclockwise.
+double twice_area(const Profile& profile, const std::vector<geometry::EdgeUse>& loop);
+
 }  // namespace isopatch::segmentation

@@ -22,7 +22,7 @@ using geometry::PlaneSurface;
 
 /// What is seen along a direction that is not the stack's looks like one and leaves something out.
 void require_whole(const Brep& solid, double volume) {
-  if (std::abs(volume - solid.volume()) > 1e-5 * solid.volume())
+  if (!(std::abs(volume - solid.volume()) <= 1e-5 * solid.volume()))
     throw Error(ErrorCode::unsupported, fmt::format("{:.3g} of {:.3g} m^3 are no part of the stack",
                                                     solid.volume() - volume, solid.volume()));
 }
@@ -84,13 +84,6 @@ int Stack::quadrilaterals() const {
 
 int Stack::levels() const {
   return static_cast<int>(parts_->layers(parts_->moving()).levels.size());
-}
-
-int Stack::hexahedra() const {
-  int result = 0;
-  for (const auto& column : parts_->layers(parts_->moving()).columns)
-    result += static_cast<int>(column.size());
-  return result;
 }
 
 namespace {

@@ -41,7 +41,6 @@ class Stack {
   const SweepFrame& frame() const;
   int quadrilaterals() const;
   int levels() const;
-  int hexahedra() const;
 
   /// Sides of its hexahedra in a plane, as far as they are rectangles along the plane's x and y.
   std::vector<StackSide> sides_on(const geometry::PlaneSurface& plane, double tolerance) const;

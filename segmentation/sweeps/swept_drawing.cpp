@@ -44,19 +44,6 @@ void draw_edges(const Brep& sheet, const SweepFrame& frame, Profile& profile) {
   }
 }
 
-/// Twice its signed area.
-double twice_area(const Profile& profile, const std::vector<EdgeUse>& loop) {
-  double result = 0;
-  for (const EdgeUse& use : loop) {
-    const auto& points = profile.edges[static_cast<std::size_t>(use.edge.value)].points;
-    double part = 0;
-    for (std::size_t i = 1; i < points.size(); ++i)
-      part += points[i - 1].x() * points[i].y() - points[i - 1].y() * points[i].x();
-    result += use.reversed ? -part : part;
-  }
-  return result;
-}
-
 struct Floor {
   FaceId face;
   double height;

@@ -57,18 +57,6 @@ class LoopWalk {
   std::vector<bool> done_;
 };
 
-double twice_area(const Profile& profile, const Loop& loop) {
-  double result = 0;
-  for (const EdgeUse& use : loop) {
-    const auto& points = profile.edges[static_cast<std::size_t>(use.edge.value)].points;
-    double part = 0;
-    for (std::size_t i = 1; i < points.size(); ++i)
-      part += points[i - 1].x() * points[i].y() - points[i - 1].y() * points[i].x();
-    result += use.reversed ? -part : part;
-  }
-  return result;
-}
-
 void turn(Loop& loop) {
   std::reverse(loop.begin(), loop.end());
   for (EdgeUse& use : loop) use.reversed = !use.reversed;

@@ -13,6 +13,7 @@
 #include "geometry/brep/cell_solids.hpp"
 #include "geometry/brep/recognise_carriers.hpp"
 #include "geometry/brep/tests/made_solids.hpp"
+#include "segmentation/sweeps/tests/sound_cells.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -23,32 +24,6 @@ using geometry::CellComplex;
 /// With the carriers of what a file has as splines, as solids are cut.
 Brep solid_of(const std::string& name) {
   return geometry::recognise_carriers(geometry::test::made_brep(name)).brep;
-}
-
-/// Hexahedra that fill the solid and meet side to side; what lies on its faces has their areas, face by face.
-/// @param off  share by which the solid itself is off
-void expect_sound(const Brep& solid, const CellComplex& complex, double off = 1e-9) {
-  double volume = 0;
-  std::map<FaceId, double> areas;
-  std::map<FaceId, int> uses;
-  const std::vector<Brep> cells = geometry::cell_solids(solid, complex);
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    EXPECT_GT(cells[c].volume(), 0);
-    volume += cells[c].volume();
-    ASSERT_EQ(cells[c].faces().size(), 6U);
-    ASSERT_EQ(cells[c].edges().size(), 12U);
-    ASSERT_EQ(cells[c].vertices().cols(), 8);
-    for (std::size_t f = 0; f < 6; ++f) {
-      const FaceId face = complex.cells[c].faces[f].face;
-      ++uses[face];
-      if (const auto origin = complex.face(face).origin)
-        areas[*origin] += cells[c].area(FaceId(static_cast<int>(f)));
-    }
-  }
-  EXPECT_NEAR(volume, solid.volume(), off * solid.volume());
-  for (const auto& [face, count] : uses) EXPECT_EQ(count, complex.face(face).origin ? 1 : 2);
-  ASSERT_EQ(areas.size(), solid.faces().size());
-  for (const auto& [face, area] : areas) EXPECT_NEAR(area, solid.area(face), off * solid.area());
 }
 
 struct Sample {
@@ -64,7 +39,7 @@ TEST_P(TurnedCellsOf, FillTheSolidAndMeetSideToSide) {
   const auto turned = turned_cells(solid);
   ASSERT_TRUE(turned);
   EXPECT_LE(static_cast<int>(turned->complex.cells.size()), GetParam().hexahedra);
-  expect_sound(solid, turned->complex, GetParam().off);
+  test::expect_sound(solid, turned->complex, GetParam().off);
 }
 
 INSTANTIATE_TEST_SUITE_P(
