@@ -21,6 +21,8 @@ void CoordinateGrain::add(std::string_view word, double value) {
 
 double CoordinateGrain::step() const {
   if (!(largest_ > 0)) return 0;
+  constexpr int fewest_digits = 5;  // programs round to six; round numbers are what they are
+  if (digits_ < fewest_digits) return largest_ * std::numeric_limits<double>::epsilon();
   const double by_digits = std::pow(10.0, std::floor(std::log10(largest_)) + 1 - digits_);
   return std::max(by_digits, largest_ * std::numeric_limits<double>::epsilon());
 }

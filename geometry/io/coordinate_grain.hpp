@@ -9,7 +9,7 @@ class CoordinateGrain {
  public:
   void add(std::string_view word, double value);
   /// The step of the largest coordinate, by the most digits that were seen; the others have this or a smaller
-  /// one.
+  /// one. Round-off alone where all have fewer than five, as a cube of size 1.
   double step() const;
 
  private:

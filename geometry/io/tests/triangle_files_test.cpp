@@ -157,5 +157,14 @@ TEST(TriangleFiles, AreKnownByTheirEnding) {
   EXPECT_ERROR(read_triangles("absent.stl"), ErrorCode::io, "absent.stl");
 }
 
+TEST(CoordinateGrain, OfRoundNumbersIsRoundOff) {
+  CoordinateGrain round;
+  for (const auto& [word, value] : {std::pair("0", 0.0), std::pair("1", 1.0), std::pair("20.5", 20.5)})
+    round.add(word, value);
+  EXPECT_LT(round.step(), 1e-14);
+  round.add("3.14159", 3.14159);
+  EXPECT_NEAR(round.step(), 1e-4, 1e-12);  // of six digits of 20.5
+}
+
 }  // namespace
 }  // namespace isopatch::geometry
