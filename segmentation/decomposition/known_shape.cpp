@@ -70,8 +70,11 @@ std::string no_stack(const geometry::Brep& solid, const DecompositionOptions& op
 }
 
 std::string text_of(const SweptCells& swept) {
-  return fmt::format("swept along {}: {} quadrilateral{} between {} levels", direction_text(swept.along),
-                     swept.quadrilaterals, swept.quadrilaterals == 1 ? "" : "s", swept.levels);
+  const std::string rounds =
+      swept.rounds > 0 ? fmt::format(", {} round{} kept", swept.rounds, swept.rounds == 1 ? "" : "s")
+                       : std::string();
+  return fmt::format("swept along {}: {} quadrilateral{} between {} levels{}", direction_text(swept.along),
+                     swept.quadrilaterals, swept.quadrilaterals == 1 ? "" : "s", swept.levels, rounds);
 }
 
 std::string text_of(const TurnedCells& turned) {

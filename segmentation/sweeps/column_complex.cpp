@@ -1,10 +1,10 @@
 #include "segmentation/sweeps/internal/column_complex.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,6 +12,7 @@
 #include "geometry/base/error.hpp"
 #include "geometry/brep/require_solid.hpp"
 #include "geometry/splines/arc.hpp"
+#include "geometry/splines/coons.hpp"
 #include "geometry/splines/refine.hpp"
 #include "segmentation/sweeps/internal/straight_wall.hpp"
 
@@ -26,25 +27,23 @@ using geometry::NurbsCurve;
 using geometry::PlaneSurface;
 using geometry::SurfaceId;
 
-/// Something between two levels over an edge or a vertex of the drawing.
-using Upright = std::tuple<int, int, int>;  // number, low, high
-/// Something in a level.
-using Flat = std::pair<int, int>;  // number, level
+using Upright = Rounding::Upright;
+using Flat = Rounding::Flat;
 
 /// How far a straight wall may lie off the solid's, as a share of its size: what patches keep to as well.
 /// Drafted walls of CAD programs are splines, and their edges run at paces of their own.
 constexpr double off_the_wall = 1e-4;
 
-NurbsCurve line_in_domain(double u0, double v0, double u1, double v1) {
-  return geometry::segment({u0, v0, 0}, {u1, v1, 0});
+bool is_straight(const NurbsCurve& curve) {
+  return curve.degree(0) == 1 && curve.size() == 2;
 }
 
 /// Makes every vertex, edge and face once, by its number in the drawing and its levels.
 class ColumnComplex {
  public:
   ColumnComplex(const Brep& solid, const SweepFrame& frame, const Quadrangulation& quads,
-                const MovingDrawing& moving, const Layers& layers)
-      : solid_(solid), frame_(frame), quads_(quads), moving_(moving), layers_(layers) {
+                const MovingDrawing& moving, const Layers& layers, const Rounding& rounding)
+      : solid_(solid), frame_(frame), quads_(quads), moving_(moving), layers_(layers), rounding_(rounding) {
     for (std::size_t q = 0; q < quads.quads.size(); ++q)
       for (const Layer& layer : layers.columns[q])
         for (const EdgeUse& side : quads.quads[q].sides)
@@ -64,7 +63,10 @@ class ColumnComplex {
   VertexId vertex(int number, int level) {
     const auto [found, fresh] =
         vertices_.try_emplace({number, level}, static_cast<int>(complex_.vertices.size()));
-    if (fresh) complex_.vertices.push_back(moving_.place(number, height(level)));
+    if (!fresh) return found->second;
+    const auto moved = rounding_.vertices.find({number, level});
+    complex_.vertices.push_back(moved == rounding_.vertices.end() ? moving_.place(number, height(level))
+                                                                  : moved->second);
     return found->second;
   }
 
@@ -78,16 +80,35 @@ class ColumnComplex {
     const auto known = level_edges_.find({number, level});
     if (known != level_edges_.end()) return known->second;
     const VertexId from = vertex(drawn(number).start, level), to = vertex(drawn(number).end, level);
-    const EdgeId made = add_edge(moving_.curve(number, height(level)), from, to);
-    return level_edges_[{number, level}] = made;
+    return level_edges_[{number, level}] = add_edge(level_curve(number, level), from, to);
+  }
+
+  bool is_moved(int vertex, int level) const { return rounding_.vertices.contains({vertex, level}); }
+
+  /// Chords go with their ends.
+  NurbsCurve level_curve(int number, int level) {
+    const auto rounded = rounding_.level_edges.find({number, level});
+    if (rounded != rounding_.level_edges.end()) return rounded->second;
+    NurbsCurve curve = moving_.curve(number, height(level));
+    const int start = drawn(number).start, end = drawn(number).end;
+    if (!is_moved(start, level) && !is_moved(end, level)) return curve;
+    if (!is_straight(curve) && drawn(number).profile_edge >= 0)
+      throw Error(ErrorCode::unsupported, "a round ends on a curved wall");
+    Eigen::Matrix3Xd points = curve.control_points();
+    points.col(0) = complex_.vertex(vertex(start, level));
+    points.col(points.cols() - 1) = complex_.vertex(vertex(end, level));
+    return NurbsCurve(curve.knots(), std::move(points), curve.weights());
   }
 
   EdgeId upright_edge(int number, int low, int high) {
     const auto known = upright_edges_.find({number, low, high});
     if (known != upright_edges_.end()) return known->second;
     const VertexId from = vertex(number, low), to = vertex(number, high);
-    const EdgeId made = add_edge(geometry::segment(complex_.vertex(from), complex_.vertex(to)), from, to);
-    return upright_edges_[{number, low, high}] = made;
+    const auto rounded = rounding_.upright_edges.find({number, low, high});
+    NurbsCurve shape = rounded == rounding_.upright_edges.end()
+                           ? geometry::segment(complex_.vertex(from), complex_.vertex(to))
+                           : rounded->second;
+    return upright_edges_[{number, low, high}] = add_edge(std::move(shape), from, to);
   }
 
   SurfaceId add_surface(geometry::CellSurface surface) {
@@ -104,17 +125,71 @@ class ColumnComplex {
   FaceId level_face(int quad, int level, std::optional<FaceId> origin, bool looks_up) {
     const auto known = level_faces_.find({quad, level});
     if (known != level_faces_.end()) return known->second;
+    std::vector<EdgeUse> loop;
+    bool is_level = true;
+    for (const EdgeUse& side : quads_.quads[static_cast<std::size_t>(quad)].sides) {
+      loop.push_back({level_edge(side.edge.value, level), side.reversed});
+      is_level = is_level && !is_moved(drawn(side.edge.value).start, level) &&
+                 !is_moved(drawn(side.edge.value).end, level);
+    }
+    if (!looks_up) turn(loop);
+    const auto rounded = rounding_.floors.find({quad, level});
+    FaceId made(0);
+    if (rounded != rounding_.floors.end())
+      made = add_rounded(rounded->second, std::move(loop));
+    else if (is_level)
+      made = add_face({plane_at(level, looks_up), std::move(loop), origin});
+    else if (origin)
+      throw Error(ErrorCode::unsupported, "a floor ends within the width of a round");
+    else
+      made = add_between(std::move(loop));
+    return level_faces_[{quad, level}] = made;
+  }
+
+  SurfaceId plane_at(int level, bool looks_up) {
     const auto [surface, fresh] = planes_.try_emplace({level, looks_up}, SurfaceId(0));
     if (fresh) {
       const Eigen::Vector3d y = looks_up ? frame_.y : Eigen::Vector3d(-frame_.y);
       surface->second =
           add_surface(PlaneSurface{frame_.point(Eigen::Vector2d::Zero(), height(level)), frame_.x, y});
     }
-    geometry::CellFace face{surface->second, {}, origin};
-    for (const EdgeUse& side : quads_.quads[static_cast<std::size_t>(quad)].sides)
-      face.loop.push_back({level_edge(side.edge.value, level), side.reversed});
-    if (!looks_up) turn(face.loop);
-    return level_faces_[{quad, level}] = add_face(std::move(face));
+    return surface->second;
+  }
+
+  /// As it is run through.
+  NurbsCurve use_curve(const EdgeUse& use) const {
+    const NurbsCurve& shape = std::get<NurbsCurve>(complex_.curve(complex_.edge(use.edge).curve).shape);
+    return use.reversed ? reversed(shape, 0) : shape;
+  }
+
+  /// @param surface  over the unit square, whose sides from v = 0 on are the loop's
+  FaceId add_on(geometry::NurbsSurface surface, std::vector<EdgeUse> loop, std::optional<FaceId> origin) {
+    const SurfaceId made = add_surface(std::move(surface));
+    const std::array<Eigen::Vector3d, 5> corners{Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 0, 0),
+                                                 Eigen::Vector3d(1, 1, 0), Eigen::Vector3d(0, 1, 0),
+                                                 Eigen::Vector3d(0, 0, 0)};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::size_t from = loop[k].reversed ? k + 1 : k, to = loop[k].reversed ? k : k + 1;
+      complex_.curves[static_cast<std::size_t>(complex_.edge(loop[k].edge).curve.value)].traces.push_back(
+          {made, geometry::segment(corners[from], corners[to])});
+    }
+    return add_face({made, std::move(loop), origin});
+  }
+
+  /// Inside the solid, in no plane.
+  FaceId add_between(std::vector<EdgeUse> loop) {
+    geometry::NurbsSurface surface = geometry::coons_surface(
+        {use_curve(loop[0]), use_curve(loop[1]), use_curve(loop[2]), use_curve(loop[3])});
+    return add_on(std::move(surface), std::move(loop), {});
+  }
+
+  FaceId add_rounded(const Rounding::Side& side, std::vector<EdgeUse> loop) {
+    const EdgeId first = level_edge(side.from.first, side.from.second);
+    const auto at =
+        std::find_if(loop.begin(), loop.end(), [&](const EdgeUse& use) { return use.edge == first; });
+    std::rotate(loop.begin(), at, loop.end());
+    const bool turned = loop.front().reversed;
+    return add_on(turned ? reversed(side.surface, 0) : side.surface, std::move(loop), side.origin);
   }
 
   static void turn(std::vector<EdgeUse>& loop) {
@@ -132,40 +207,42 @@ class ColumnComplex {
     const EdgeId bottom = level_edge(number, low), top = level_edge(number, high);
     const EdgeId at_start = upright_edge(drawn(number).start, low, high);
     const EdgeId at_end = upright_edge(drawn(number).end, low, high);
-    NurbsCurve below = moving_.curve(number, height(low)), above = moving_.curve(number, height(high));
-    if (turned) below = reversed(below, 0), above = reversed(above, 0);
-    geometry::CellFace face;
-    if (const std::optional<PlaneSurface> plane = plane_through(below, above)) {
-      face.surface = add_surface(*plane);
-    } else {
-      face.surface = add_surface(straight_wall(below, above));
-      const double start = turned ? 1 : 0, end = 1 - start;
-      trace(bottom, face.surface, line_in_domain(start, 0, end, 0));
-      trace(top, face.surface, line_in_domain(start, 1, end, 1));
-      trace(at_start, face.surface, line_in_domain(start, 0, start, 1));
-      trace(at_end, face.surface, line_in_domain(end, 0, end, 1));
-    }
-    face.loop = {{bottom, false}, {at_end, false}, {top, true}, {at_start, true}};
-    if (turned) turn(face.loop);
-    if (outer) face.origin = wall_of_solid(below, above);
-    return walls_[{number, low, high}] = add_face(std::move(face));
+    std::vector<EdgeUse> loop{{bottom, false}, {at_end, false}, {top, true}, {at_start, true}};
+    if (turned) loop = {{bottom, true}, {at_start, false}, {top, false}, {at_end, true}};
+    const auto rounded = rounding_.walls.find({number, low, high});
+    FaceId made(0);
+    if (rounded != rounding_.walls.end())
+      made = add_rounded(rounded->second, std::move(loop));
+    else
+      made = add_wall(std::move(loop), outer);
+    return walls_[{number, low, high}] = made;
   }
 
-  void trace(EdgeId edge, SurfaceId surface, NurbsCurve domain) {
-    complex_.curves[static_cast<std::size_t>(complex_.edge(edge).curve.value)].traces.push_back(
-        {surface, std::move(domain)});
+  /// @param loop  from its lower edge on
+  FaceId add_wall(std::vector<EdgeUse> loop, bool outer) {
+    const std::array<NurbsCurve, 4> sides{use_curve(loop[0]), use_curve(loop[1]), use_curve(loop[2]),
+                                          use_curve(loop[3])};
+    const NurbsCurve above = reversed(sides[2], 0);
+    const bool ruled = is_straight(sides[1]) && is_straight(sides[3]);
+    const std::optional<PlaneSurface> plane = plane_through(sides);
+    if (outer && !plane && !ruled) throw Error(ErrorCode::unsupported, "a round ends on a curved wall");
+    std::optional<FaceId> origin;
+    if (outer) origin = wall_of_solid(sides[0], above);
+    if (plane) return add_face({add_surface(*plane), std::move(loop), origin});
+    return add_on(ruled ? straight_wall(sides[0], above) : geometry::coons_surface(sides), std::move(loop),
+                  origin);
   }
 
-  /// Of straight edges with their ends in one plane; its x runs along the lower one.
-  std::optional<PlaneSurface> plane_through(const NurbsCurve& below, const NurbsCurve& above) const {
-    for (const NurbsCurve& curve : {below, above})
-      if (curve.degree(0) != 1 || curve.size() != 2) return std::nullopt;
-    const Eigen::Vector3d a = below.control_points().col(0), b = below.control_points().col(1);
-    const Eigen::Vector3d x = (b - a).normalized();
-    const Eigen::Vector3d up = above.control_points().col(0) - a;
+  /// Of curves that are in one; its x runs along the first.
+  std::optional<PlaneSurface> plane_through(const std::array<NurbsCurve, 4>& sides) const {
+    const Eigen::Vector3d a = sides[0].control_points().col(0);
+    const Eigen::Vector3d x = (sides[1].control_points().col(0) - a).normalized();
+    const Eigen::Vector3d up = sides[3].control_points().col(0) - a;
     const Eigen::Vector3d y = (up - up.dot(x) * x).normalized();
-    if (std::abs((above.control_points().col(1) - a).dot(x.cross(y))) > 1e-9 * solid_.size())
-      return std::nullopt;
+    for (const NurbsCurve& side : sides)
+      if (((side.control_points().colwise() - a).transpose() * x.cross(y)).cwiseAbs().maxCoeff() >
+          1e-9 * solid_.size())
+        return std::nullopt;
     return PlaneSurface{a, x, y};
   }
 
@@ -216,6 +293,7 @@ class ColumnComplex {
   const Quadrangulation& quads_;
   const MovingDrawing& moving_;
   const Layers& layers_;
+  const Rounding& rounding_;
   std::map<Upright, int> cells_at_;  // walls
   CellComplex complex_;
   std::map<Flat, VertexId> vertices_;
@@ -229,8 +307,8 @@ class ColumnComplex {
 }  // namespace
 
 CellComplex column_complex(const Brep& solid, const SweepFrame& frame, const Quadrangulation& quads,
-                           const MovingDrawing& moving, const Layers& layers) {
-  return ColumnComplex(solid, frame, quads, moving, layers).make();
+                           const MovingDrawing& moving, const Layers& layers, const Rounding& rounding) {
+  return ColumnComplex(solid, frame, quads, moving, layers, rounding).make();
 }
 
 }  // namespace isopatch::segmentation

@@ -10,6 +10,7 @@
 #include "geometry/brep/require_solid.hpp"
 #include "geometry/splines/arc.hpp"
 #include "geometry/splines/refine.hpp"
+#include "segmentation/sweeps/internal/offset_curve.hpp"
 #include "segmentation/sweeps/internal/straight_wall.hpp"
 #include "segmentation/sweeps/piece_of_curve.hpp"
 
@@ -42,7 +43,7 @@ double distance(double lowest, double highest, double height) {
 }  // namespace
 
 MovingDrawing::MovingDrawing(const Brep& solid, const SweepFrame& frame, const SweptDrawing& drawing,
-                             const Quadrangulation& quads)
+                             const Quadrangulation& quads, const std::map<int, double>& offsets)
     : solid_(solid),
       frame_(frame),
       drawing_(drawing),
@@ -54,8 +55,16 @@ MovingDrawing::MovingDrawing(const Brep& solid, const SweepFrame& frame, const S
     const QuadEdge& drawn = quads.edges[e];
     if (drawn.profile_edge < 0) continue;
     curves_[e] = piece_of_curve(drawing.sheet, EdgeId(drawn.profile_edge), drawn.low, drawn.high);
+    const auto offset = offsets.find(static_cast<int>(e));
+    if (offset != offsets.end()) {
+      const auto beside = offset_curve(curves_[e], frame.along, offset->second);
+      if (!beside) throw Error(ErrorCode::unsupported, "a round along an outline of no exact offset");
+      curves_[e] = *beside;
+      beside_.insert(static_cast<int>(e));
+    }
     places_[static_cast<std::size_t>(drawn.start)] = frame.flat(curves_[e].point(curves_[e].low()));
     places_[static_cast<std::size_t>(drawn.end)] = frame.flat(curves_[e].point(curves_[e].high()));
+    if (offset != offsets.end()) continue;
     for (const EdgeTrack& track : drawing.tracks.edges)
       if (const auto piece = piece_on(track, static_cast<int>(e))) pieces_[e].push_back(*piece);
   }
@@ -90,7 +99,7 @@ const MovingDrawing::Piece* MovingDrawing::at_height(const std::vector<Piece>& p
 void MovingDrawing::find_rings() {
   for (std::size_t e = 0; e < quads_.edges.size(); ++e) {
     const QuadEdge& drawn = quads_.edges[e];
-    if (drawn.profile_edge < 0) continue;
+    if (drawn.profile_edge < 0 || beside_.contains(static_cast<int>(e))) continue;
     for (const RingTrack& ring : drawing_.tracks.rings) {
       const auto is_on = [&](double share) {
         const double radius = (frame_.flat(sheet_point(drawn, share)) - ring.centre).norm();

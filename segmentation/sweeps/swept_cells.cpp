@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "geometry/base/error.hpp"
+#include "segmentation/sweeps/internal/filleted_cells.hpp"
 #include "segmentation/sweeps/stack.hpp"
 
 namespace isopatch::segmentation {
@@ -29,6 +30,7 @@ std::optional<SweptCells> swept_cells(const geometry::Brep& solid, const Quadran
     }
   }
   if (!best && refusal) throw *refusal;
+  if (!best) return filleted_cells(solid, options);
   return best;
 }
 

@@ -13,11 +13,13 @@ struct SweptCells {
   geometry::CellComplex complex;  ///< of hexahedra that meet side to side
   Eigen::Vector3d along;          ///< unit
   int quadrilaterals = 0, levels = 0;
+  int rounds = 0;  ///< concave ones along floors, which are kept
 };
 
 /// Divides a solid that is a stack: floors across one direction, walls along it or inclined to it. Bores,
 /// slots, pockets, bosses, drafts, countersinks and cones of that direction among them; holes through it and
-/// closed edges do not matter.
+/// closed edges do not matter. Concave rounds between floors and upright walls are kept, as layers of their
+/// own.
 ///
 /// The outlines of all floors are laid over each other, inclined walls where they are lowest; that drawing is
 /// divided into quadrilaterals, which are carried from floor to floor. Of several directions the one with the

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "segmentation/profiles/quadrangulation.hpp"
@@ -14,9 +15,10 @@ namespace isopatch::segmentation {
 class MovingDrawing {
  public:
   /// All must outlive it.
-  /// @throws Error unsupported  a curve that cannot be cut so
+  /// @param offsets  by edge of the drawing: how far to the left of its piece of the profile it runs, m
+  /// @throws Error unsupported  a curve that cannot be cut so, or has no exact offset
   MovingDrawing(const geometry::Brep& solid, const SweepFrame& frame, const SweptDrawing& drawing,
-                const Quadrangulation& quads);
+                const Quadrangulation& quads, const std::map<int, double>& offsets = {});
 
   Eigen::Vector3d place(int vertex, double height) const;
   /// Exact, over [0, 1] from start to end, in space.
@@ -58,6 +60,7 @@ class MovingDrawing {
   const Quadrangulation& quads_;
   std::vector<Eigen::Vector2d> places_;                           // where nothing moves
   std::vector<geometry::NurbsCurve> curves_;                      // of edges, at height 0
+  std::set<int> beside_;                                          // edges that run beside the profile
   std::vector<std::vector<Piece>> pieces_;                        // of edges
   std::map<int, std::vector<const VertexTrack*>> vertex_tracks_;  // by vertex
   std::map<int, const RingTrack*> edge_rings_, vertex_rings_;

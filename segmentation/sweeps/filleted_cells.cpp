@@ -1,0 +1,355 @@
+#include "segmentation/sweeps/internal/filleted_cells.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "geometry/base/error.hpp"
+#include "geometry/brep/require_solid.hpp"
+#include "geometry/brep/without_faces.hpp"
+#include "geometry/splines/refine.hpp"
+#include "segmentation/profiles/quadrangulate.hpp"
+#include "segmentation/sweeps/internal/column_complex.hpp"
+#include "segmentation/sweeps/internal/column_volume.hpp"
+#include "segmentation/sweeps/internal/fillet_rings.hpp"
+#include "segmentation/sweeps/internal/fillets.hpp"
+#include "segmentation/sweeps/internal/offset_curve.hpp"
+#include "segmentation/sweeps/piece_of_curve.hpp"
+
+namespace isopatch::segmentation {
+namespace {
+
+using geometry::Brep;
+using geometry::KnotVector;
+using geometry::NurbsCurve;
+using geometry::NurbsSurface;
+using geometry::Parameter;
+
+/// Half of a round's section as a rational quadratic arc: (away from the sharp edge, from the floor), m.
+using HalfSection = std::array<Eigen::Vector2d, 3>;
+const double middle_weight = std::cos(std::numbers::pi / 8);
+
+/// How far the middle of a round of radius 1 is from the floor and from the wall.
+constexpr double depth = 1 - std::numbers::sqrt2 / 2;
+/// Where the tangents at an end and at the middle meet.
+const double apex = 1 - std::tan(std::numbers::pi / 8);
+
+HalfSection lower_half(double radius) {
+  return {radius * Eigen::Vector2d(depth, depth), radius * Eigen::Vector2d(apex, 0),
+          radius * Eigen::Vector2d(1, 0)};
+}
+HalfSection upper_half(double radius) {
+  HalfSection result = lower_half(radius);
+  for (Eigen::Vector2d& point : result) std::swap(point[0], point[1]);
+  return result;
+}
+
+/// A round over a piece of the drawing.
+struct FilletOver {
+  int edge;
+  bool left;
+  const Fillet* fillet;
+  NurbsCurve sharp;  // at the floor
+};
+
+class FilletedStack {
+ public:
+  FilletedStack(const Brep& solid, const Brep& sharp, const SweepFrame& frame, std::vector<Fillet> fillets,
+                const QuadrangulationOptions& options)
+      : solid_(solid),
+        sharp_(sharp),
+        frame_(frame),
+        fillets_(std::move(fillets)),
+        drawing_(swept_drawing(sharp, frame)) {
+    const Quadrangulation quads = quadrangulate(widened_profile(), options);
+    find_pieces(quads);
+    rings_ = fillet_rings(drawing_.profile, quads, ring_pieces(), tolerance());
+  }
+
+  SweptCells make() {
+    const MovingDrawing moving(sharp_, frame_, drawing_, rings_.quads, rings_.offsets);
+    const Layers found = layers(rings_.quads, drawing_.slabs, moving, asked(), 1e-7 * solid_.size());
+    const double volume = column_volume(frame_, rings_.quads, moving, found);
+    if (!(std::abs(volume - sharp_.volume()) <= 1e-5 * sharp_.volume()))
+      throw Error(ErrorCode::unsupported, "without its rounds it is no stack");
+    for (const FilletOver& over : overs_) round(over, found);
+    require_all_rounds();
+    SweptCells result{column_complex(sharp_, frame_, rings_.quads, moving, found, rounding_), frame_.along,
+                      static_cast<int>(rings_.quads.quads.size()), static_cast<int>(found.levels.size()),
+                      static_cast<int>(fillets_.size())};
+    name_faces(result.complex);
+    return result;
+  }
+
+ private:
+  double tolerance() const { return 1e-6 * solid_.size(); }
+  double side(const FilletOver& over) const { return over.left ? 1 : -1; }
+  double rise(const Fillet& fillet) const { return fillet.rises ? 1 : -1; }
+  double floor_of(const Fillet& fillet) const {
+    return frame_.height(fillet.tube) - rise(fillet) * fillet.radius;
+  }
+
+  /// The curve beside a sharp edge at a point of a round's section.
+  std::optional<NurbsCurve> curve_at(const FilletOver& over, const Eigen::Vector2d& at) const {
+    std::optional<NurbsCurve> beside = offset_curve(over.sharp, frame_.along, side(over) * at[0]);
+    if (!beside) return std::nullopt;
+    return NurbsCurve(beside->knots(),
+                      beside->control_points().colwise() + rise(*over.fillet) * at[1] * frame_.along,
+                      beside->weights());
+  }
+
+  bool lies_on(const NurbsCurve& curve, FaceId face) const {
+    return std::all_of(std::begin(probes), std::end(probes), [&](double t) {
+      const geometry::FaceProjection nearest = solid_.project(face, curve.point(Parameter<1>(t)));
+      return nearest.distance < tolerance() && solid_.contains(face, nearest.uv);
+    });
+  }
+
+  /// By which an edge of the drawing is to be moved to its left so that it is where the round over it ends on
+  /// the floor.
+  std::optional<double> offset_of(EdgeId edge) const {
+    constexpr int parts = 3;  // of a whole circle: below 170 degrees
+    std::optional<double> found;
+    for (int i = 0; i < parts; ++i) {
+      const NurbsCurve piece = piece_of_curve(drawing_.sheet, edge, static_cast<double>(i) / parts,
+                                              static_cast<double>(i + 1) / parts);
+      std::optional<double> here;
+      for (const Fillet& fillet : fillets_)
+        for (const bool left : {true, false}) {
+          const FilletOver over{0, left, &fillet, lifted(piece, floor_of(fillet))};
+          const auto middle = curve_at(over, depth * fillet.radius * Eigen::Vector2d::Ones());
+          if (middle && lies_on(*middle, fillet.face)) here = side(over) * fillet.radius;
+        }
+      if (!here || (i > 0 && std::abs(*here - *found) > tolerance())) return std::nullopt;
+      found = here;
+    }
+    return found;
+  }
+
+  NurbsCurve lifted(const NurbsCurve& curve, double height) const {
+    const double by = height - frame_.height(curve.control_points().col(0));
+    return NurbsCurve(curve.knots(), curve.control_points().colwise() + by * frame_.along, curve.weights());
+  }
+
+  /// The drawing with outlines under rounds where those end on floors: what is divided, so that there is room
+  /// for the rings.
+  Profile widened_profile() const {
+    Profile result = drawing_.profile;
+    std::map<int, Eigen::Vector2d> moved;
+    for (std::size_t e = 0; e < result.edges.size(); ++e) {
+      const EdgeId edge(static_cast<int>(e));
+      ProfileEdge& drawn = result.edges[e];
+      const std::optional<double> offset = offset_of(edge);
+      if (!offset) continue;
+      const auto last = drawn.points.size() - 1;
+      for (std::size_t i = 0; i < last; ++i) {
+        const auto beside = offset_curve(
+            piece_of_curve(drawing_.sheet, edge, static_cast<double>(i) / static_cast<double>(last),
+                           static_cast<double>(i + 1) / static_cast<double>(last)),
+            frame_.along, *offset);
+        if (!beside) return drawing_.profile;
+        drawn.points[i] = frame_.flat(beside->point(beside->low()));
+        drawn.points[i + 1] = frame_.flat(beside->point(beside->high()));
+      }
+      if (drawn.start < 0) continue;
+      moved.insert_or_assign(drawn.start, drawn.points.front());
+      moved.insert_or_assign(drawn.end, drawn.points.back());
+    }
+    for (const auto& [vertex, place] : moved) result.vertices[static_cast<std::size_t>(vertex)] = place;
+    for (ProfileEdge& drawn : result.edges) {
+      if (drawn.start < 0) continue;
+      drawn.points.front() = result.vertices[static_cast<std::size_t>(drawn.start)];
+      drawn.points.back() = result.vertices[static_cast<std::size_t>(drawn.end)];
+    }
+    return result;
+  }
+
+  /// Which pieces of the drawing are under which rounds, and on which side.
+  void find_pieces(const Quadrangulation& quads) {
+    const MovingDrawing at(sharp_, frame_, drawing_, quads);
+    for (int e = 0; e < static_cast<int>(quads.edges.size()); ++e) {
+      if (quads.edges[static_cast<std::size_t>(e)].profile_edge < 0) continue;
+      for (const Fillet& fillet : fillets_)
+        for (const bool left : {true, false}) {
+          FilletOver over{e, left, &fillet, at.curve(e, floor_of(fillet))};
+          const auto middle = curve_at(over, depth * fillet.radius * Eigen::Vector2d::Ones());
+          if (middle && lies_on(*middle, fillet.face)) overs_.push_back(std::move(over));
+        }
+    }
+  }
+
+  std::vector<FilletPiece> ring_pieces() const {
+    std::map<int, FilletPiece> result;
+    for (const FilletOver& over : overs_) {
+      const double width = over.fillet->radius;
+      const auto beside = curve_at(over, {width, 0});
+      if (!beside)
+        throw Error(ErrorCode::unsupported,
+                    fmt::format("{} is as wide as its outline", describe(solid_, over.fillet->face)));
+      const FilletPiece piece{
+          over.edge,
+          over.left,
+          width,
+          {frame_.flat(beside->point(beside->low())), frame_.flat(beside->point(beside->high()))}};
+      const FilletPiece& known = result.try_emplace(over.edge, piece).first->second;
+      if (known.left != piece.left || std::abs(known.width - piece.width) > tolerance())
+        throw Error(ErrorCode::unsupported,
+                    fmt::format("{} has a round of another radius or on the other side over it",
+                                describe(solid_, over.fillet->face)));
+    }
+    std::vector<FilletPiece> pieces;
+    for (const auto& [edge, piece] : result) pieces.push_back(piece);
+    return pieces;
+  }
+
+  /// The quadrilateral on the wall's side of a piece under a round.
+  int wall_quad(int edge) const {
+    for (int q = 0; q < static_cast<int>(rings_.quads.quads.size()); ++q)
+      for (const geometry::EdgeUse& use : rings_.quads.quads[static_cast<std::size_t>(q)].sides)
+        if (use.edge.value == edge && q != rings_.rings.at(edge)) return q;
+    throw Error(ErrorCode::unsupported, "a round without a wall");
+  }
+
+  /// Walls are divided where rounds end.
+  std::vector<std::vector<double>> asked() const {
+    std::vector<std::vector<double>> result(rings_.quads.quads.size());
+    for (const FilletOver& over : overs_)
+      result[static_cast<std::size_t>(wall_quad(over.edge))].push_back(
+          floor_of(*over.fillet) + rise(*over.fillet) * over.fillet->radius);
+    return result;
+  }
+
+  static int level_at(const Layers& layers, double height) {
+    const auto nearest =
+        std::min_element(layers.levels.begin(), layers.levels.end(),
+                         [&](double a, double b) { return std::abs(a - height) < std::abs(b - height); });
+    return static_cast<int>(nearest - layers.levels.begin());
+  }
+
+  /// u along the sharp edge, v along the section from the middle of the round.
+  NurbsSurface surface_over(const FilletOver& over, const HalfSection& section) {
+    std::vector<Eigen::Matrix4Xd> rows;
+    for (std::size_t j = 0; j < 3; ++j) rows.push_back(curve_at(over, section[j]).value().homogeneous());
+    rows[1] *= middle_weight;
+    Eigen::Matrix4Xd net(4, 3 * rows[0].cols());
+    net << rows[0], rows[1], rows[2];
+    const NurbsSurface made =
+        NurbsSurface::from_homogeneous({over.sharp.knots(0), KnotVector::bezier(2)}, net);
+    areas_[over.fillet->face] += area_of(made);
+    return made;
+  }
+
+  static double area_of(const NurbsSurface& surface) {
+    constexpr int steps = 24;  // midpoints: about 1e-4 of the area
+    double area = 0;
+    for (int i = 0; i < steps; ++i)
+      for (int j = 0; j < steps; ++j) {
+        const Eigen::Matrix<double, 3, 2> d = surface.jacobian({(i + 0.5) / steps, (j + 0.5) / steps});
+        area += d.col(0).cross(d.col(1)).norm() / (steps * steps);
+      }
+    return area;
+  }
+
+  /// From the middle of a round along its half section at an end of the edge.
+  static NurbsCurve section_at(const NurbsSurface& surface, bool at_end) {
+    const Eigen::Index n = surface.size(0), column = at_end ? n - 1 : 0;
+    const Eigen::Matrix4Xd net = surface.homogeneous();
+    Eigen::Matrix4Xd points(4, 3);
+    for (Eigen::Index j = 0; j < 3; ++j) points.col(j) = net.col(column + n * j);
+    return NurbsCurve::from_homogeneous({surface.knots(1)}, points);
+  }
+
+  void round(const FilletOver& over, const Layers& layers) {
+    const Fillet& fillet = *over.fillet;
+    const int level = level_at(layers, floor_of(fillet)),
+              far = level_at(layers, floor_of(fillet) + rise(fillet) * fillet.radius);
+    const int low = std::min(level, far), high = std::max(level, far);
+    const auto& column = layers.columns[static_cast<std::size_t>(wall_quad(over.edge))];
+    if (std::none_of(column.begin(), column.end(),
+                     [&](const Layer& layer) { return layer.low == low && layer.high == high; }))
+      throw Error(ErrorCode::unsupported, fmt::format("another floor or ledge is within the height of {}",
+                                                      describe(solid_, fillet.face)));
+    const NurbsSurface onto_floor = surface_over(over, lower_half(fillet.radius)),
+                       onto_wall = surface_over(over, upper_half(fillet.radius));
+    const QuadEdge& drawn = rings_.quads.edges[static_cast<std::size_t>(over.edge)];
+    rounding_.level_edges.insert_or_assign(
+        {over.edge, level}, curve_at(over, depth * fillet.radius * Eigen::Vector2d::Ones()).value());
+    const Rounding::Flat from{over.edge, level};
+    const FaceId origin(static_cast<int>(sharp_.faces().size()) +
+                        static_cast<int>(&fillet - fillets_.data()));
+    rounding_.floors.insert_or_assign({rings_.rings.at(over.edge), level},
+                                      Rounding::Side{from, onto_floor, origin});
+    rounding_.walls.insert_or_assign({over.edge, low, high}, Rounding::Side{from, onto_wall, origin});
+    for (const bool at_end : {false, true}) {
+      const int vertex = at_end ? drawn.end : drawn.start;
+      const NurbsCurve down = section_at(onto_floor, at_end), up = section_at(onto_wall, at_end);
+      rounding_.vertices[{vertex, level}] = down.point(down.low());
+      const int radial = rings_.radials.at(vertex);
+      const bool outwards = rings_.quads.edges[static_cast<std::size_t>(radial)].start == vertex;
+      rounding_.level_edges.insert_or_assign({radial, level}, outwards ? down : reversed(down, 0));
+      rounding_.upright_edges.insert_or_assign({vertex, low, high}, fillet.rises ? up : reversed(up, 0));
+    }
+  }
+
+  void require_all_rounds() {
+    for (const Fillet& fillet : fillets_)
+      if (!(std::abs(areas_[fillet.face] - solid_.area(fillet.face)) < 1e-3 * solid_.area(fillet.face)))
+        throw Error(ErrorCode::unsupported,
+                    fmt::format("{} is no round along one outline", describe(solid_, fillet.face)));
+  }
+
+  /// Names of the sharp solid's faces, in whose order rounds are left out, become those of the solid's.
+  void name_faces(geometry::CellComplex& complex) const {
+    std::vector<FaceId> names;
+    for (int f = 0; f < static_cast<int>(solid_.faces().size()); ++f)
+      if (std::none_of(fillets_.begin(), fillets_.end(),
+                       [&](const Fillet& fillet) { return fillet.face == FaceId(f); }))
+        names.emplace_back(f);
+    for (const Fillet& fillet : fillets_) names.push_back(fillet.face);
+    for (geometry::CellFace& face : complex.faces)
+      if (face.origin) face.origin = names[static_cast<std::size_t>(face.origin->value)];
+  }
+
+  static constexpr double probes[] = {0.1, 0.5, 0.9};
+  const Brep& solid_;
+  const Brep& sharp_;
+  SweepFrame frame_;
+  std::vector<Fillet> fillets_;
+  SweptDrawing drawing_;
+  std::vector<FilletOver> overs_;
+  FilletRings rings_;
+  Rounding rounding_;
+  std::map<FaceId, double> areas_;
+};
+
+std::optional<SweptCells> along_direction(const Brep& solid, const Eigen::Vector3d& along,
+                                          const QuadrangulationOptions& options) {
+  const auto found = fillets(solid, along);
+  if (!found) return std::nullopt;
+  std::vector<FaceId> faces;
+  for (const Fillet& fillet : *found) faces.push_back(fillet.face);
+  const Brep sharp = geometry::without_faces(solid, faces);
+  for (const SweepFrame& frame : sweep_frames(sharp))
+    if (frame.along.cross(along).norm() < 1e-6)
+      return FilletedStack(solid, sharp, frame, fillets(solid, frame.along).value(), options).make();
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<SweptCells> filleted_cells(const Brep& solid, const QuadrangulationOptions& options) {
+  std::optional<SweptCells> best;
+  for (const Eigen::Vector3d& along : floor_directions(solid)) {
+    std::optional<SweptCells> made = along_direction(solid, along, options);
+    if (made && (!best || made->complex.cells.size() < best->complex.cells.size())) best = std::move(made);
+  }
+  return best;
+}
+
+}  // namespace isopatch::segmentation
