@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numbers>
 #include <utility>
@@ -31,24 +32,21 @@ using geometry::NurbsCurve;
 using geometry::NurbsSurface;
 using geometry::Parameter;
 
-/// Half of a round's section as a rational quadratic arc: (away from the sharp edge, from the floor), m.
-using HalfSection = std::array<Eigen::Vector2d, 3>;
-const double middle_weight = std::cos(std::numbers::pi / 8);
+/// A piece of a round's section as a rational quadratic arc: (away from the sharp edge, from the floor), m.
+struct Section {
+  std::array<Eigen::Vector2d, 3> points;
+  double middle_weight;
+};
 
-/// How far the middle of a round of radius 1 is from the floor and from the wall.
-constexpr double depth = 1 - std::numbers::sqrt2 / 2;
-/// Where the tangents at an end and at the middle meet.
-const double apex = 1 - std::tan(std::numbers::pi / 8);
-
-HalfSection lower_half(double radius) {
-  return {radius * Eigen::Vector2d(depth, depth), radius * Eigen::Vector2d(apex, 0),
-          radius * Eigen::Vector2d(1, 0)};
+/// Angles about the centre, rad: 0 where the round ends on the wall, half pi where it ends on the floor.
+Section section(double radius, double from, double to) {
+  const double half = (to - from) / 2;
+  const auto at = [&](double angle, double distance) -> Eigen::Vector2d {
+    return radius * (Eigen::Vector2d::Ones() - distance * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+  };
+  return {{at(from, 1), at(from + half, 1 / std::cos(half)), at(to, 1)}, std::cos(half)};
 }
-HalfSection upper_half(double radius) {
-  HalfSection result = lower_half(radius);
-  for (Eigen::Vector2d& point : result) std::swap(point[0], point[1]);
-  return result;
-}
+constexpr double on_wall = 0, middle = std::numbers::pi / 4, on_floor = std::numbers::pi / 2;
 
 /// A round over a piece of the drawing.
 struct FilletOver {
@@ -123,8 +121,8 @@ class FilletedStack {
       for (const Fillet& fillet : fillets_)
         for (const bool left : {true, false}) {
           const FilletOver over{0, left, &fillet, lifted(piece, floor_of(fillet))};
-          const auto middle = curve_at(over, depth * fillet.radius * Eigen::Vector2d::Ones());
-          if (middle && lies_on(*middle, fillet.face)) here = side(over) * fillet.radius;
+          const auto halfway = curve_at(over, section(fillet.radius, middle, on_floor).points[0]);
+          if (halfway && lies_on(*halfway, fillet.face)) here = side(over) * fillet.radius;
         }
       if (!here || (i > 0 && std::abs(*here - *found) > tolerance())) return std::nullopt;
       found = here;
@@ -178,8 +176,8 @@ class FilletedStack {
       for (const Fillet& fillet : fillets_)
         for (const bool left : {true, false}) {
           FilletOver over{e, left, &fillet, at.curve(e, floor_of(fillet))};
-          const auto middle = curve_at(over, depth * fillet.radius * Eigen::Vector2d::Ones());
-          if (middle && lies_on(*middle, fillet.face)) overs_.push_back(std::move(over));
+          const auto halfway = curve_at(over, section(fillet.radius, middle, on_floor).points[0]);
+          if (halfway && lies_on(*halfway, fillet.face)) overs_.push_back(std::move(over));
         }
     }
   }
@@ -232,11 +230,13 @@ class FilletedStack {
     return static_cast<int>(nearest - layers.levels.begin());
   }
 
-  /// u along the sharp edge, v along the section from the middle of the round.
-  NurbsSurface surface_over(const FilletOver& over, const HalfSection& section) {
+  /// u along the sharp edge, v along the section.
+  NurbsSurface surface_over(const FilletOver& over, double from, double to) {
+    const Section across = section(over.fillet->radius, from, to);
     std::vector<Eigen::Matrix4Xd> rows;
-    for (std::size_t j = 0; j < 3; ++j) rows.push_back(curve_at(over, section[j]).value().homogeneous());
-    rows[1] *= middle_weight;
+    for (const Eigen::Vector2d& point : across.points)
+      rows.push_back(curve_at(over, point).value().homogeneous());
+    rows[1] *= across.middle_weight;
     Eigen::Matrix4Xd net(4, 3 * rows[0].cols());
     net << rows[0], rows[1], rows[2];
     const NurbsSurface made =
@@ -256,7 +256,7 @@ class FilletedStack {
     return area;
   }
 
-  /// From the middle of a round along its half section at an end of the edge.
+  /// Along the section at an end of the edge.
   static NurbsCurve section_at(const NurbsSurface& surface, bool at_end) {
     const Eigen::Index n = surface.size(0), column = at_end ? n - 1 : 0;
     const Eigen::Matrix4Xd net = surface.homogeneous();
@@ -265,35 +265,59 @@ class FilletedStack {
     return NurbsCurve::from_homogeneous({surface.knots(1)}, points);
   }
 
-  void round(const FilletOver& over, const Layers& layers) {
+  /// Of the column on the wall's side, from the floor to where the round ends.
+  std::vector<int> levels_along(const FilletOver& over, const Layers& layers) const {
     const Fillet& fillet = *over.fillet;
     const int level = level_at(layers, floor_of(fillet)),
               far = level_at(layers, floor_of(fillet) + rise(fillet) * fillet.radius);
-    const int low = std::min(level, far), high = std::max(level, far);
-    const auto& column = layers.columns[static_cast<std::size_t>(wall_quad(over.edge))];
-    if (std::none_of(column.begin(), column.end(),
-                     [&](const Layer& layer) { return layer.low == low && layer.high == high; }))
-      throw Error(ErrorCode::unsupported, fmt::format("another floor or ledge is within the height of {}",
-                                                      describe(solid_, fillet.face)));
-    const NurbsSurface onto_floor = surface_over(over, lower_half(fillet.radius)),
-                       onto_wall = surface_over(over, upper_half(fillet.radius));
+    std::vector<int> result;
+    for (const Layer& layer : layers.columns[static_cast<std::size_t>(wall_quad(over.edge))])
+      if (layer.low >= std::min(level, far) && layer.high <= std::max(level, far))
+        result.push_back(fillet.rises ? layer.low : layer.high);
+    result.push_back(far);
+    if (!fillet.rises) std::sort(result.begin(), result.end(), std::greater<>());
+    if (result.size() < 2 || result.front() != level)
+      throw Error(ErrorCode::unsupported,
+                  fmt::format("{} has no wall beside it", describe(solid_, fillet.face)));
+    return result;
+  }
+
+  void round(const FilletOver& over, const Layers& layers) {
+    const Fillet& fillet = *over.fillet;
     const QuadEdge& drawn = rings_.quads.edges[static_cast<std::size_t>(over.edge)];
-    rounding_.level_edges.insert_or_assign(
-        {over.edge, level}, curve_at(over, depth * fillet.radius * Eigen::Vector2d::Ones()).value());
-    const Rounding::Flat from{over.edge, level};
     const FaceId origin(static_cast<int>(sharp_.faces().size()) +
                         static_cast<int>(&fillet - fillets_.data()));
-    rounding_.floors.insert_or_assign({rings_.rings.at(over.edge), level},
-                                      Rounding::Side{from, onto_floor, origin});
-    rounding_.walls.insert_or_assign({over.edge, low, high}, Rounding::Side{from, onto_wall, origin});
+    const std::vector<int> levels = levels_along(over, layers);
+    const NurbsSurface down = surface_over(over, middle, on_floor);
+    rounding_.floors.insert_or_assign({rings_.rings.at(over.edge), levels.front()},
+                                      Rounding::Side{{over.edge, levels.front()}, down, origin});
+    for (const bool at_end : {false, true}) {
+      const int vertex = at_end ? drawn.end : drawn.start, radial = rings_.radials.at(vertex);
+      const NurbsCurve curve = section_at(down, at_end);
+      const bool outwards = rings_.quads.edges[static_cast<std::size_t>(radial)].start == vertex;
+      rounding_.level_edges.insert_or_assign({radial, levels.front()}, outwards ? curve : reversed(curve, 0));
+    }
+    const auto pieces = static_cast<double>(levels.size() - 1);
+    for (std::size_t i = 0; i + 1 < levels.size(); ++i)
+      round_wall(over, levels[i], levels[i + 1], middle * (1 - static_cast<double>(i) / pieces),
+                 middle * (1 - static_cast<double>(i + 1) / pieces), origin);
+  }
+
+  /// Between two levels, of which the first goes to the round.
+  void round_wall(const FilletOver& over, int level, int next, double from, double to, FaceId origin) {
+    const QuadEdge& drawn = rings_.quads.edges[static_cast<std::size_t>(over.edge)];
+    const int low = std::min(level, next), high = std::max(level, next);
+    const NurbsSurface surface = surface_over(over, from, to);
+    rounding_.walls.insert_or_assign({over.edge, low, high},
+                                     Rounding::Side{{over.edge, level}, surface, origin});
+    rounding_.level_edges.insert_or_assign(
+        {over.edge, level}, curve_at(over, section(over.fillet->radius, from, to).points[0]).value());
     for (const bool at_end : {false, true}) {
       const int vertex = at_end ? drawn.end : drawn.start;
-      const NurbsCurve down = section_at(onto_floor, at_end), up = section_at(onto_wall, at_end);
-      rounding_.vertices[{vertex, level}] = down.point(down.low());
-      const int radial = rings_.radials.at(vertex);
-      const bool outwards = rings_.quads.edges[static_cast<std::size_t>(radial)].start == vertex;
-      rounding_.level_edges.insert_or_assign({radial, level}, outwards ? down : reversed(down, 0));
-      rounding_.upright_edges.insert_or_assign({vertex, low, high}, fillet.rises ? up : reversed(up, 0));
+      const NurbsCurve curve = section_at(surface, at_end);
+      rounding_.vertices[{vertex, level}] = curve.point(curve.low());
+      rounding_.upright_edges.insert_or_assign({vertex, low, high},
+                                               low == level ? curve : reversed(curve, 0));
     }
   }
 

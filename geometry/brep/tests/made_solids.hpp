@@ -17,8 +17,9 @@ namespace isopatch::geometry::test {
 /// and a pin). Stacks along z (made_solids/stacks.cpp): "countersunk", "drafted_pocket", "drafted_boss",
 /// "shaft" (with a cone), "bored_boss", "pocketed", "wavy" (a wall is a spline). Of several directions
 /// (made_solids/crossed.cpp): "angle" (two plates of 8, bored), "bent_sheet" (the same, bent round), "fork"
-/// (with a pin's bore and one across it), "lugs" (two on a plate), "flanged_bend" (a pipe),
-/// "filleted_boss" (which is none before its fillet of 2 is taken off). Turned
+/// (with a pin's bore and one across it), "lugs" (two on a plate), "flanged_bend" (a pipe).
+/// Stacks but for their rounds (made_solids/rounds.cpp): "filleted_boss", "filleted_step", "filleted_pocket" (concave ones
+/// along floors), "rounded_boss" (a convex one). Turned
 /// (made_solids/turned.cpp): "ball_on_rod" (along x), "bored_ball", "hollow_ball", "domed_rod", "round_cup",
 /// "flat_cup", "pointed_rod", "ring_in_halves" (all faces), "sheave", "round_ring", "vessel_head"
 /// (ellipsoids), and by an angle "bent_rod" (120 degrees), "bent_tube" (90), "half_torus", "half_shaft",

@@ -33,11 +33,13 @@ INSTANTIATE_TEST_SUITE_P(Solids, SweptCells,
                                          Sample{"grooved", 7}, Sample{"notched", 7}, Sample{"pocketed", 14},
                                          Sample{"countersunk", 8}, Sample{"drafted_pocket", 14},
                                          Sample{"drafted_boss", 14}, Sample{"shaft", 29},
-                                         Sample{"bored_boss", 12}, Sample{"wavy", 5}),
+                                         Sample{"bored_boss", 12}, Sample{"wavy", 5},
+                                         Sample{"filleted_boss", 40}, Sample{"filleted_step", 90},
+                                         Sample{"filleted_pocket", 60}),
                          [](const auto& info) { return std::string(info.param.name); });
 
 TEST(SweptCells, AreNoneOfOtherSolids) {
-  for (const char* name : {"sphere", "torus", "spring", "round_corner"})
+  for (const char* name : {"sphere", "torus", "spring", "round_corner", "rounded_boss"})
     EXPECT_FALSE(swept_cells(geometry::test::made_brep(name))) << name;
 }
 

@@ -53,20 +53,6 @@ TopoDS_Shape bored(const TopoDS_Shape& solid) {
   return without(without(solid, pin({26, 15, -1}, gp::DZ(), 5, 12)), pin({-1, 15, 28}, gp::DX(), 4, 12));
 }
 
-// A boss on a plate, with a fillet of 2 around it.
-TopoDS_Shape filleted_boss() {
-  const TopoDS_Shape sharp = joined(plate(0, 0, 0, 30, 20, 10), pin({15, 10, 10}, gp::DZ(), 5, 8));
-  BRepFilletAPI_MakeFillet fillet(sharp);
-  for (TopExp_Explorer it(sharp, TopAbs_EDGE); it.More(); it.Next()) {
-    const TopoDS_Edge edge = TopoDS::Edge(it.Current());
-    const gp_Pnt a = BRep_Tool::Pnt(TopExp::FirstVertex(edge)), b = BRep_Tool::Pnt(TopExp::LastVertex(edge));
-    if (a.Distance(b) > 1e-9 || std::abs(a.Z() - 10) > 1e-9) continue;
-    fillet.Add(2, edge);
-    break;
-  }
-  return fillet.Shape();
-}
-
 // A bend of a pipe about y, from the origin towards z, on a plate below.
 TopoDS_Shape flanged_bend() {
   const auto bend = [](double radius) {
@@ -91,7 +77,6 @@ std::map<std::string, TopoDS_Shape> crossed() {
       {"bent_sheet", bored(rounded(rounded(angle(), 0, 12), 8, 4))},
       {"fork",
        without(without(fork, pin({30, 15, -1}, gp::DZ(), 5, 32)), pin({-1, 15, 15}, gp::DX(), 4, 20))},
-      {"filleted_boss", filleted_boss()},
       {"flanged_bend", flanged_bend()},
       {"lugs", without(without(lugs, pin({26, 15, -1}, gp::DZ(), 5, 12)), pin({6, 0, 16}, gp::DY(), 3, 30))},
   };

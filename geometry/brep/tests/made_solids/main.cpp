@@ -44,6 +44,7 @@
 #include <vector>
 
 #include "geometry/brep/tests/made_solids/crossed.hpp"
+#include "geometry/brep/tests/made_solids/rounds.hpp"
 #include "geometry/brep/tests/made_solids/stacks.hpp"
 #include "geometry/brep/tests/made_solids/turned.hpp"
 
@@ -249,6 +250,7 @@ void write_all(const std::string& folder) {
   write(spring(), in_folder("spring"));
   for (const auto& [name, shape] : stacks()) write(shape, in_folder(name.c_str()));
   for (const auto& [name, shape] : crossed()) write(shape, in_folder(name.c_str()));
+  for (const auto& [name, shape] : rounds()) write(shape, in_folder(name.c_str()));
   for (const auto& [name, shape] : turned_solids()) write(shape, in_folder(name.c_str()));
   write(drilled_quarters(), in_folder("drilled_quarters"));
   write(raised(sector(90), 4), in_folder("ring_quarter"));
