@@ -9,8 +9,10 @@
 
 #include "geometry/base/error.hpp"
 #include "geometry/base/stopwatch.hpp"
+#include "geometry/brep/hexahedra_quality.hpp"
 #include "geometry/brep/require_solid.hpp"
 #include "segmentation/decomposition/prepare.hpp"
+#include "segmentation/pieces/mirror_planes.hpp"
 #include "segmentation/pieces/mirrored_cells.hpp"
 #include "segmentation/pieces/pieced_cells.hpp"
 #include "segmentation/sweeps/in_the_way.hpp"
@@ -101,15 +103,33 @@ std::string text_of(const PiecedCells& cells) {
 struct KnownCells {
   geometry::CellComplex complex;
   std::string seen_as;
+  bool in_pieces = false;
 };
 
-/// Looks at a solid in one way, and keeps what is found if it takes fewer hexahedra than what is known.
+/// A half and its image.
+struct MirroredCells {
+  geometry::CellComplex complex;
+  std::string half;  ///< what it was seen as
+};
+
+std::string text_of(const MirroredCells& cells) {
+  return "one half mirrored, " + cells.half;
+}
+
+/// How dear hexahedra are: their number, and more of it where they are poor.
+double cost(const geometry::CellComplex& complex) {
+  constexpr double good = 0.25;  // of a scaled Jacobian; better ones are not worth another hexahedron
+  const double quality = std::clamp(geometry::least_quality(complex), 0.01, good);
+  return static_cast<double>(complex.cells.size()) / quality;
+}
+
+/// Looks at a solid in one way, and keeps what is found if it is cheaper than what is known.
 /// @param why_not  gets what stopped a solid that looks as if it would do
 template <class Look>
 void look(const Look& at, std::optional<KnownCells>& best, std::string& why_not) {
   try {
     auto made = at();
-    if (!made || (best && best->complex.cells.size() <= made->complex.cells.size())) return;
+    if (!made || (best && cost(best->complex) <= cost(made->complex))) return;
     std::string text = text_of(*made);
     best = KnownCells{std::move(made->complex), std::move(text)};
   } catch (const Error& error) {
@@ -123,8 +143,35 @@ std::optional<KnownCells> known_cells(const geometry::Brep& solid, double second
   std::optional<KnownCells> best;
   if (!planes_are_divided(solid)) look([&] { return swept_cells(solid); }, best, why_not);
   look([&] { return turned_cells(solid); }, best, why_not);
-  if (!best && !planes_are_divided(solid))
-    look([&] { return pieced_cells(solid, {}, seconds); }, best, why_not);
+  if (best || planes_are_divided(solid)) return best;
+  look([&] { return pieced_cells(solid, {}, seconds); }, best, why_not);
+  if (best) best->in_pieces = true;
+  return best;
+}
+
+/// What is swept or turned is divided along its symmetries at once; what comes in pieces is tried by halves
+/// as well.
+std::optional<KnownCells> known_or_mirrored(const geometry::Brep& solid, double seconds,
+                                            std::string& why_not) {
+  std::optional<KnownCells> best = known_cells(solid, seconds, why_not);
+  if (!best || !best->in_pieces) return best;
+  constexpr std::size_t most = 3;
+  const std::vector<geometry::PlaneSurface> planes = mirror_planes(solid);
+  for (std::size_t i = 0; i < std::min(most, planes.size()); ++i) {
+    std::string stopped_by;
+    look(
+        [&]() -> std::optional<MirroredCells> {
+          MirroredCells result;
+          result.complex = mirrored_cells(solid, planes[i], [&](const geometry::Brep& half) {
+            std::optional<KnownCells> made = known_cells(half, seconds, stopped_by);
+            if (!made) throw Error(ErrorCode::unsupported, stopped_by);
+            result.half = made->seen_as;
+            return std::move(made->complex);
+          });
+          return result;
+        },
+        best, stopped_by);
+  }
   return best;
 }
 
@@ -180,7 +227,7 @@ KnownShape known_shape(const geometry::Brep& solid, const DecompositionOptions& 
   }
   if (options.method == Method::cuts || options.t_joints == TJoints::keep) return result;
   std::string stopped_by;
-  if (std::optional<KnownCells> made = known_cells(solid, options.time_limit / 4, stopped_by))
+  if (std::optional<KnownCells> made = known_or_mirrored(solid, options.time_limit / 4, stopped_by))
     result.decomposition = decomposition_of(std::move(*made), watch.seconds());
   else if (result.why_not = no_stack(solid, options); result.why_not.empty() && !stopped_by.empty())
     result.why_not = "It looks swept or turned, but " + stopped_by;

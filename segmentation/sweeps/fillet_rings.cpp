@@ -115,15 +115,11 @@ class RingInserter {
     (at_start ? made(edge).start : made(edge).end) = foot;
     if (whole.profile_edge < 0) return std::nullopt;
     const ProfileEdge& outline = profile_.edges[static_cast<std::size_t>(whole.profile_edge)];
-    const auto beside = std::count_if(given_.quads.begin(), given_.quads.end(), [&](const Quad& quad) {
-      return std::any_of(quad.sides.begin(), quad.sides.end(),
-                         [&](const EdgeUse& use) { return use.edge.value == edge; });
-    });
     const Eigen::Vector2d along = outline.points.back() - outline.points.front(),
                           to_foot =
                               made_.quads.vertices[static_cast<std::size_t>(foot)] - outline.points.front();
     const double at = to_foot.dot(along) / along.squaredNorm();
-    if (beside != 1 || outline.points.size() != 2 || (to_foot - at * along).norm() > tolerance_)
+    if (outline.points.size() != 2 || (to_foot - at * along).norm() > tolerance_)
       refuse(vertex, "meets another outline");
     if (at <= whole.low || at >= whole.high) refuse(vertex, "is wider than the floor");
     QuadEdge cut = whole;

@@ -15,9 +15,9 @@
 #include "geometry/brep/require_solid.hpp"
 #include "geometry/brep/without_faces.hpp"
 #include "geometry/splines/refine.hpp"
-#include "segmentation/profiles/quadrangulate.hpp"
 #include "segmentation/sweeps/internal/column_complex.hpp"
 #include "segmentation/sweeps/internal/column_volume.hpp"
+#include "segmentation/sweeps/internal/divided_drawing.hpp"
 #include "segmentation/sweeps/internal/fillet_rings.hpp"
 #include "segmentation/sweeps/internal/fillets.hpp"
 #include "segmentation/sweeps/internal/offset_curve.hpp"
@@ -64,10 +64,10 @@ class FilletedStack {
         sharp_(sharp),
         frame_(frame),
         fillets_(std::move(fillets)),
-        drawing_(swept_drawing(sharp, frame)) {
-    const Quadrangulation quads = quadrangulate(widened_profile(), options);
-    find_pieces(quads);
-    rings_ = fillet_rings(drawing_.profile, quads, ring_pieces(), tolerance());
+        divided_(divided_drawing(sharp, frame, {}, options,
+                                 [&](const SweptDrawing& drawing) { return widened_profile(drawing); })) {
+    find_pieces(divided_.quads);
+    rings_ = fillet_rings(drawing_.profile, divided_.quads, ring_pieces(), tolerance());
   }
 
   SweptCells make() {
@@ -111,12 +111,12 @@ class FilletedStack {
 
   /// By which an edge of the drawing is to be moved to its left so that it is where the round over it ends on
   /// the floor.
-  std::optional<double> offset_of(EdgeId edge) const {
+  std::optional<double> offset_of(const Brep& sheet, EdgeId edge) const {
     constexpr int parts = 3;  // of a whole circle: below 170 degrees
     std::optional<double> found;
     for (int i = 0; i < parts; ++i) {
-      const NurbsCurve piece = piece_of_curve(drawing_.sheet, edge, static_cast<double>(i) / parts,
-                                              static_cast<double>(i + 1) / parts);
+      const NurbsCurve piece =
+          piece_of_curve(sheet, edge, static_cast<double>(i) / parts, static_cast<double>(i + 1) / parts);
       std::optional<double> here;
       for (const Fillet& fillet : fillets_)
         for (const bool left : {true, false}) {
@@ -137,21 +137,21 @@ class FilletedStack {
 
   /// The drawing with outlines under rounds where those end on floors: what is divided, so that there is room
   /// for the rings.
-  Profile widened_profile() const {
-    Profile result = drawing_.profile;
+  Profile widened_profile(const SweptDrawing& drawing) const {
+    Profile result = drawing.profile;
     std::map<int, Eigen::Vector2d> moved;
     for (std::size_t e = 0; e < result.edges.size(); ++e) {
       const EdgeId edge(static_cast<int>(e));
       ProfileEdge& drawn = result.edges[e];
-      const std::optional<double> offset = offset_of(edge);
+      const std::optional<double> offset = offset_of(drawing.sheet, edge);
       if (!offset) continue;
       const auto last = drawn.points.size() - 1;
       for (std::size_t i = 0; i < last; ++i) {
         const auto beside = offset_curve(
-            piece_of_curve(drawing_.sheet, edge, static_cast<double>(i) / static_cast<double>(last),
+            piece_of_curve(drawing.sheet, edge, static_cast<double>(i) / static_cast<double>(last),
                            static_cast<double>(i + 1) / static_cast<double>(last)),
             frame_.along, *offset);
-        if (!beside) return drawing_.profile;
+        if (!beside) return drawing.profile;
         drawn.points[i] = frame_.flat(beside->point(beside->low()));
         drawn.points[i + 1] = frame_.flat(beside->point(beside->high()));
       }
@@ -345,7 +345,8 @@ class FilletedStack {
   const Brep& sharp_;
   SweepFrame frame_;
   std::vector<Fillet> fillets_;
-  SweptDrawing drawing_;
+  DividedDrawing divided_;
+  const SweptDrawing& drawing_ = divided_.drawing;
   std::vector<FilletOver> overs_;
   FilletRings rings_;
   Rounding rounding_;

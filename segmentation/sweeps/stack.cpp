@@ -10,9 +10,9 @@
 
 #include "geometry/base/error.hpp"
 #include "segmentation/profiles/divide_side.hpp"
-#include "segmentation/profiles/quadrangulate.hpp"
 #include "segmentation/sweeps/internal/column_complex.hpp"
 #include "segmentation/sweeps/internal/column_volume.hpp"
+#include "segmentation/sweeps/internal/divided_drawing.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -49,8 +49,12 @@ bool is_stack(const Brep& solid, const SweepFrame& frame) {
 }
 
 struct Stack::Parts {
-  Parts(const Brep& given, SweepFrame along, const std::vector<Line>& lines)
-      : solid(given), frame(std::move(along)), drawing(swept_drawing(given, frame, lines)) {}
+  Parts(const Brep& given, SweepFrame along, const std::vector<Line>& lines,
+        const QuadrangulationOptions& options)
+      : solid(given),
+        frame(std::move(along)),
+        divided(divided_drawing(given, frame, lines, options)),
+        asked(divided.quads.quads.size()) {}
 
   MovingDrawing moving() const { return {solid, frame, drawing, quads}; }
   Layers layers(const MovingDrawing& at) const {
@@ -59,17 +63,15 @@ struct Stack::Parts {
 
   const Brep& solid;
   SweepFrame frame;
-  SweptDrawing drawing;
-  Quadrangulation quads;
+  DividedDrawing divided;
+  SweptDrawing& drawing = divided.drawing;
+  Quadrangulation& quads = divided.quads;
   std::vector<std::vector<double>> asked;  // heights of further levels, by quadrilateral
 };
 
 Stack::Stack(const Brep& solid, SweepFrame frame, const std::vector<Line>& lines,
              const QuadrangulationOptions& options)
-    : parts_(std::make_unique<Parts>(solid, std::move(frame), lines)) {
-  parts_->quads = quadrangulate(parts_->drawing.profile, options);
-  parts_->asked.resize(parts_->quads.quads.size());
-}
+    : parts_(std::make_unique<Parts>(solid, std::move(frame), lines, options)) {}
 Stack::Stack(Stack&&) noexcept = default;
 Stack& Stack::operator=(Stack&&) noexcept = default;
 Stack::~Stack() = default;

@@ -77,16 +77,24 @@ class Overlayer {
     return TopoDS::Edge(source.first < source.last ? maker.Shape() : maker.Shape().Reversed());
   }
 
-  /// A whole circle has a vertex where it begins, which must be none but where a line ends.
+  /// A whole circle has a vertex where it begins, which must be none but where a line ends or crosses it.
   void begin_at_a_line(const Handle(Geom_Circle) & circle) const {
     const gp_Ax2 frame = circle->Position();
-    for (const auto& line : lines_)
-      for (const Eigen::Vector3d& end : line) {
-        const gp_Pnt at = to_point(end / metres_);
-        if (std::abs(at.Distance(frame.Location()) - circle->Radius()) > 1e-7 * circle->Radius()) continue;
-        circle->SetPosition(gp_Ax2(frame.Location(), frame.Direction(), gp_Vec(frame.Location(), at)));
+    const Eigen::Vector3d centre = to_eigen(frame.Location());
+    const double radius = circle->Radius();
+    for (const auto& line : lines_) {
+      const Eigen::Vector3d start = line[0] / metres_, way = line[1] / metres_ - start;
+      const double length = way.norm(), middle = (centre - start).dot(way) / length;
+      const double half = radius * radius - (start + middle / length * way - centre).squaredNorm();
+      for (const double side : {-1.0, 1.0}) {
+        const double at = middle + side * std::sqrt(std::max(0.0, half));
+        const Eigen::Vector3d point = start + std::clamp(at, 0.0, length) / length * way;
+        if (std::abs((point - centre).norm() - radius) > 1e-7 * radius) continue;
+        circle->SetPosition(
+            gp_Ax2(frame.Location(), frame.Direction(), gp_Vec(frame.Location(), to_point(point))));
         return;
       }
+    }
   }
 
   TopoDS_Edge redrawn(EdgeId id, const Redrawn::mapped_type& as) {

@@ -1,0 +1,89 @@
+#include "segmentation/sweeps/internal/divided_drawing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "geometry/base/error.hpp"
+#include "segmentation/profiles/quadrangulate.hpp"
+#include "segmentation/profiles/symmetry.hpp"
+
+namespace isopatch::segmentation {
+namespace {
+
+using Lines = std::vector<std::array<Eigen::Vector3d, 2>>;
+
+Profile profile_of(const SweptDrawing& drawing, const AsDivided& as_divided) {
+  return as_divided ? as_divided(drawing) : drawing.profile;
+}
+
+bool stays(const Tracks& tracks) {
+  return tracks.vertices.empty() && tracks.edges.empty() && tracks.rings.empty();
+}
+
+/// Their number, and more where some are poor.
+double cost_of(const Profile& profile, const Quadrangulation& quads) {
+  constexpr double good = 0.25;  // of a scaled Jacobian: better ones are not worth another quadrilateral
+  double least = good;
+  for (int q = 0; q < static_cast<int>(quads.quads.size()); ++q)
+    least = std::min(least, shape_of(profile, quads, q).jacobian);
+  return static_cast<double>(quads.quads.size()) / std::max(least, 0.01);
+}
+
+/// As long as the solid to both sides, so that it crosses all of the drawing.
+std::array<Eigen::Vector3d, 2> in_space(const MirrorLine& line, const geometry::Brep& solid,
+                                        const SweepFrame& frame) {
+  const Eigen::Vector2d middle =
+      line.point + (frame.flat(solid.vertex(VertexId(0))) - line.point).dot(line.along) * line.along;
+  return {frame.point(middle - solid.size() * line.along, 0),
+          frame.point(middle + solid.size() * line.along, 0)};
+}
+
+/// Each line, and the first two at right angles.
+std::vector<std::vector<MirrorLine>> ways_to_mirror(const std::vector<MirrorLine>& lines) {
+  constexpr std::size_t most = 4;
+  std::vector<std::vector<MirrorLine>> result;
+  for (const MirrorLine& line : lines)
+    if (result.size() < most) result.push_back({line});
+  for (std::size_t j = 1; j < lines.size(); ++j)
+    if (std::abs(lines[0].along.dot(lines[j].along)) < 1e-6) {
+      result.push_back({lines[0], lines[j]});
+      break;
+    }
+  return result;
+}
+
+}  // namespace
+
+DividedDrawing divided_drawing(const geometry::Brep& solid, const SweepFrame& frame, const Lines& lines,
+                               const QuadrangulationOptions& options, const AsDivided& as_divided) {
+  std::optional<DividedDrawing> best;
+  std::optional<Error> refusal;
+  double least = 0;
+  const auto consider = [&](SweptDrawing drawing, const std::vector<MirrorLine>& mirrors) {
+    try {
+      const Profile profile = profile_of(drawing, as_divided);
+      Quadrangulation quads = mirrored_quadrangulation(profile, mirrors, options);
+      const double cost = cost_of(profile, quads);
+      if (!best || cost < least) best = DividedDrawing{std::move(drawing), std::move(quads)}, least = cost;
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::internal) throw;
+      if (!refusal) refusal = error;
+    }
+  };
+  SweptDrawing whole = swept_drawing(solid, frame, lines);
+  std::vector<std::vector<MirrorLine>> ways;
+  if (lines.empty() && stays(whole.tracks))
+    ways = ways_to_mirror(mirror_lines(profile_of(whole, as_divided)));
+  consider(std::move(whole), {});
+  for (const std::vector<MirrorLine>& mirrors : ways) {
+    Lines drawn;
+    for (const MirrorLine& mirror : mirrors) drawn.push_back(in_space(mirror, solid, frame));
+    consider(swept_drawing(solid, frame, drawn), mirrors);
+  }
+  if (!best) throw *refusal;
+  return std::move(*best);
+}
+
+}  // namespace isopatch::segmentation
