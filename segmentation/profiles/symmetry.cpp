@@ -19,8 +19,8 @@ using Eigen::Vector2d;
 using geometry::EdgeUse;
 using planar::Curve;
 
-/// Of the size of a drawing: what curves through points agree to.
-constexpr double near_enough = 1e-5;
+/// Of the size of a drawing: what curves through points agree to, and how exactly lines must do.
+constexpr double near_enough = 1e-5, near_enough_for_lines = 5e-7;
 
 double size_of(const Profile& profile) {
   Vector2d low = Vector2d::Constant(1e300), high = -low;
@@ -45,7 +45,7 @@ struct OnCurve {
   double at;
 };
 
-/// The edge of a profile at a point.
+/// The edge of a profile nearest to a point.
 class EdgeFinder {
  public:
   EdgeFinder(const Profile& profile, const std::vector<Curve>& curves, double tolerance)
@@ -59,13 +59,16 @@ class EdgeFinder {
   }
 
   std::optional<OnCurve> at(const Vector2d& point) const {
+    std::optional<OnCurve> best;
+    double least = tolerance_;
     for (std::size_t e = 0; e < curves_.size(); ++e) {
       if ((point.array() < boxes_[e].first.array()).any() || (point.array() > boxes_[e].second.array()).any())
         continue;
-      const double t = on(static_cast<int>(e), point);
-      if ((curves_[e].at(t) - point).norm() < tolerance_) return OnCurve{static_cast<int>(e), t};
+      const double t = on(static_cast<int>(e), point), off = (curves_[e].at(t) - point).norm();
+      const bool is_on = off < (curves_[e].straight() ? near_enough_for_lines / near_enough : 1) * tolerance_;
+      if (is_on && off < least) best = OnCurve{static_cast<int>(e), t}, least = off;
     }
-    return std::nullopt;
+    return best;
   }
 
   double on(int edge, const Vector2d& point) const {
@@ -187,8 +190,12 @@ class Mirrorer {
     const Vector2d at = half_.vertices[static_cast<std::size_t>(vertex)];
     if (is_on_line(at)) return vertex;
     const Vector2d there = image_of(line_, at);
-    for (std::size_t v = 0; v < profile_.vertices.size(); ++v)
-      if ((profile_.vertices[v] - there).norm() < tolerance_) return known->second = static_cast<int>(v);
+    const auto off = [&](const Vector2d& p) { return (p - there).norm(); };
+    const auto nearest =
+        std::min_element(profile_.vertices.begin(), profile_.vertices.end(),
+                         [&](const Vector2d& a, const Vector2d& b) { return off(a) < off(b); });
+    if (nearest != profile_.vertices.end() && off(*nearest) < tolerance_)
+      return known->second = static_cast<int>(nearest - profile_.vertices.begin());
     made_.vertices.push_back(there);
     return known->second = static_cast<int>(made_.vertices.size()) - 1;
   }
@@ -204,7 +211,8 @@ class Mirrorer {
     bool turned = false;
     if (edge.profile_edge >= 0) turned = move_to_image(edge, image);
     const bool is_same = image.start == edge.start && image.end == edge.end &&
-                         image.profile_edge == edge.profile_edge && std::abs(image.low - edge.low) < 1e-6 && (!edge.apex || is_on_line(*edge.apex));
+                         image.profile_edge == edge.profile_edge && std::abs(image.low - edge.low) < 1e-6 &&
+                         (!edge.apex || is_on_line(*edge.apex));
     if (is_same && !turned) return edges_[number] = {EdgeId(number), false};
     made_.edges.push_back(image);
     return edges_[number] = {EdgeId(static_cast<int>(made_.edges.size()) - 1), turned};

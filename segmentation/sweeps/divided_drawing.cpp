@@ -42,7 +42,7 @@ std::array<Eigen::Vector3d, 2> in_space(const MirrorLine& line, const geometry::
 
 /// Each line, and the first two at right angles.
 std::vector<std::vector<MirrorLine>> ways_to_mirror(const std::vector<MirrorLine>& lines) {
-  constexpr std::size_t most = 4;
+  constexpr std::size_t most = 2;
   std::vector<std::vector<MirrorLine>> result;
   for (const MirrorLine& line : lines)
     if (result.size() < most) result.push_back({line});

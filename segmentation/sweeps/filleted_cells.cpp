@@ -353,13 +353,25 @@ class FilletedStack {
   std::map<FaceId, double> areas_;
 };
 
+/// Nothing where the faces around the rounds do not meet.
+std::optional<Brep> sharp_solid(const Brep& solid, const std::vector<FaceId>& rounds) {
+  try {
+    return geometry::without_faces(solid, rounds);
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::internal) throw;
+    return std::nullopt;
+  }
+}
+
 std::optional<SweptCells> along_direction(const Brep& solid, const Eigen::Vector3d& along,
                                           const QuadrangulationOptions& options) {
   const auto found = fillets(solid, along);
   if (!found) return std::nullopt;
   std::vector<FaceId> faces;
   for (const Fillet& fillet : *found) faces.push_back(fillet.face);
-  const Brep sharp = geometry::without_faces(solid, faces);
+  const std::optional<Brep> without = sharp_solid(solid, faces);
+  if (!without) return std::nullopt;
+  const Brep& sharp = *without;
   for (const SweepFrame& frame : sweep_frames(sharp))
     if (frame.along.cross(along).norm() < 1e-6)
       return FilletedStack(solid, sharp, frame, fillets(solid, frame.along).value(), options).make();
