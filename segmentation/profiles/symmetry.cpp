@@ -119,8 +119,8 @@ std::vector<Vector2d> directions(const Profile& profile) {
 }
 
 /// Half way between the outermost points across a direction: a symmetric drawing has its line there.
-std::optional<MirrorLine> line_along(const Profile& profile, const std::vector<Curve>& curves,
-                                     const Vector2d& along, double size) {
+MirrorLine line_along(const Profile& profile, const std::vector<Curve>& curves, const Vector2d& along,
+                      double size) {
   MirrorLine line{Vector2d::Zero(), along};
   double low = 1e300, high = -1e300;
   for (std::size_t e = 0; e < curves.size(); ++e) {
@@ -143,9 +143,9 @@ std::optional<MirrorLine> line_along(const Profile& profile, const std::vector<C
 
 bool is_symmetric(const Profile& profile, const std::vector<Curve>& curves, const EdgeFinder& find,
                   const MirrorLine& line) {
-  for (std::size_t e = 0; e < curves.size(); ++e)
+  for (const Curve& curve : curves)
     for (const double t : {0.0, 0.23, 0.5, 0.81})
-      if (!find.at(image_of(line, curves[e].at(t)))) return false;
+      if (!find.at(image_of(line, curve.at(t)))) return false;
   return std::all_of(profile.vertices.begin(), profile.vertices.end(),
                      [&](const Vector2d& vertex) { return find.at(image_of(line, vertex)).has_value(); });
 }
@@ -303,8 +303,8 @@ std::vector<MirrorLine> mirror_lines(const Profile& profile) {
   const EdgeFinder find(profile, curves, near_enough * size);
   std::vector<MirrorLine> result;
   for (const Vector2d& along : directions(profile)) {
-    const auto line = line_along(profile, curves, along, size);
-    if (line && result.size() < most && is_symmetric(profile, curves, find, *line)) result.push_back(*line);
+    const MirrorLine line = line_along(profile, curves, along, size);
+    if (result.size() < most && is_symmetric(profile, curves, find, line)) result.push_back(line);
   }
   return result;
 }

@@ -239,7 +239,7 @@ class FilletedStack {
     rows[1] *= across.middle_weight;
     Eigen::Matrix4Xd net(4, 3 * rows[0].cols());
     net << rows[0], rows[1], rows[2];
-    const NurbsSurface made =
+    NurbsSurface made =
         NurbsSurface::from_homogeneous({over.sharp.knots(0), KnotVector::bezier(2)}, net);
     areas_[over.fillet->face] += area_of(made);
     return made;

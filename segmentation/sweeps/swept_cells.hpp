@@ -3,18 +3,10 @@
 #include <optional>
 
 #include "geometry/brep/brep.hpp"
-#include "geometry/brep/cell_complex.hpp"
 #include "segmentation/profiles/quadrangulation_options.hpp"
+#include "segmentation/sweeps/swept_columns.hpp"
 
 namespace isopatch::segmentation {
-
-/// A solid as columns of hexahedra over quadrilaterals of its profile.
-struct SweptCells {
-  geometry::CellComplex complex;  ///< of hexahedra that meet side to side
-  Eigen::Vector3d along;          ///< unit
-  int quadrilaterals = 0, levels = 0;
-  int rounds = 0;  ///< concave ones along floors, which are kept
-};
 
 /// Divides a solid that is a stack: floors across one direction, walls along it or inclined to it. Bores,
 /// slots, pockets, bosses, drafts, countersinks and cones of that direction among them; holes through it and

@@ -2,7 +2,9 @@
 
 #include <optional>
 
-#include "segmentation/sweeps/swept_cells.hpp"
+#include "geometry/brep/brep.hpp"
+#include "segmentation/profiles/quadrangulation_options.hpp"
+#include "segmentation/sweeps/swept_columns.hpp"
 
 namespace isopatch::segmentation {
 
