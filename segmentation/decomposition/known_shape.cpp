@@ -10,6 +10,7 @@
 #include "geometry/base/error.hpp"
 #include "geometry/base/stopwatch.hpp"
 #include "geometry/brep/require_solid.hpp"
+#include "segmentation/branches/branched_cells.hpp"
 #include "segmentation/decomposition/prepare.hpp"
 #include "segmentation/pieces/mirrored_cells.hpp"
 #include "segmentation/pieces/pieced_cells.hpp"
@@ -82,6 +83,11 @@ std::string text_of(const TurnedCells& turned) {
                      turned.sectors == 1 ? "" : "s", column);
 }
 
+std::string text_of(const BranchedCells& cells) {
+  return fmt::format("turned about {} with {} branch{}", direction_text(cells.about), cells.branches,
+                     cells.branches == 1 ? "" : "es");
+}
+
 /// "3 pieces: swept along z, x; turned about y".
 std::string text_of(const PiecedCells& cells) {
   std::string swept, turned;
@@ -120,6 +126,7 @@ std::optional<KnownCells> known_cells(const geometry::Brep& solid, double second
   std::optional<KnownCells> best;
   if (!planes_are_divided(solid)) look([&] { return swept_cells(solid); }, best, why_not);
   look([&] { return turned_cells(solid); }, best, why_not);
+  if (!best) look([&] { return branched_cells(solid); }, best, why_not);
   if (!best && !planes_are_divided(solid))
     look([&] { return pieced_cells(solid, {}, seconds); }, best, why_not);
   return best;

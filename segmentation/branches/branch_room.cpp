@@ -1,0 +1,210 @@
+#include "segmentation/branches/internal/branch_room.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "geometry/base/error.hpp"
+#include "geometry/brep/require_solid.hpp"
+
+namespace isopatch::segmentation {
+namespace {
+
+using geometry::Brep;
+
+/// Room beside a branch across the axis, as a share of its half width: less would make thin hexahedra.
+constexpr double least_room = 0.15;
+/// Along the axis, where there is more.
+constexpr double room_along = 0.35;
+
+class RoomFinder {
+ public:
+  RoomFinder(const Brep& solid, const MainBody& body)
+      : solid_(solid), body_(body), tolerance_(1e-6 * solid.size()) {}
+
+  BranchLayout make() {
+    find_radii();
+    find_sectors();
+    for (const Branch& branch : body_.branches) add(branch);
+    return std::move(made_);
+  }
+
+ private:
+  [[noreturn]] void refuse(const Branch& branch, const std::string& what) const {
+    throw Error(ErrorCode::unsupported,
+                fmt::format("{} {}", describe(solid_, branch.outlines.front().walls.front()), what));
+  }
+
+  double along(const Eigen::Vector3d& point) const { return (point - body_.origin).dot(body_.axis); }
+  double radius(const Eigen::Vector3d& point) const {
+    return (point - body_.origin).cross(body_.axis).norm();
+  }
+
+  template <class Take>
+  void for_points(FaceId face, const Take& take) const {
+    for (const auto& loop : solid_.face(face).loops)
+      for (const geometry::EdgeUse& use : loop)
+        for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) take(solid_.point(use.edge, t));
+  }
+
+  /// Whether the axis is free, and the smallest radius of what is around it.
+  void find_radii() {
+    smallest_ = 1e300;
+    for (const FaceId face : body_.faces) {
+      const auto carrier = solid_.carrier(face);
+      for_points(face, [&](const Eigen::Vector3d& p) {
+        if (radius(p) > tolerance_) smallest_ = std::min(smallest_, radius(p));
+      });
+      if (carrier->kind != geometry::SurfaceKind::plane) continue;
+      const Eigen::Vector3d centre =
+          body_.origin + (carrier->origin - body_.origin).dot(body_.axis) * body_.axis;
+      is_solid_ = is_solid_ || solid_.contains(face, solid_.project(face, centre).uv);
+    }
+  }
+
+  /// Half of a branch's width across the axis.
+  static double half_width(const Outline& outline) {
+    double result = 0;
+    for (const PlanCurve& curve : outline.curves)
+      for (int i = 0; i <= 64; ++i) result = std::max(result, std::abs(curve.point(i / 64.0).y()));
+    return result;
+  }
+
+  /// Of those outlines that a cylinder of the body meets, the widest; wider ones, which are squeezed there,
+  /// take as much room beside it as half of what they are wider.
+  double half_width_on(const Branch& branch, FaceId cylinder) const {
+    double result = 0, widest = 0;
+    for (const Outline& outline : branch.outlines) {
+      widest = std::max(widest, half_width(outline));
+      for (const FaceId wall : outline.walls)
+        for (const auto& loop : solid_.face(wall).loops)
+          for (const geometry::EdgeUse& use : loop)
+            for (const FaceId face : solid_.edge(use.edge).faces)
+              if (face == cylinder) result = std::max(result, half_width(outline));
+    }
+    return (result + widest) / 2;
+  }
+
+  /// Sine of half a sector that has room for all branches.
+  void find_sectors() {
+    double needed = 0;
+    for (const Branch& branch : body_.branches)
+      for (const FaceId face : branch.neighbours)
+        needed =
+            std::max(needed, (1 + least_room) * half_width_on(branch, face) / solid_.carrier(face)->radius);
+    made_.request.sectors = is_solid_ || needed < std::sin(std::numbers::pi / 4) ? 4 : 3;
+    if (needed > sine())
+      refuse(body_.branches.front(),
+             fmt::format(
+                 "is too wide for its cylinder: with the room beside it, it takes {:.0f} % of the width that "
+                 "a sector of {} has",
+                 100 * needed / sine(), made_.request.sectors));
+    made_.request.towards = body_.branches.front().view.along;
+    if (is_solid_) find_core();
+  }
+
+  double sine() const { return std::sin(std::numbers::pi / made_.request.sectors); }
+
+  /// Bores through the middle pass through its column.
+  void find_core() {
+    double widest = 0;
+    for (const Branch& branch : body_.branches)
+      for (const Outline& outline : branch.outlines)
+        if (outline.is_void && reaches_core(branch, outline)) widest = std::max(widest, half_width(outline));
+    double& share = made_.request.core_share;
+    share = std::max(share, (1 + least_room) * widest / sine() / smallest_);
+    if (share > largest_core)
+      refuse(body_.branches.front(), "is too wide to pass through the middle of its body");
+  }
+
+  bool reaches_core(const Branch& branch, const Outline& outline) const {
+    bool result = false;
+    for (const FaceId wall : outline.walls)
+      for_points(wall, [&](const Eigen::Vector3d& p) {
+        result = result || branch.view.height(p) < made_.request.core_share * smallest_ * sine();
+      });
+    return result;
+  }
+
+  /// From where to where the body's cylinders go that a branch meets.
+  std::array<double, 2> room(const Branch& branch) const {
+    std::array<double, 2> result = {-1e300, 1e300};
+    for (const FaceId face : branch.neighbours) {
+      double low = 1e300, high = -1e300;
+      for_points(face, [&](const Eigen::Vector3d& p) {
+        low = std::min(low, along(p));
+        high = std::max(high, along(p));
+      });
+      result = {std::max(result[0], low), std::min(result[1], high)};
+    }
+    return result;
+  }
+
+  /// Where its side begins and ends: beside it, or where the cylinder ends if that is not far.
+  std::array<double, 2> ends(const Branch& branch) const {
+    const std::array<double, 2> all = room(branch);
+    const double width = (branch.high - branch.low) / 2;
+    double across = 0;
+    for (const Outline& outline : branch.outlines) across = std::max(across, half_width(outline));
+    const double beside = std::max(room_along * std::min(width, across), branch.surface * sine() - across);
+    std::array<double, 2> result;
+    for (const std::size_t end : {0U, 1U}) {
+      const double sign = end == 0 ? -1 : 1, from = end == 0 ? branch.low : branch.high;
+      const double free = sign * (all[end] - from);
+      if (free < least_room * std::min(width, across))
+        refuse(branch, fmt::format("ends too near to the end of its cylinder: {:.3g} m are left", free));
+      result[end] = free < 1.6 * beside ? all[end] : from + sign * beside;
+    }
+    return result;
+  }
+
+  Eigen::Vector3d on_body(const Branch& branch, double height, double distance, double angle) const {
+    return body_.origin + height * body_.axis +
+           distance * (std::cos(angle) * branch.view.along + std::sin(angle) * branch.view.y);
+  }
+
+  void add(const Branch& branch) {
+    const std::array<double, 2> at = ends(branch);
+    const double half = std::numbers::pi / made_.request.sectors;
+    BranchPlace place;
+    place.corners = {
+        on_body(branch, at[0], branch.surface, -half), on_body(branch, at[1], branch.surface, -half),
+        on_body(branch, at[1], branch.surface, half), on_body(branch, at[0], branch.surface, half)};
+    for (const double end : at) add_ray(on_body(branch, end, branch.surface, 0), -branch.view.along);
+    for (const double floor : branch.floors) {
+      // As far from the axis as the floor is, on average over the sector.
+      const double distance = floor * half / std::sin(half);
+      place.floor_radii.push_back(distance);
+      add_ray(on_body(branch, at[0], distance, 0), body_.axis);
+    }
+    made_.places.push_back(std::move(place));
+  }
+
+  void add_ray(const Eigen::Vector3d& from, const Eigen::Vector3d& along_ray) {
+    if (std::none_of(made_.request.rays.begin(), made_.request.rays.end(),
+                     [&](const TurnedRequest::Ray& known) {
+                       return std::abs(along(known.from) - along(from)) < tolerance_ &&
+                              std::abs(radius(known.from) - radius(from)) < tolerance_ &&
+                              known.along.cross(along_ray).norm() < 1e-7;
+                     }))
+      made_.request.rays.push_back({from, along_ray});
+  }
+
+  static constexpr double largest_core = 0.85;
+  const Brep& solid_;
+  const MainBody& body_;
+  double tolerance_, smallest_ = 0;
+  bool is_solid_ = false;
+  BranchLayout made_;
+};
+
+}  // namespace
+
+BranchLayout layout_of(const Brep& solid, const MainBody& body) {
+  return RoomFinder(solid, body).make();
+}
+
+}  // namespace isopatch::segmentation

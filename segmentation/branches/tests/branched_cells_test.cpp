@@ -1,0 +1,44 @@
+#include "segmentation/branches/branched_cells.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "geometry/base/tests/expect_error.hpp"
+#include "geometry/brep/tests/made_solids.hpp"
+#include "segmentation/sweeps/tests/sound_cells.hpp"
+
+namespace isopatch::segmentation {
+namespace {
+
+struct Sample {
+  const char* name;
+  std::size_t hexahedra;  ///< at most
+  int branches;
+};
+
+class BranchedSolids : public testing::TestWithParam<Sample> {};
+
+/// Where cylinders cross, CAD programs have splines in their place, to 1e-7.
+constexpr double off = 1e-6;
+
+TEST_P(BranchedSolids, FillTheSolidAndMeetSideToSide) {
+  const geometry::Brep solid = geometry::test::made_brep(GetParam().name);
+  const auto made = branched_cells(solid);
+  ASSERT_TRUE(made);
+  EXPECT_LE(made->complex.cells.size(), GetParam().hexahedra);
+  EXPECT_EQ(made->branches, GetParam().branches);
+  test::expect_sound(solid, made->complex, off);
+}
+
+INSTANTIATE_TEST_SUITE_P(Solids, BranchedSolids,
+                         testing::Values(Sample{"bossed_bar", 44, 1}, Sample{"bossed_oblique", 44, 1},
+                                         Sample{"tapped_boss", 73, 1}, Sample{"two_bosses", 83, 2},
+                                         Sample{"cross_bored", 24, 1}, Sample{"beside_the_axis", 24, 1},
+                                         Sample{"oil_bore", 15, 1}, Sample{"pinned_tube", 18, 2},
+                                         Sample{"sunk_bar", 62, 1}, Sample{"keyed_bar", 116, 1},
+                                         Sample{"tee", 44, 1}),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+}  // namespace
+}  // namespace isopatch::segmentation
