@@ -110,6 +110,13 @@ class RoomFinder {
 
   /// Bores through the middle pass through its column.
   void find_core() {
+    made_.request.core_share = usual_core;
+    for (const Branch& branch : body_.branches)
+      for (const double floor : branch.floors) {
+        const double share = below_floors * distance_of(floor) / smallest_;
+        if (share < smallest_core) refuse(branch, "reaches too near to its body's axis, or beyond");
+        made_.request.core_share = std::min(made_.request.core_share, share);
+      }
     double widest = 0;
     for (const Branch& branch : body_.branches)
       for (const Outline& outline : branch.outlines)
@@ -118,6 +125,11 @@ class RoomFinder {
     share = std::max(share, (1 + least_room) * widest / sine() / smallest_);
     if (share > largest_core)
       refuse(body_.branches.front(), "is too wide to pass through the middle of its body");
+  }
+
+  /// Of a ring that is as far from the axis as a floor is, on average over a sector.
+  double distance_of(double floor) const {
+    return floor * (std::numbers::pi / made_.request.sectors) / sine();
   }
 
   bool reaches_core(const Branch& branch, const Outline& outline) const {
@@ -175,8 +187,7 @@ class RoomFinder {
         on_body(branch, at[1], branch.surface, half), on_body(branch, at[0], branch.surface, half)};
     for (const double end : at) add_ray(on_body(branch, end, branch.surface, 0), -branch.view.along);
     for (const double floor : branch.floors) {
-      // As far from the axis as the floor is, on average over the sector.
-      const double distance = floor * half / std::sin(half);
+      const double distance = distance_of(floor);
       place.floor_radii.push_back(distance);
       add_ray(on_body(branch, at[0], distance, 0), body_.axis);
     }
@@ -193,7 +204,10 @@ class RoomFinder {
       made_.request.rays.push_back({from, along_ray});
   }
 
-  static constexpr double largest_core = 0.85;
+  /// Wider than of bodies without branches, so that drawings are squeezed less on their way through.
+  static constexpr double usual_core = 0.7, largest_core = 0.85, smallest_core = 0.3;
+  /// Of a floor's ring: how far the column along the axis reaches there.
+  static constexpr double below_floors = 0.85;
   const Brep& solid_;
   const MainBody& body_;
   double tolerance_, smallest_ = 0;

@@ -126,10 +126,29 @@ class BodyDivider {
       if (!is_mine) continue;
       for (const SweepFrame& frame : sweep_frames(part.brep))
         if (frame.along.cross(branch.view.along).norm() < 1e-7)
-          return {Stack(part.brep, frame).complex(), part.origin};
+          return {Stack(part.brep, frame, spokes(branch, height)).complex(), part.origin};
     }
     throw Error(ErrorCode::unsupported,
                 fmt::format("what stands on {} is no stack", describe(solid_, branch.faces.front())));
+  }
+
+  /// Eight across a pipe, two at each side: an odd number of pieces of its outline faces each side of its
+  /// place, whatever the flange on it needs.
+  std::vector<Line> spokes(const Branch& branch, double height) const {
+    if (branch.outlines.size() != 2) return {};
+    const PlanCurve &one = branch.outlines[0].curves.front(), &other = branch.outlines[1].curves.front();
+    if (!one.is_circle() || !other.is_circle() || (one.centre - other.centre).norm() > 1e-6 * solid_.size())
+      return {};
+    std::vector<Line> result;
+    for (int i = 0; i < 8; ++i) {
+      const Eigen::Vector2d out =
+          Eigen::Rotation2Dd((2 * i + 1) * std::numbers::pi / 8) * Eigen::Vector2d::UnitX();
+      const auto at = [&](const PlanCurve& circle) {
+        return branch.view.point(circle.centre + (circle.from - circle.centre).norm() * out, height);
+      };
+      result.push_back({at(one), at(other)});
+    }
+    return result;
   }
 
   /// How it is divided where it stands on the branch.

@@ -1,6 +1,9 @@
 #include "segmentation/branches/internal/frame_around.hpp"
 
+#include <Eigen/Core>
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "geometry/base/error.hpp"
@@ -83,10 +86,9 @@ class FrameMaker {
     std::vector<EdgeUse> uprights = {first};
     for (int i = 1; i < count; ++i) {
       const int foot = from(pieces[at(i)]);
-      const double share = static_cast<double>(i) / count;
-      const Eigen::Vector2d facing = (1 - share) * point(from(side)) + share * point(to(side));
       const int made = static_cast<int>(drawing_.vertices.size());
-      drawing_.vertices.emplace_back((point(foot) + facing) / 2);
+      drawing_.vertices.push_back(
+          between(point(foot), point(from(side)), point(to(side)), static_cast<double>(i) / count));
       uprights.push_back({add_edge(foot, made), false});
     }
     uprights.push_back(last);
@@ -99,6 +101,21 @@ class FrameMaker {
     fill(back(tops.front()), {tops.begin() + 1, tops.end() - 1}, tops.back(), side);
   }
 
+  /// Above a foot on the ring, nearer to the side's corner than in proportion, so that the angle there is no
+  /// narrow one.
+  static Eigen::Vector2d between(const Eigen::Vector2d& foot, const Eigen::Vector2d& low,
+                                 const Eigen::Vector2d& high, double share) {
+    const double length = (high - low).norm();
+    const Eigen::Vector2d along = (high - low) / length, way = foot - low;
+    const double gap = std::abs(along.x() * way.y() - along.y() * way.x());
+    const double nearer = std::min(share < 0.5 ? share : 1 - share, nearest_share * gap / length);
+    const Eigen::Vector2d facing = low + (share < 0.5 ? nearer : 1 - nearer) * (high - low);
+    return foot + above_ring * (facing - foot);
+  }
+
+  /// Of the gap between ring and side: how far from the corner a node faces the side, and how far above the
+  /// ring it is.
+  static constexpr double nearest_share = 0.75, above_ring = 0.45;
   int region_;
   const std::vector<int>& ring_;
   Quadrangulation& drawing_;
