@@ -198,6 +198,17 @@ double area_of(const Brep& solid, const MainBody& body) {
   return sum;
 }
 
+/// Whether a round face looks away from the axis; plates with bores have none.
+bool has_outside(const Brep& solid, const MainBody& body) {
+  return std::any_of(body.faces.begin(), body.faces.end(), [&](FaceId face) {
+    if (solid.carrier(face)->kind == SurfaceKind::plane) return false;
+    const geometry::DomainBox box = solid.domain(face);
+    const Eigen::Vector2d uv = box.low + 0.37 * (box.high - box.low);
+    const Eigen::Vector3d way = solid.point(face, uv) - body.origin;
+    return solid.outward_normal(face, uv).dot(way - way.dot(body.axis) * body.axis) > 0;
+  });
+}
+
 std::optional<MainBody> body_about(const Brep& solid, const AxisLine& axis) {
   MainBody result{axis.origin, axis.direction, {}, {}};
   std::set<FaceId> others;
@@ -206,7 +217,8 @@ std::optional<MainBody> body_about(const Brep& solid, const AxisLine& axis) {
       result.faces.emplace_back(f);
     else
       others.insert(FaceId(f));
-  if (others.empty() || area_of(solid, result) < least_turned * solid.area()) return std::nullopt;
+  if (others.empty() || !has_outside(solid, result) || area_of(solid, result) < least_turned * solid.area())
+    return std::nullopt;
   for (std::vector<FaceId>& group : groups_of(solid, others))
     result.branches.push_back(BranchMaker(solid, axis, std::move(group)).make());
   return result;

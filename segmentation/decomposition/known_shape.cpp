@@ -121,12 +121,14 @@ void look(const Look& at, std::optional<KnownCells>& best, std::string& why_not)
   }
 }
 
-/// @param seconds  to look for planes that cut it into pieces
-std::optional<KnownCells> known_cells(const geometry::Brep& solid, double seconds, std::string& why_not) {
+/// @param seconds       to look for planes that cut it into pieces
+/// @param not_branched  what stopped a solid that looks turned with branches
+std::optional<KnownCells> known_cells(const geometry::Brep& solid, double seconds, std::string& why_not,
+                                      std::string& not_branched) {
   std::optional<KnownCells> best;
   if (!planes_are_divided(solid)) look([&] { return swept_cells(solid); }, best, why_not);
   look([&] { return turned_cells(solid); }, best, why_not);
-  if (!best) look([&] { return branched_cells(solid); }, best, why_not);
+  if (!best) look([&] { return branched_cells(solid); }, best, not_branched);
   if (!best && !planes_are_divided(solid))
     look([&] { return pieced_cells(solid, {}, seconds); }, best, why_not);
   return best;
@@ -138,7 +140,7 @@ KnownCells as_given(const geometry::Brep& solid, const std::vector<geometry::Pla
   std::string why_not;
   std::optional<KnownCells> made;
   if (cuts.empty())
-    made = known_cells(solid, seconds, why_not);
+    made = known_cells(solid, seconds, why_not, why_not);
   else if (std::optional<PiecedCells> pieces = pieced_cells(solid, cuts, seconds))
     made = KnownCells{pieces->complex, text_of(*pieces)};
   if (!made)
@@ -183,9 +185,11 @@ KnownShape known_shape(const geometry::Brep& solid, const DecompositionOptions& 
     return result;
   }
   if (options.method == Method::cuts || options.t_joints == TJoints::keep) return result;
-  std::string stopped_by;
-  if (std::optional<KnownCells> made = known_cells(solid, options.time_limit / 4, stopped_by))
+  std::string stopped_by, not_branched;
+  if (std::optional<KnownCells> made = known_cells(solid, options.time_limit / 4, stopped_by, not_branched))
     result.decomposition = decomposition_of(std::move(*made), watch.seconds());
+  else if (!not_branched.empty())
+    result.why_not = "It looks turned, with branches across its axis, but " + not_branched;
   else if (result.why_not = no_stack(solid, options); result.why_not.empty() && !stopped_by.empty())
     result.why_not = "It looks swept or turned, but " + stopped_by;
   return result;

@@ -34,7 +34,7 @@ class RayDrawer {
     HalfCurve line;
     line.start = vertex(first_hit(from, along, true));
     line.end = vertex(first_hit(from, along, false));
-    curves().push_back(std::move(line));
+    if (!is_drawn(line)) curves().push_back(std::move(line));
   }
 
  private:
@@ -47,6 +47,14 @@ class RayDrawer {
 
   Eigen::Vector2d at(std::size_t curve, double share) {
     return point(solid_, frame_, half_.outside, curves()[curve], share);
+  }
+
+  /// Whether it runs along a straight curve.
+  bool is_drawn(const HalfCurve& line) const {
+    return std::any_of(half_.outside.curves.begin(), half_.outside.curves.end(), [&](const HalfCurve& known) {
+      return is_straight(solid_, known) &&
+             std::minmax(known.start, known.end) == std::minmax(line.start, line.end);
+    });
   }
 
   /// Where a ray begins, or what it meets next.

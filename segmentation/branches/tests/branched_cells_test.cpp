@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "geometry/base/tests/expect_error.hpp"
@@ -37,8 +38,24 @@ INSTANTIATE_TEST_SUITE_P(Solids, BranchedSolids,
                                          Sample{"cross_bored", 24, 1}, Sample{"beside_the_axis", 24, 1},
                                          Sample{"oil_bore", 15, 1}, Sample{"pinned_tube", 18, 2},
                                          Sample{"sunk_bar", 62, 1}, Sample{"keyed_bar", 116, 1},
-                                         Sample{"tee", 44, 1}),
+                                         Sample{"tee", 20, 1}, Sample{"boss_near_the_end", 39, 1}),
                          [](const auto& info) { return std::string(info.param.name); });
+
+TEST(BranchedCells, AreNoneOfSolidsWithoutATurnedBody) {
+  for (const char* name : {"block", "cylinder", "drilled", "fork"})
+    EXPECT_FALSE(branched_cells(geometry::test::made_brep(name))) << name;
+}
+
+TEST(BranchedCells, SayForWhichBranchThereIsNoRoom) {
+  EXPECT_ERROR(branched_cells(geometry::test::made_brep("wide_boss")), ErrorCode::unsupported, "too wide");
+  EXPECT_ERROR(branched_cells(geometry::test::made_brep("boss_at_the_end")), ErrorCode::unsupported,
+               "too near to the end of its cylinder");
+}
+
+TEST(BranchedCells, SayWhatTheBodyIsTurnedAbout) {
+  const auto made = branched_cells(geometry::test::made_brep("bossed_oblique"));
+  EXPECT_NEAR(std::abs(made->about.dot(Eigen::Vector3d(2, 3, 6) / 7)), 1, 1e-12);
+}
 
 }  // namespace
 }  // namespace isopatch::segmentation

@@ -60,7 +60,8 @@ std::map<std::string, TopoDS_Shape> branched() {
       {"keyed_bar", cut(bar(), key())},
       {"tee", cut(both(bar(), rod({30, 0, 0}, gp::DZ(), 6, 20)),
                   both(rod({-1, 0, 0}, gp::DX(), 7, 62), rod({30, 0, 0}, gp::DZ(), 4, 22)))},
-      {"boss_at_the_end", both(bar(), rod({6, 0, 0}, gp::DZ(), 5, 20))},
+      {"boss_near_the_end", both(bar(), rod({6, 0, 0}, gp::DZ(), 5, 20))},
+      {"boss_at_the_end", both(bar(), rod({5.3, 0, 0}, gp::DZ(), 5, 20))},
       {"wide_boss", both(bar(), rod({30, 0, 0}, gp::DZ(), 8, 20))},
   };
 }
