@@ -90,6 +90,9 @@ class RoomFinder {
 
   /// Sine of half a sector that has room for all branches.
   void find_sectors() {
+    const auto bores = std::count_if(body_.branches.begin(), body_.branches.end(),
+                                     [](const Branch& branch) { return branch.along_axis; });
+    if (bores > 0) return find_sectors_of_bores(static_cast<int>(bores));
     double needed = 0;
     for (const Branch& branch : body_.branches)
       for (const FaceId face : branch.neighbours)
@@ -104,6 +107,23 @@ class RoomFinder {
                  100 * needed / sine(), made_.request.sectors));
     made_.request.towards = body_.branches.front().view.along;
     if (is_solid_) find_core();
+  }
+
+  /// One for each bore along the axis, which are on one circle.
+  void find_sectors_of_bores(int bores) {
+    made_.request.sectors = std::max(3, bores);
+    made_.request.towards = body_.branches.front().view.x;
+    for (const Branch& branch : body_.branches) {
+      const double turn = std::atan2(branch.view.x.dot(body_.axis.cross(made_.request.towards)),
+                                     branch.view.x.dot(made_.request.towards));
+      const double sectors = turn * bores / (2 * std::numbers::pi);
+      if (!branch.along_axis || bores < 3 || std::abs(sectors - std::round(sectors)) > 1e-6)
+        refuse(branch, "and others are not all on one circle about the axis, at equal angles");
+      if (!branch.floors.empty()) refuse(branch, "has a floor: bores along the axis have to go through");
+      const double width = half_width(branch.outlines.front());
+      if ((1 + least_room) * width > sine() * (branch.low + branch.high) / 2)
+        refuse(branch, "is too near to the next bore");
+    }
   }
 
   double sine() const { return std::sin(std::numbers::pi / made_.request.sectors); }
@@ -145,6 +165,10 @@ class RoomFinder {
   std::array<double, 2> room(const Branch& branch) const {
     std::array<double, 2> result = {-1e300, 1e300};
     for (const FaceId face : branch.neighbours) {
+      if (branch.along_axis) {
+        narrow_to_plane(branch, face, result);
+        continue;
+      }
       double low = 1e300, high = -1e300;
       for_points(face, [&](const Eigen::Vector3d& p) {
         low = std::min(low, along(p));
@@ -155,13 +179,27 @@ class RoomFinder {
     return result;
   }
 
+  /// Distances from the axis at which a plane meets other faces of the body.
+  void narrow_to_plane(const Branch& branch, FaceId face, std::array<double, 2>& room) const {
+    for (const auto& loop : solid_.face(face).loops)
+      for (const geometry::EdgeUse& use : loop)
+        for (const FaceId other : solid_.edge(use.edge).faces) {
+          if (other == face || !std::binary_search(body_.faces.begin(), body_.faces.end(), other)) continue;
+          const double distance = radius(solid_.point(use.edge, 0.3));
+          if (distance < branch.low) room[0] = std::max(room[0], distance);
+          if (distance > branch.high) room[1] = std::min(room[1], distance);
+        }
+    room[0] = std::max(room[0], 0.0);
+  }
+
   /// Where its side begins and ends: beside it, or where the cylinder ends if that is not far.
   std::array<double, 2> ends(const Branch& branch) const {
     const std::array<double, 2> all = room(branch);
     const double width = (branch.high - branch.low) / 2;
     double across = 0;
     for (const Outline& outline : branch.outlines) across = std::max(across, half_width(outline));
-    const double beside = std::max(room_along * std::min(width, across), branch.surface * sine() - across);
+    const double middle = branch.along_axis ? (branch.low + branch.high) / 2 : branch.surface;
+    const double beside = std::max(room_along * std::min(width, across), middle * sine() - across);
     std::array<double, 2> result;
     for (const std::size_t end : {0U, 1U}) {
       const double sign = end == 0 ? -1 : 1, from = end == 0 ? branch.low : branch.high;
@@ -173,6 +211,13 @@ class RoomFinder {
     return result;
   }
 
+  /// At a place of its x on the surface where it begins, turned about the axis.
+  Eigen::Vector3d on_surface(const Branch& branch, double at, double angle) const {
+    if (!branch.along_axis) return on_body(branch, at, branch.surface, angle);
+    return body_.origin + branch.surface * body_.axis +
+           at * (std::cos(angle) * branch.view.x + std::sin(angle) * branch.view.y);
+  }
+
   Eigen::Vector3d on_body(const Branch& branch, double height, double distance, double angle) const {
     return body_.origin + height * body_.axis +
            distance * (std::cos(angle) * branch.view.along + std::sin(angle) * branch.view.y);
@@ -182,10 +227,9 @@ class RoomFinder {
     const std::array<double, 2> at = ends(branch);
     const double half = std::numbers::pi / made_.request.sectors;
     BranchPlace place;
-    place.corners = {
-        on_body(branch, at[0], branch.surface, -half), on_body(branch, at[1], branch.surface, -half),
-        on_body(branch, at[1], branch.surface, half), on_body(branch, at[0], branch.surface, half)};
-    for (const double end : at) add_ray(on_body(branch, end, branch.surface, 0), -branch.view.along);
+    place.corners = {on_surface(branch, at[0], -half), on_surface(branch, at[1], -half),
+                     on_surface(branch, at[1], half), on_surface(branch, at[0], half)};
+    for (const double end : at) add_ray(on_surface(branch, end, 0), -branch.view.along);
     for (const double floor : branch.floors) {
       const double distance = distance_of(floor);
       place.floor_radii.push_back(distance);

@@ -78,6 +78,7 @@ class BranchMaker {
   Branch make() {
     find_neighbours();
     find_view();
+    find_surface();
     find_walls();
     measure();
     return std::move(made_);
@@ -104,16 +105,28 @@ class BranchMaker {
               std::find(made_.neighbours.begin(), made_.neighbours.end(), other) == made_.neighbours.end())
             made_.neighbours.push_back(other);
       });
+  }
+
+  /// Cylinders, or for bores along the axis planes across it.
+  void find_surface() {
+    made_.surface = -1e300;
     for (const FaceId face : made_.neighbours) {
       const Carrier carrier = *solid_.carrier(face);
-      if (carrier.kind != SurfaceKind::cylinder)
-        refuse(face, "is met by a branch, and only cylinders are allowed there");
-      made_.surface = std::max(made_.surface, carrier.radius);
+      if (carrier.kind != (made_.along_axis ? SurfaceKind::plane : SurfaceKind::cylinder))
+        refuse(face, made_.along_axis ? "is met by a bore along the axis, and only planes are allowed there"
+                                      : "is met by a branch, and only cylinders are allowed there");
+      made_.surface =
+          std::max(made_.surface, made_.along_axis ? made_.view.height(carrier.origin) : carrier.radius);
     }
   }
 
   /// Along the first cylinder's axis, else across the first plane along the body.
   void find_view() {
+    for (const FaceId face : made_.faces)
+      if (const std::optional<Carrier> carrier = solid_.carrier(face);
+          carrier && carrier->kind == SurfaceKind::cylinder &&
+          carrier->axis.cross(axis_.direction).norm() < no_turn)
+        return look_along_axis(carrier->origin - axis_.origin);
     std::optional<Eigen::Vector3d> along;
     for (const SurfaceKind kind : {SurfaceKind::cylinder, SurfaceKind::plane})
       for (const FaceId face : made_.faces) {
@@ -131,6 +144,12 @@ class BranchMaker {
     made_.view.along = sum < -tolerance_ ? Eigen::Vector3d(-*along) : *along;
     made_.view.x = axis_.direction;
     made_.view.y = made_.view.along.cross(made_.view.x);
+  }
+
+  void look_along_axis(const Eigen::Vector3d& way) {
+    const Eigen::Vector3d out = way - way.dot(axis_.direction) * axis_.direction;
+    made_.along_axis = true;
+    made_.view = {axis_.origin, out.normalized(), axis_.direction.cross(out.normalized()), axis_.direction};
   }
 
   /// Planes that meet the body are walls, not floors.

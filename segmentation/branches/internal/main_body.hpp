@@ -12,11 +12,13 @@ namespace isopatch::segmentation {
 struct Branch {
   std::vector<FaceId> faces;       ///< all of it
   std::vector<FaceId> neighbours;  ///< of the body, which it meets
-  PlanView view;                   ///< from the axis, where x runs; `along` is the branch's direction
-  std::vector<Outline> outlines;   ///< of its walls that reach below `surface`
-  std::vector<double> floors;      ///< heights of planes across it below `surface`, descending, m
-  double surface = 0;              ///< radius of the outermost cylinder that it meets, m
-  double low = 0, high = 0;        ///< of the outlines along the axis, m
+  bool along_axis = false;         ///< a bore along the body's axis, beside it
+  PlanView
+      view;  ///< from the axis; x runs along it, or to a bore beside it; `along` is the branch's direction
+  std::vector<Outline> outlines;  ///< of its walls that reach below `surface`
+  std::vector<double> floors;     ///< heights of planes across it below `surface`, descending, m
+  double surface = 0;  ///< height at which it begins: the radius of the outermost cylinder, or a plane, m
+  double low = 0, high = 0;  ///< of the outlines along x, m
 };
 
 /// A solid seen as a turned body with branches.
