@@ -28,7 +28,9 @@ class RoomFinder {
   BranchLayout make() {
     find_radii();
     find_sectors();
-    for (const Branch& branch : body_.branches) add(branch);
+    for (const Branch& branch : body_.branches) ends_.push_back(ends(branch));
+    while (join_ends()) continue;
+    for (std::size_t b = 0; b < ends_.size(); ++b) add(body_.branches[b], ends_[b]);
     return std::move(made_);
   }
 
@@ -88,42 +90,67 @@ class RoomFinder {
     return (result + widest) / 2;
   }
 
-  /// Sine of half a sector that has room for all branches.
+  /// The first number of sectors that have every branch in the middle of one, with room for it.
   void find_sectors() {
-    const auto bores = std::count_if(body_.branches.begin(), body_.branches.end(),
-                                     [](const Branch& branch) { return branch.along_axis; });
-    if (bores > 0) return find_sectors_of_bores(static_cast<int>(bores));
-    double needed = 0;
-    for (const Branch& branch : body_.branches)
-      for (const FaceId face : branch.neighbours)
-        needed =
-            std::max(needed, (1 + least_room) * half_width_on(branch, face) / solid_.carrier(face)->radius);
-    made_.request.sectors = is_solid_ || needed < std::sin(std::numbers::pi / 4) ? 4 : 3;
-    if (needed > sine())
-      refuse(body_.branches.front(),
-             fmt::format(
-                 "is too wide for its cylinder: with the room beside it, it takes {:.0f} % of the width that "
-                 "a sector of {} has",
-                 100 * needed / sine(), made_.request.sectors));
-    made_.request.towards = body_.branches.front().view.along;
-    if (is_solid_) find_core();
+    made_.request.towards = side_of(body_.branches.front());
+    std::vector<int> numbers = {4};
+    for (int n = 3; !is_solid_ && n <= most_sectors; ++n)
+      if (n != 4) numbers.push_back(n);
+    for (const int n : numbers) {
+      made_.request.sectors = n;
+      if (!outside_of_middles() && !too_wide()) {
+        if (is_solid_) find_core();
+        return;
+      }
+    }
+    made_.request.sectors = 4;
+    if (const Branch* branch = too_wide())
+      refuse(*branch,
+             fmt::format("is too wide for its body: with the room beside it, it takes {:.0f} % of the width "
+                         "that a quarter of it has",
+                         100 * share_of_sector(*branch)));
+    refuse(
+        *outside_of_middles(),
+        is_solid_
+            ? "is at no right angle, seen along the axis, with the other branches"
+            : "is at an angle with the other branches, seen along the axis, for which more than 16 sectors "
+              "would be needed");
   }
 
-  /// One for each bore along the axis, which are on one circle.
-  void find_sectors_of_bores(int bores) {
-    made_.request.sectors = std::max(3, bores);
-    made_.request.towards = body_.branches.front().view.x;
+  /// From the axis to it.
+  static const Eigen::Vector3d& side_of(const Branch& branch) {
+    return branch.along_axis ? branch.view.x : branch.view.along;
+  }
+
+  /// The first branch that is not in the middle of a sector; none if all are.
+  const Branch* outside_of_middles() const {
     for (const Branch& branch : body_.branches) {
-      const double turn = std::atan2(branch.view.x.dot(body_.axis.cross(made_.request.towards)),
-                                     branch.view.x.dot(made_.request.towards));
-      const double sectors = turn * bores / (2 * std::numbers::pi);
-      if (!branch.along_axis || bores < 3 || std::abs(sectors - std::round(sectors)) > 1e-6)
-        refuse(branch, "and others are not all on one circle about the axis, at equal angles");
-      if (!branch.floors.empty()) refuse(branch, "has a floor: bores along the axis have to go through");
-      const double width = half_width(branch.outlines.front());
-      if ((1 + least_room) * width > sine() * (branch.low + branch.high) / 2)
-        refuse(branch, "is too near to the next bore");
+      const Eigen::Vector3d& first = made_.request.towards;
+      const double turn =
+          std::atan2(side_of(branch).dot(body_.axis.cross(first)), side_of(branch).dot(first));
+      const double sectors = turn * made_.request.sectors / (2 * std::numbers::pi);
+      if (std::abs(sectors - std::round(sectors)) > 1e-6) return &branch;
     }
+    return nullptr;
+  }
+
+  const Branch* too_wide() const {
+    for (const Branch& branch : body_.branches)
+      if (share_of_sector(branch) > 1) return &branch;
+    return nullptr;
+  }
+
+  /// That a branch takes with the room beside it.
+  double share_of_sector(const Branch& branch) const {
+    double result = 0;
+    if (branch.along_axis) {
+      for (const Outline& outline : branch.outlines)
+        result = std::max(result, half_width(outline) / ((branch.low + branch.high) / 2));
+    } else {
+      for (const FaceId face : branch.neighbours)
+        result = std::max(result, half_width_on(branch, face) / solid_.carrier(face)->radius);
+    }
+    return (1 + least_room) * result / sine();
   }
 
   double sine() const { return std::sin(std::numbers::pi / made_.request.sectors); }
@@ -223,8 +250,33 @@ class RoomFinder {
            distance * (std::cos(angle) * branch.view.along + std::sin(angle) * branch.view.y);
   }
 
-  void add(const Branch& branch) {
-    const std::array<double, 2> at = ends(branch);
+  /// Gives two branches whose sides overlap along the axis, in sectors of their own, one side each from the
+  /// first to the last end.
+  /// @return  whether there were two that had not
+  bool join_ends() {
+    for (std::size_t a = 0; a < ends_.size(); ++a)
+      for (std::size_t b = a + 1; b < ends_.size(); ++b) {
+        const Branch &one = body_.branches[a], &other = body_.branches[b];
+        if (one.along_axis != other.along_axis || ends_[b][1] < ends_[a][0] + tolerance_ ||
+            ends_[b][0] > ends_[a][1] - tolerance_)
+          continue;
+        if (side_of(one).dot(side_of(other)) > 1 - 1e-6)
+          refuse(other, "is too near to the next branch beside it");
+        const std::array<double, 2> both = {std::min(ends_[a][0], ends_[b][0]),
+                                            std::max(ends_[a][1], ends_[b][1])};
+        const auto differs = [&](const std::array<double, 2>& known) {
+          return std::abs(known[0] - both[0]) + std::abs(known[1] - both[1]) > tolerance_;
+        };
+        const bool changes = differs(ends_[a]) || differs(ends_[b]);
+        ends_[a] = ends_[b] = both;
+        if (changes) return true;
+      }
+    return false;
+  }
+
+  void add(const Branch& branch, const std::array<double, 2>& at) {
+    if (branch.along_axis && !branch.floors.empty())
+      refuse(branch, "has a floor; bores along the axis have to go through");
     const double half = std::numbers::pi / made_.request.sectors;
     BranchPlace place;
     place.corners = {on_surface(branch, at[0], -half), on_surface(branch, at[1], -half),
@@ -249,6 +301,7 @@ class RoomFinder {
   }
 
   /// Wider than of bodies without branches, so that drawings are squeezed less on their way through.
+  static constexpr int most_sectors = 16;
   static constexpr double usual_core = 0.7, largest_core = 0.85, smallest_core = 0.3;
   /// Of a floor's ring: how far the column along the axis reaches there.
   static constexpr double below_floors = 0.85;
@@ -256,6 +309,7 @@ class RoomFinder {
   const MainBody& body_;
   double tolerance_, smallest_ = 0;
   bool is_solid_ = false;
+  std::vector<std::array<double, 2>> ends_;  // along x, by branch
   BranchLayout made_;
 };
 

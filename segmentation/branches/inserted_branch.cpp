@@ -371,11 +371,12 @@ class Insertion {
     return *best;
   }
 
-  Eigen::Vector2d middle_of(int quad, std::size_t level) const {
+  /// Of a quadrilateral at a level, seen along the view.
+  Eigen::Vector2d middle_of(int quad, std::size_t level) {
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     for (const EdgeUse& side : drawing_.quads.quads[index(quad)].sides) {
-      const NurbsCurve curve = plan_curve(side.edge.value, level);
-      const auto at = [&](double t) -> Eigen::Vector2d { return curve.point(Parameter<1>(t)).head<2>(); };
+      const NurbsCurve curve = shape(edge(side.edge.value, level));
+      const auto at = [&](double t) { return view_.flat(curve.point(Parameter<1>(t))); };
       sum += at(0.5) / 2 - (at(0) + at(1)) / 8;
     }
     return sum;

@@ -6,6 +6,7 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <ShapeUpgrade_UnifySameDomain.hxx>
 #include <TopExp_Explorer.hxx>
+#include <cmath>
 
 namespace {
 
@@ -60,6 +61,13 @@ std::map<std::string, TopoDS_Shape> branched() {
       {"keyed_bar", cut(bar(), key())},
       {"tee", cut(both(bar(), rod({30, 0, 0}, gp::DZ(), 6, 20)),
                   both(rod({-1, 0, 0}, gp::DX(), 7, 62), rod({30, 0, 0}, gp::DZ(), 4, 22)))},
+      {"bolted_cap",
+       cut(cut(cut(both(bar(), rod({0, 0, 0}, gp::DX(), 25, 6)), rod({-1, 0, 0}, gp::DX(), 7, 62)),
+               rod({-1, 18, 0}, gp::DX(), 2.5, 8)),
+           rod({-1, 0, 18}, gp::DX(), 2.5, 8))},
+      {"oil_bores_at_120", cut(cut(cut(tube(), rod({30, 0, 0}, gp::DZ(), 3, 30)),
+                                   rod({30, 0, 0}, gp_Dir(0, std::sqrt(0.75), -0.5), 3, 30)),
+                               rod({20, 0, 0}, gp_Dir(0, -std::sqrt(0.75), -0.5), 3, 30))},
       {"boss_near_the_end", both(bar(), rod({6, 0, 0}, gp::DZ(), 5, 20))},
       {"boss_at_the_end", both(bar(), rod({5.3, 0, 0}, gp::DZ(), 5, 20))},
       {"wide_boss", both(bar(), rod({30, 0, 0}, gp::DZ(), 8, 20))},
