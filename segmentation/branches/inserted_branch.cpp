@@ -296,7 +296,7 @@ class Insertion {
 
   /// Where an edge of the drawing is at a level, seen along the view.
   NurbsCurve plan_curve(int number, std::size_t level) const {
-    const NurbsCurve plan = drawing_.curve(number);
+    NurbsCurve plan = drawing_.curve(number);
     double widest = 0;
     for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0})
       widest = std::max(widest, std::abs(plan.point(Parameter<1>(t)).y()));

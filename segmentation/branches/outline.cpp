@@ -71,8 +71,9 @@ class Tracer {
     const geometry::DomainBox box = solid_.domain(face);
     constexpr int steps = 9;
     for (int i = 0; i < steps * steps; ++i) {
-      const Eigen::Vector2d share((i % steps + 0.5) / steps, (i / steps + 0.5) / steps);
-      const Eigen::Vector2d uv = box.low + share.cwiseProduct(box.high - box.low);
+      const int row = i / steps;
+      const Eigen::Vector2d share((i % steps + 0.5) / steps, (row + 0.5) / steps);
+      Eigen::Vector2d uv = box.low + share.cwiseProduct(box.high - box.low);
       if (solid_.contains(face, uv)) return uv;
     }
     refuse(face, "is too narrow to tell where it is");
