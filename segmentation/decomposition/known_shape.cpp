@@ -11,6 +11,7 @@
 #include "geometry/base/stopwatch.hpp"
 #include "geometry/brep/hexahedra_quality.hpp"
 #include "geometry/brep/require_solid.hpp"
+#include "segmentation/branches/branched_cells.hpp"
 #include "segmentation/decomposition/prepare.hpp"
 #include "segmentation/pieces/mirror_planes.hpp"
 #include "segmentation/pieces/mirrored_cells.hpp"
@@ -87,6 +88,11 @@ std::string text_of(const TurnedCells& turned) {
                      turned.sectors == 1 ? "" : "s", column);
 }
 
+std::string text_of(const BranchedCells& cells) {
+  return fmt::format("turned about {} with {} branch{}", direction_text(cells.about), cells.branches,
+                     cells.branches == 1 ? "" : "es");
+}
+
 /// "3 pieces: swept along z, x; turned about y".
 std::string text_of(const PiecedCells& cells) {
   std::string swept, turned;
@@ -116,10 +122,12 @@ std::string text_of(const MirroredCells& cells) {
   return "one half mirrored, " + cells.half;
 }
 
+/// Of a scaled Jacobian; better ones are not worth another hexahedron.
+constexpr double good_quality = 0.25;
+
 /// How dear hexahedra are: their number, and more of it where they are poor.
 double cost(const geometry::CellComplex& complex) {
-  constexpr double good = 0.25;  // of a scaled Jacobian; better ones are not worth another hexahedron
-  const double quality = std::clamp(geometry::least_quality(complex), 0.01, good);
+  const double quality = std::clamp(geometry::least_quality(complex), 0.01, good_quality);
   return static_cast<double>(complex.cells.size()) / quality;
 }
 
@@ -138,39 +146,50 @@ void look(const Look& at, std::optional<KnownCells>& best, std::string& why_not)
   }
 }
 
+/// What stopped a solid that looks as if it would do.
+struct WhyNot {
+  std::string stopped_by;
+  std::string not_branched;  ///< one that looks turned with branches
+
+  /// The last of both.
+  const std::string& text() const { return not_branched.empty() ? stopped_by : not_branched; }
+};
+
 /// @param seconds  to look for planes that cut it into pieces
-std::optional<KnownCells> known_cells(const geometry::Brep& solid, double seconds, std::string& why_not) {
+std::optional<KnownCells> known_cells(const geometry::Brep& solid, double seconds, WhyNot& why) {
   std::optional<KnownCells> best;
-  if (!planes_are_divided(solid)) look([&] { return swept_cells(solid); }, best, why_not);
-  look([&] { return turned_cells(solid); }, best, why_not);
+  if (!planes_are_divided(solid)) look([&] { return swept_cells(solid); }, best, why.stopped_by);
+  look([&] { return turned_cells(solid); }, best, why.stopped_by);
+  // Where it is swept, but poorly, it may do better.
+  if (!best || geometry::least_quality(best->complex) < good_quality)
+    look([&] { return branched_cells(solid); }, best, why.not_branched);
   if (best || planes_are_divided(solid)) return best;
-  look([&] { return pieced_cells(solid, {}, seconds); }, best, why_not);
+  look([&] { return pieced_cells(solid, {}, seconds); }, best, why.stopped_by);
   if (best) best->in_pieces = true;
   return best;
 }
 
 /// What is swept or turned is divided along its symmetries at once; what comes in pieces is tried by halves
 /// as well.
-std::optional<KnownCells> known_or_mirrored(const geometry::Brep& solid, double seconds,
-                                            std::string& why_not) {
-  std::optional<KnownCells> best = known_cells(solid, seconds, why_not);
+std::optional<KnownCells> known_or_mirrored(const geometry::Brep& solid, double seconds, WhyNot& why) {
+  std::optional<KnownCells> best = known_cells(solid, seconds, why);
   if (!best || !best->in_pieces) return best;
   constexpr std::size_t most = 3;
   const std::vector<geometry::PlaneSurface> planes = mirror_planes(solid);
   for (std::size_t i = 0; i < std::min(most, planes.size()); ++i) {
-    std::string stopped_by;
+    WhyNot half_why;
     look(
         [&]() -> std::optional<MirroredCells> {
           MirroredCells result;
           result.complex = mirrored_cells(solid, planes[i], [&](const geometry::Brep& half) {
-            std::optional<KnownCells> made = known_cells(half, seconds, stopped_by);
-            if (!made) throw Error(ErrorCode::unsupported, stopped_by);
+            std::optional<KnownCells> made = known_cells(half, seconds, half_why);
+            if (!made) throw Error(ErrorCode::unsupported, half_why.text());
             result.half = made->seen_as;
             return std::move(made->complex);
           });
           return result;
         },
-        best, stopped_by);
+        best, half_why.stopped_by);
   }
   return best;
 }
@@ -178,18 +197,18 @@ std::optional<KnownCells> known_or_mirrored(const geometry::Brep& solid, double 
 /// With the cuts given; nothing else will do.
 KnownCells as_given(const geometry::Brep& solid, const std::vector<geometry::PlaneSurface>& cuts,
                     double seconds) {
-  std::string why_not;
+  WhyNot why;
   std::optional<KnownCells> made;
   if (cuts.empty())
-    made = known_cells(solid, seconds, why_not);
+    made = known_cells(solid, seconds, why);
   else if (std::optional<PiecedCells> pieces = pieced_cells(solid, cuts, seconds))
     made = KnownCells{pieces->complex, text_of(*pieces)};
   if (!made)
-    throw Error(
-        ErrorCode::unsupported,
-        fmt::format("{} come to no pieces that can be swept{}{}; give cuts where its pieces join, or "
-                    "none, so that it is cut along loops",
-                    cuts.empty() ? "its halves" : "the cuts given", why_not.empty() ? "" : ": ", why_not));
+    throw Error(ErrorCode::unsupported,
+                fmt::format("{} come to no pieces that can be swept{}{}; give cuts where its pieces join, or "
+                            "none, so that it is cut along loops",
+                            cuts.empty() ? "its halves" : "the cuts given", why.text().empty() ? "" : ": ",
+                            why.text()));
   return std::move(*made);
 }
 
@@ -226,11 +245,13 @@ KnownShape known_shape(const geometry::Brep& solid, const DecompositionOptions& 
     return result;
   }
   if (options.method == Method::cuts || options.t_joints == TJoints::keep) return result;
-  std::string stopped_by;
-  if (std::optional<KnownCells> made = known_or_mirrored(solid, options.time_limit / 4, stopped_by))
+  WhyNot why;
+  if (std::optional<KnownCells> made = known_or_mirrored(solid, options.time_limit / 4, why))
     result.decomposition = decomposition_of(std::move(*made), watch.seconds());
-  else if (result.why_not = no_stack(solid, options); result.why_not.empty() && !stopped_by.empty())
-    result.why_not = "It looks swept or turned, but " + stopped_by;
+  else if (!why.not_branched.empty() && rounds_in_the_way(solid, solid.size()).faces.empty())
+    result.why_not = "It looks turned, with branches across its axis, but " + why.not_branched;
+  else if (result.why_not = no_stack(solid, options); result.why_not.empty() && !why.stopped_by.empty())
+    result.why_not = "It looks swept or turned, but " + why.stopped_by;
   return result;
 }
 

@@ -1,4 +1,4 @@
-#include "segmentation/pieces/internal/joined_complex.hpp"
+#include "segmentation/pieces/joined_complex.hpp"
 
 #include <fmt/format.h>
 

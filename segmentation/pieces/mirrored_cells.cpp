@@ -13,7 +13,7 @@
 #include "geometry/brep/cut_by_plane.hpp"
 #include "geometry/brep/require_solid.hpp"
 #include "geometry/splines/refine.hpp"
-#include "segmentation/pieces/internal/joined_complex.hpp"
+#include "segmentation/pieces/joined_complex.hpp"
 
 namespace isopatch::segmentation {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "geometry/base/error.hpp"
 #include "segmentation/pieces/internal/cut_into_stacks.hpp"
-#include "segmentation/pieces/internal/joined_complex.hpp"
+#include "segmentation/pieces/joined_complex.hpp"
 #include "segmentation/pieces/internal/meeting.hpp"
 
 namespace isopatch::segmentation {

@@ -17,8 +17,6 @@ namespace {
 
 using geometry::Brep;
 
-/// Of the smallest radius beside the axis: what an O-grid of a disc has.
-constexpr double core_share = 0.6;
 /// Of the angle at which a sphere ends or turns away: 54.7 degrees, the corner of a cube, of a right angle.
 constexpr double corner_share = 0.608;
 /// Of the radius of that corner: the column's side in a ball.
@@ -39,8 +37,8 @@ struct End {
 
 class CoreMaker {
  public:
-  CoreMaker(const Brep& solid, const TurnedFrame& frame, HalfProfile profile)
-      : solid_(solid), frame_(frame), made_{std::move(profile), {}} {}
+  CoreMaker(const Brep& solid, const TurnedFrame& frame, HalfProfile profile, double share)
+      : solid_(solid), frame_(frame), share_(share), made_{std::move(profile), {}} {}
 
   CoredProfile make() {
     std::vector<End> ends;
@@ -132,14 +130,14 @@ class CoreMaker {
   }
 
   double core_radius(const End& low, const End& high) {
-    double result = core_share * std::min(low.radius, high.radius);
+    double result = share_ * std::min(low.radius, high.radius);
     for (std::size_t c = 0; c < outside().curves.size(); ++c) {
       if (c == low.curve || c == high.curve) continue;
       for (int i = 0; i <= 16; ++i) {
         const Eigen::Vector2d beside = point(solid_, frame_, outside(), outside().curves[c], i / 16.0);
         if (beside[1] > low.height - tolerance_ && beside[1] < high.height + tolerance_ &&
             beside[0] > tolerance_)
-          result = std::min(result, core_share * beside[0]);
+          result = std::min(result, share_ * beside[0]);
       }
     }
     for (const End& end : {low, high})
@@ -214,14 +212,15 @@ class CoreMaker {
 
   const Brep& solid_;
   const TurnedFrame& frame_;
+  double share_;
   double tolerance_ = 1e-7 * solid_.size();
   CoredProfile made_;
 };
 
 }  // namespace
 
-CoredProfile without_cores(const Brep& solid, const TurnedFrame& frame, HalfProfile profile) {
-  return CoreMaker(solid, frame, std::move(profile)).make();
+CoredProfile without_cores(const Brep& solid, const TurnedFrame& frame, HalfProfile profile, double share) {
+  return CoreMaker(solid, frame, std::move(profile), share).make();
 }
 
 }  // namespace isopatch::segmentation

@@ -30,6 +30,24 @@ int sectors_of(const TurnedFrame& frame, bool reaches_axis) {
                       : static_cast<int>(std::ceil(quarters - 1e-9));
 }
 
+TurnedCells cells_of(const geometry::Brep& solid, const TurnedFrame& frame, const TurnedDrawing& drawing,
+                     int sectors) {
+  TurnedCells result{turned_complex(solid, frame, drawing, sectors), frame.along, frame.sweep,
+                     static_cast<int>(drawing.quads.quads.size()), sectors};
+  for (const std::vector<int>& column : drawing.columns)
+    result.along_axis += static_cast<int>(column.size()) * (frame.is_whole() ? 1 : sectors / 2);
+  require_all_of(solid, result.complex);
+  return result;
+}
+
+/// Turns the frame, so that a direction is in the middle of its first sector.
+void begin_beside(const Eigen::Vector3d& direction, int sectors, TurnedFrame& frame) {
+  const double angle = frame.angle(frame.origin + direction) - std::numbers::pi / sectors;
+  const Eigen::Vector3d x = std::cos(angle) * frame.x + std::sin(angle) * frame.y;
+  frame.y = frame.along.cross(x);
+  frame.x = x;
+}
+
 }  // namespace
 
 bool is_turned(const geometry::Brep& solid) {
@@ -43,12 +61,18 @@ std::optional<TurnedCells> turned_cells(const geometry::Brep& solid,
   if (!frame) return std::nullopt;
   const TurnedDrawing drawing = turned_drawing(solid, *frame, lines, options);
   const int sectors = sectors_of(*frame, !drawing.columns.empty());
-  TurnedCells result{turned_complex(solid, *frame, drawing, sectors), frame->along, frame->sweep,
-                     static_cast<int>(drawing.quads.quads.size()), sectors};
-  for (const std::vector<int>& column : drawing.columns)
-    result.along_axis += static_cast<int>(column.size()) * (frame->is_whole() ? 1 : sectors / 2);
-  require_all_of(solid, result.complex);
-  return result;
+  return cells_of(solid, *frame, drawing, sectors);
+}
+
+std::optional<TurnedCells> turned_cells(const geometry::Brep& solid, const TurnedRequest& request,
+                                        const QuadrangulationOptions& options) {
+  std::optional<TurnedFrame> frame = turned_frame(solid);
+  if (!frame || !frame->is_whole()) return std::nullopt;
+  begin_beside(request.towards, request.sectors, *frame);
+  const TurnedDrawing drawing = turned_drawing(solid, *frame, request, options);
+  if (!drawing.columns.empty() && request.sectors != 4)
+    throw Error(ErrorCode::unsupported, "a turned solid that reaches its axis is divided in quarters");
+  return cells_of(solid, *frame, drawing, request.sectors);
 }
 
 }  // namespace isopatch::segmentation

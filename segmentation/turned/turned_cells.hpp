@@ -7,6 +7,7 @@
 #include "geometry/brep/brep.hpp"
 #include "geometry/brep/cell_complex.hpp"
 #include "segmentation/profiles/quadrangulation_options.hpp"
+#include "segmentation/turned/turned_request.hpp"
 
 namespace isopatch::segmentation {
 
@@ -37,6 +38,12 @@ bool is_turned(const geometry::Brep& solid);
 /// that cannot be divided: names the place
 std::optional<TurnedCells> turned_cells(const geometry::Brep& solid,
                                         const std::vector<std::array<Eigen::Vector3d, 2>>& lines = {},
+                                        const QuadrangulationOptions& options = {});
+
+/// The same of a whole turn, as asked for.
+/// @return  nothing for a solid that is not turned, or not by a whole turn
+/// @throws Error unsupported  as above, or a ray that meets nothing, or other than 4 sectors about a column
+std::optional<TurnedCells> turned_cells(const geometry::Brep& solid, const TurnedRequest& request,
                                         const QuadrangulationOptions& options = {});
 
 }  // namespace isopatch::segmentation

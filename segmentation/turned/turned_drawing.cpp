@@ -9,6 +9,7 @@
 #include "geometry/splines/arc.hpp"
 #include "segmentation/profiles/quadrangulate.hpp"
 #include "segmentation/turned/internal/end_drawing.hpp"
+#include "segmentation/turned/internal/half_rays.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -157,6 +158,14 @@ std::vector<int> pieces_of(const Quadrangulation& quads, const std::vector<int>&
   return result;
 }
 
+void divide_whole(const Brep& solid, const TurnedFrame& frame, const std::vector<ProfileRegion>& regions,
+                  const QuadrangulationOptions& options, TurnedDrawing& drawing) {
+  drawing.quads = divided(profile_of(solid, frame, drawing.half.outside, regions), options);
+  find_curves(solid, frame, drawing);
+  for (const CoreStrip& strip : drawing.half.strips)
+    drawing.columns.push_back(pieces_of(drawing.quads, strip.line));
+}
+
 }  // namespace
 
 TurnedDrawing turned_drawing(const Brep& solid, const TurnedFrame& frame,
@@ -171,10 +180,18 @@ TurnedDrawing turned_drawing(const Brep& solid, const TurnedFrame& frame,
     find_curves(end.sheet, frame, result);
     return result;
   }
-  result.quads = divided(profile_of(solid, frame, result.half.outside, {}), options);
-  find_curves(solid, frame, result);
-  for (const CoreStrip& strip : result.half.strips)
-    result.columns.push_back(pieces_of(result.quads, strip.line));
+  divide_whole(solid, frame, {}, options, result);
+  return result;
+}
+
+TurnedDrawing turned_drawing(const Brep& solid, const TurnedFrame& frame, const TurnedRequest& request,
+                             const QuadrangulationOptions& options) {
+  TurnedDrawing result;
+  result.half = without_cores(solid, frame, half_profile(solid, frame), request.core_share);
+  draw_rays(solid, frame, request.rays, result.half);
+  std::vector<ProfileRegion> regions;
+  if (!request.rays.empty()) regions = half_regions(solid, frame, result.half.outside);
+  divide_whole(solid, frame, regions, options, result);
   return result;
 }
 

@@ -8,6 +8,9 @@
 
 namespace isopatch::segmentation {
 
+/// Of the smallest radius beside the axis: what an O-grid of a disc has.
+constexpr double ordinary_core_share = 0.6;
+
 /// Where a solid ends on its axis.
 struct CoreEnd {
   int vertex = -1;                 ///< of the half profile: corner of the core on the surface
@@ -28,10 +31,11 @@ struct CoredProfile {
   std::vector<CoreStrip> strips;
 };
 
-/// Takes strips along the axis off a half profile, about 0.6 of the smallest radius beside each wide. On a
-/// sphere that turns far, a strip is as wide as the side of a cube would be.
+/// Takes strips along the axis off a half profile, as wide as a share of the smallest radius beside each. On
+/// a sphere that turns far, a strip is as wide as the side of a cube would be.
 /// @throws Error unsupported  the solid ends on its axis in something other than a plane, a sphere or an
 /// ellipsoid, or has an edge there
-CoredProfile without_cores(const geometry::Brep& solid, const TurnedFrame& frame, HalfProfile profile);
+CoredProfile without_cores(const geometry::Brep& solid, const TurnedFrame& frame, HalfProfile profile,
+                           double share = ordinary_core_share);
 
 }  // namespace isopatch::segmentation

@@ -6,6 +6,7 @@
 #include "segmentation/profiles/quadrangulation.hpp"
 #include "segmentation/profiles/quadrangulation_options.hpp"
 #include "segmentation/turned/internal/core_strips.hpp"
+#include "segmentation/turned/turned_request.hpp"
 
 namespace isopatch::segmentation {
 
@@ -26,5 +27,10 @@ struct TurnedDrawing {
 TurnedDrawing turned_drawing(const geometry::Brep& solid, const TurnedFrame& frame,
                              const std::vector<std::array<Eigen::Vector3d, 2>>& lines,
                              const QuadrangulationOptions& options);
+
+/// Of a whole turn, with rays drawn into its half profile.
+/// @throws Error unsupported  as above, or a ray that meets nothing
+TurnedDrawing turned_drawing(const geometry::Brep& solid, const TurnedFrame& frame,
+                             const TurnedRequest& request, const QuadrangulationOptions& options);
 
 }  // namespace isopatch::segmentation

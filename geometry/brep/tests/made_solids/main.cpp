@@ -43,6 +43,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/brep/tests/made_solids/branched.hpp"
 #include "geometry/brep/tests/made_solids/crossed.hpp"
 #include "geometry/brep/tests/made_solids/rounds.hpp"
 #include "geometry/brep/tests/made_solids/stacks.hpp"
@@ -249,6 +250,7 @@ void write_all(const std::string& folder) {
   write(block_with_a_round_corner(), in_folder("round_corner"));
   write(spring(), in_folder("spring"));
   for (const auto& [name, shape] : stacks()) write(shape, in_folder(name.c_str()));
+  for (const auto& [name, shape] : branched()) write(shape, in_folder(name.c_str()));
   for (const auto& [name, shape] : crossed()) write(shape, in_folder(name.c_str()));
   for (const auto& [name, shape] : rounds()) write(shape, in_folder(name.c_str()));
   for (const auto& [name, shape] : turned_solids()) write(shape, in_folder(name.c_str()));

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+
+#include "segmentation/branches/internal/column.hpp"
+
+namespace isopatch::segmentation {
+
+/// The height of a layer of a column over its plan: a plane across the view, or a plane or cylinder along x.
+class LayerShape {
+ public:
+  /// @throws Error unsupported  another one
+  LayerShape(const geometry::CellComplex& complex, const PlanView& view, const ColumnLayer& layer,
+             double tolerance);
+
+  bool is_flat() const { return !across_; }
+  double height(const Eigen::Vector2d& plan) const;
+  /// What lies over a curve of the plan (z = 0): exact over lines, else a spline, to 1e-9 of its length.
+  geometry::NurbsCurve lifted(const geometry::NurbsCurve& plan) const;
+  /// Of a layer that is not flat: all of it, x along the second parameter. Looks up.
+  geometry::NurbsSurface surface() const;
+  /// A curve on it in its domain, at the same pace.
+  geometry::NurbsCurve trace(const geometry::NurbsCurve& curve) const;
+  /// Distance of a round layer's surface from its axis; nothing of plane ones.
+  std::optional<double> radius() const;
+
+ private:
+  double share_at(double y) const;
+
+  PlanView view_;
+  double height_ = 0;
+  double low_ = 0, high_ = 0;                        // x of its ends
+  std::optional<geometry::NurbsCurve> across_ = {};  // in coordinates of the view, at x = low_, y descending
+};
+
+}  // namespace isopatch::segmentation

@@ -1,0 +1,62 @@
+#include "segmentation/branches/branched_cells.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "geometry/base/tests/expect_error.hpp"
+#include "geometry/brep/tests/made_solids.hpp"
+#include "segmentation/sweeps/tests/sound_cells.hpp"
+
+namespace isopatch::segmentation {
+namespace {
+
+struct Sample {
+  const char* name;
+  std::size_t hexahedra;  ///< at most
+  int branches;
+};
+
+class BranchedSolids : public testing::TestWithParam<Sample> {};
+
+/// Where cylinders cross, CAD programs have splines in their place, to 1e-7.
+constexpr double off = 1e-6;
+
+TEST_P(BranchedSolids, FillTheSolidAndMeetSideToSide) {
+  const geometry::Brep solid = geometry::test::made_brep(GetParam().name);
+  const auto made = branched_cells(solid);
+  ASSERT_TRUE(made);
+  EXPECT_LE(made->complex.cells.size(), GetParam().hexahedra);
+  EXPECT_EQ(made->branches, GetParam().branches);
+  test::expect_sound(solid, made->complex, off);
+}
+
+INSTANTIATE_TEST_SUITE_P(Solids, BranchedSolids,
+                         testing::Values(Sample{"bossed_bar", 44, 1}, Sample{"bossed_oblique", 44, 1},
+                                         Sample{"tapped_boss", 73, 1}, Sample{"two_bosses", 83, 2},
+                                         Sample{"cross_bored", 24, 1}, Sample{"beside_the_axis", 24, 1},
+                                         Sample{"oil_bore", 15, 1}, Sample{"pinned_tube", 18, 2},
+                                         Sample{"sunk_bar", 62, 1}, Sample{"keyed_bar", 116, 1},
+                                         Sample{"tee", 20, 1}, Sample{"boss_near_the_end", 39, 1},
+                                         Sample{"oil_bores_at_120", 30, 3}, Sample{"bolted_cap", 30, 2}),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST(BranchedCells, AreNoneOfSolidsWithoutATurnedBody) {
+  for (const char* name : {"block", "cylinder", "drilled", "fork"})
+    EXPECT_FALSE(branched_cells(geometry::test::made_brep(name))) << name;
+}
+
+TEST(BranchedCells, SayForWhichBranchThereIsNoRoom) {
+  EXPECT_ERROR(branched_cells(geometry::test::made_brep("wide_boss")), ErrorCode::unsupported, "too wide");
+  EXPECT_ERROR(branched_cells(geometry::test::made_brep("boss_at_the_end")), ErrorCode::unsupported,
+               "too near to the end of its cylinder");
+}
+
+TEST(BranchedCells, SayWhatTheBodyIsTurnedAbout) {
+  const auto made = branched_cells(geometry::test::made_brep("bossed_oblique"));
+  EXPECT_NEAR(std::abs(made->about.dot(Eigen::Vector3d(2, 3, 6) / 7)), 1, 1e-12);
+}
+
+}  // namespace
+}  // namespace isopatch::segmentation
