@@ -188,10 +188,11 @@ KnownShape known_shape(const geometry::Brep& solid, const DecompositionOptions& 
   std::string stopped_by, not_branched;
   if (std::optional<KnownCells> made = known_cells(solid, options.time_limit / 4, stopped_by, not_branched))
     result.decomposition = decomposition_of(std::move(*made), watch.seconds());
-  else if (!not_branched.empty())
-    result.why_not = "It looks turned, with branches across its axis, but " + not_branched;
   else if (result.why_not = no_stack(solid, options); result.why_not.empty() && !stopped_by.empty())
     result.why_not = "It looks swept or turned, but " + stopped_by;
+  if (!result.decomposition && !not_branched.empty())
+    result.why_not = "It looks turned with branches, but " + not_branched +
+                     (result.why_not.empty() ? "" : ". " + result.why_not);
   return result;
 }
 
