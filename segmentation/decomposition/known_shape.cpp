@@ -248,10 +248,11 @@ KnownShape known_shape(const geometry::Brep& solid, const DecompositionOptions& 
   WhyNot why;
   if (std::optional<KnownCells> made = known_or_mirrored(solid, options.time_limit / 4, why))
     result.decomposition = decomposition_of(std::move(*made), watch.seconds());
-  else if (!why.not_branched.empty() && rounds_in_the_way(solid, solid.size()).faces.empty())
-    result.why_not = "It looks turned, with branches across its axis, but " + why.not_branched;
   else if (result.why_not = no_stack(solid, options); result.why_not.empty() && !why.stopped_by.empty())
     result.why_not = "It looks swept or turned, but " + why.stopped_by;
+  if (!result.decomposition && !why.not_branched.empty())
+    result.why_not = "It looks turned with branches, but " + why.not_branched +
+                     (result.why_not.empty() ? "" : ". " + result.why_not);
   return result;
 }
 
