@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace isopatch::solvers {
@@ -22,10 +23,15 @@ TEST(AvailableMemory, FollowsTheLimitOnTheAddressSpace) {
 }
 
 TEST(ResidentMemory, GrowsWithWhatIsTouched) {
-  const std::int64_t before = resident_memory();
-  const std::vector<double> touched(std::size_t{8} << 20, 1.0);
-  EXPECT_GT(resident_memory() - before, std::int64_t{60} << 20);
-  EXPECT_EQ(touched.back(), 1.0);
+  // A busy system may take other pages of the process away meanwhile; hardly each time.
+  std::int64_t most = 0;
+  for (int attempt = 0; attempt < 5; ++attempt) {
+    const std::int64_t before = resident_memory();
+    const std::vector<double> touched(std::size_t{8} << 20, 1.0);
+    most = std::max(most, resident_memory() - before);
+    EXPECT_EQ(touched.back(), 1.0);
+  }
+  EXPECT_GT(most, std::int64_t{60} << 20);
 }
 
 }  // namespace
