@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-#include <algorithm>
 #include <vector>
 
 namespace isopatch::solvers {
@@ -24,14 +23,14 @@ TEST(AvailableMemory, FollowsTheLimitOnTheAddressSpace) {
 
 TEST(ResidentMemory, GrowsWithWhatIsTouched) {
   // A busy system may take other pages of the process away meanwhile; hardly each time.
-  std::int64_t most = 0;
+  bool has_grown = false;
   for (int attempt = 0; attempt < 5; ++attempt) {
     const std::int64_t before = resident_memory();
     const std::vector<double> touched(std::size_t{8} << 20, 1.0);
-    most = std::max(most, resident_memory() - before);
+    has_grown = has_grown || resident_memory() - before > std::int64_t{60} << 20;
     EXPECT_EQ(touched.back(), 1.0);
   }
-  EXPECT_GT(most, std::int64_t{60} << 20);
+  EXPECT_TRUE(has_grown);
 }
 
 }  // namespace
