@@ -22,6 +22,12 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   list(APPEND ISOPATCH_WARNINGS -Wno-maybe-uninitialized -Wno-restrict)
 endif()
 
+# A compiler that lives some seconds gains nothing from collecting its garbage (4 to 17 % of its time, a tenth more memory).
+set(ISOPATCH_COMPILER_MEMORY)
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  set(ISOPATCH_COMPILER_MEMORY --param=ggc-min-heapsize=4194304)
+endif()
+
 # Reading headers takes more of a build than our own code. So what most sources include is read once for all targets
 # that are compiled alike: GCC takes such headers only where optimisation, OpenMP, definitions, -Wpedantic and position
 # independence agree, and warns where they do not.
@@ -34,7 +40,7 @@ function(isopatch_common_headers kind)
   file(WRITE "${PROJECT_BINARY_DIR}/headers/${kind}.cpp" "")
   add_library(${owner} OBJECT "${PROJECT_BINARY_DIR}/headers/${kind}.cpp")
   target_link_libraries(${owner} PRIVATE isopatch_settings Eigen3::Eigen fmt::fmt OpenMP::OpenMP_CXX)
-  target_compile_options(${owner} PRIVATE ${ISOPATCH_WARNINGS})
+  target_compile_options(${owner} PRIVATE ${ISOPATCH_WARNINGS} ${ISOPATCH_COMPILER_MEMORY})
   target_precompile_headers(${owner} PRIVATE ${ISOPATCH_COMMON_HEADERS})
   if(kind STREQUAL tests)
     target_link_libraries(${owner} PRIVATE GTest::gtest GTest::gmock)
@@ -59,7 +65,7 @@ endfunction()
 # time. So names in unnamed namespaces must differ within a folder. Some warnings make no sense then, and those about
 # AVX-512 are more.
 function(isopatch_compile target kind)
-  target_compile_options(${target} PRIVATE ${ISOPATCH_WARNINGS})
+  target_compile_options(${target} PRIVATE ${ISOPATCH_WARNINGS} ${ISOPATCH_COMPILER_MEMORY})
   isopatch_optimise(${target} ${kind})
   if(NOT ISOPATCH_UNITY)
     return()

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <utility>
 #include <vector>
 
+#include "geometry/base/dense_matrices.hpp"
 #include "geometry/base/error.hpp"
 #include "solvers/block_size.hpp"
 
@@ -38,9 +38,7 @@ double largest_of_tridiagonal(const std::vector<double>& alpha, const std::vecto
     diagonal[i] = 1 / alpha[k] + (i > 0 ? beta[k - 1] / alpha[k - 1] : 0);
     if (i + 1 < n) beside[i] = std::sqrt(beta[k]) / alpha[k];
   }
-  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
-  solver.computeFromTridiagonal(diagonal, beside, Eigen::EigenvaluesOnly);
-  return solver.eigenvalues()[n - 1];
+  return tridiagonal_eigen(diagonal, beside).values[n - 1];
 }
 
 }  // namespace

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <map>
 
 #include "app/base/engineering_units.hpp"
 #include "app/problem/resolution_warning.hpp"
+#include "geometry/base/dense_matrices.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -54,8 +54,7 @@ void add_large_strain(const BuiltProblem& built, const iga::ElasticitySolution& 
   const iga::Extremum& most = solution.results.max_strain;
   if (most.patch < 0 || !(most.value > most_strain)) return;
   const Eigen::Matrix3d strain = iga::evaluate(solution.field, most.patch, most.parameter).strain;
-  const Eigen::Vector3d principal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(strain).eigenvalues();
-  const double largest = principal.cwiseAbs().maxCoeff();
+  const double largest = principal_axes(strain).values.cwiseAbs().maxCoeff();
   if (!(largest > most_strain)) return;
   warnings.push_back(
       {fmt::format("strains come to {:.3g} % at {}: linear elasticity is for small ones, below some "

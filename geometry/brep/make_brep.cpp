@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <Eigen/Eigenvalues>
 #include <optional>
 
+#include "geometry/base/dense_matrices.hpp"
 #include "geometry/base/error.hpp"
 #include "geometry/brep/brep_graph.hpp"
 #include "geometry/brep/module.hpp"
@@ -84,10 +84,10 @@ std::optional<Eigen::Vector2d> crossing(const Eigen::Vector2d& a, const Eigen::V
 std::optional<Eigen::Vector3d> self_crossing(const Eigen::Matrix3Xd& corners, double same_point) {
   const Eigen::Vector3d centre = corners.rowwise().mean();
   const Eigen::Matrix3Xd arms = corners.colwise() - centre;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(arms * arms.transpose());
-  const Eigen::Vector3d normal = axes.eigenvectors().col(0);
+  const Eigen::Matrix3d axes = principal_axes(arms * arms.transpose()).axes;
+  const Eigen::Vector3d normal = axes.col(0);
   if (corners.cols() > 3 && (normal.transpose() * arms).norm() > same_point) return std::nullopt;
-  const Eigen::Matrix<double, 3, 2> plane = axes.eigenvectors().rightCols<2>();
+  const Eigen::Matrix<double, 3, 2> plane = axes.rightCols<2>();
   const Eigen::Matrix2Xd flat = plane.transpose() * arms;
   const Eigen::Index n = flat.cols();
   for (Eigen::Index i = 0; i < n; ++i)

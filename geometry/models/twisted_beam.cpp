@@ -1,8 +1,8 @@
 #include "geometry/models/twisted_beam.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
 
+#include "geometry/base/dense_matrices.hpp"
 #include "geometry/models/check_option.hpp"
 #include "geometry/models/model_builder.hpp"
 #include "geometry/splines/arc.hpp"
@@ -32,7 +32,7 @@ Eigen::MatrixX2d turn(const KnotVector& knots, double sweep) {
   for (std::size_t i = 0; i < breaks.size(); ++i) set_row(static_cast<Eigen::Index>(i), breaks[i], 0);
   set_row(n - 2, knots.first(), 1);
   set_row(n - 1, knots.last(), 1);
-  return collocation.partialPivLu().solve(wanted);
+  return solve_by_lu(collocation, wanted);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/sparse_lu.hpp"
 
 namespace isopatch::geometry {
 namespace {
@@ -64,8 +64,7 @@ Eigen::Matrix2Xd planar_drawing(const EdgeGraph& graph, const ConnectivityReport
   }
   Eigen::SparseMatrix<double> matrix(count, count);
   matrix.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
-  const Eigen::MatrixX2d solution = solver.solve(right);
+  const Eigen::MatrixX2d solution = solve_by_lu(matrix, right).value();
   for (std::size_t v = 0; v < unknown.size(); ++v)
     if (unknown[v] >= 0) positions.col(static_cast<Eigen::Index>(v)) = solution.row(unknown[v]).transpose();
   return positions;

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/base/dense_matrices.hpp"
 #include "geometry/base/error.hpp"
 #include "geometry/measures.hpp"
 
@@ -85,10 +85,10 @@ PlaneNormal plane_normal(const geometry::MultiPatch& model, PatchFace face, cons
   const Eigen::Matrix3Xd points = geometry::face_surface(patch, face.side).control_points();
   const Eigen::Vector3d centre = points.rowwise().mean();
   const Eigen::Matrix3d scatter = (points.colwise() - centre) * (points.colwise() - centre).transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(scatter);
-  Eigen::Vector3d normal = eigen.eigenvectors().col(0);
+  const PrincipalAxes principal = principal_axes(scatter);
+  Eigen::Vector3d normal = principal.axes.col(0);
   const double off_plane = ((points.colwise() - centre).transpose() * normal).cwiseAbs().maxCoeff();
-  const double extent = std::sqrt(eigen.eigenvalues()[2]);
+  const double extent = std::sqrt(principal.values[2]);
   if (off_plane > std::max(1e-5 * extent, 10 * model.tolerance().same_point * model.size()))
     throw Error(ErrorCode::invalid_argument, fmt::format("'{}': face {} is not plane (off by {:.3g} m), so "
                                                          "it cannot be a symmetry plane or a roller; give "
@@ -104,7 +104,7 @@ PlaneNormal plane_normal(const geometry::MultiPatch& model, PatchFace face, cons
       normal = Eigen::Vector3d::Unit(d) * (normal[d] > 0 ? 1 : -1);
   // Points may be off by the tolerance, which turns narrow faces most; below a degree, so that corners stay
   // corners.
-  const Eigen::VectorXd across = (points.colwise() - centre).transpose() * eigen.eigenvectors().col(1);
+  const Eigen::VectorXd across = (points.colwise() - centre).transpose() * principal.axes.col(1);
   const double width = across.maxCoeff() - across.minCoeff();
   const double off = std::max(off_plane, model.tolerance().same_point * model.size());
   return {normal, std::clamp(Angle::radians(4 * off / width), least_uncertainty, Angle::radians(1e-2))};

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "geometry/scaled_jacobian.hpp"
 #include "iga/internal/parallel_for.hpp"
 #include "iga/material/internal/point_fields.hpp"
 #include "iga/output/internal/grid_sums.hpp"
@@ -30,7 +31,7 @@ struct Shape {
 Shape shape_of(const Matrix3d& jacobian) {
   const Vector3d lengths = jacobian.colwise().norm();
   if (lengths.minCoeff() <= no_length * lengths.maxCoeff()) return {0, true};
-  return {jacobian.determinant() / lengths.prod(), false};
+  return {geometry::scaled_jacobian(jacobian), false};
 }
 
 // Numerators to the value and its derivatives along the parameters.

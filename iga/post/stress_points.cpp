@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geometry/base/error.hpp"
+#include "geometry/scaled_jacobian.hpp"
 
 namespace isopatch::iga {
 namespace {
@@ -51,7 +52,7 @@ MapState map_state(const Eigen::Matrix3d& jacobian, double& scaled) {
   const Eigen::RowVector3d lengths = jacobian.colwise().norm();
   scaled = 0;
   if (!(lengths.minCoeff() > vanishing * lengths.maxCoeff())) return MapState::collapsed;
-  scaled = jacobian.determinant() / lengths.prod();
+  scaled = geometry::scaled_jacobian(jacobian);
   return scaled >= least_scaled_jacobian ? MapState::sound : MapState::folded;
 }
 

@@ -34,8 +34,13 @@ bool is_iterative(Method method) {
   return method == Method::cg || method == Method::minres;
 }
 
-double gigabytes(double bytes) {
-  return bytes / 1e9;
+/// Two digits or more, and no power of ten: "0.82", "203".
+std::string about(double value) {
+  return value < 100 ? fmt::format("{:.2g}", value) : fmt::format("{:.0f}", value);
+}
+
+std::string gigabytes(double bytes) {
+  return about(bytes / 1e9) + " GB";
 }
 
 void check_coupling(Method method, bool tied) {
@@ -121,8 +126,7 @@ SolverPlan iterative_plan(const SizeForecast& size, const solvers::SolverOptions
     if (!cheap)
       plan.reason += "; without a matrix, whose product would be slower at this degree";
     else if (with_matrix > available)
-      plan.reason +=
-          fmt::format("; without a matrix, which would take {:.2g} GB", gigabytes(size.matrix_bytes));
+      plan.reason += fmt::format("; without a matrix, which would take {}", gigabytes(size.matrix_bytes));
   }
   plan.predicted_bytes = multigrid_bytes(size, plan.form);
   return plan;
@@ -162,7 +166,7 @@ std::vector<SolverPlan> automatic_plans(const SizeForecast& size, const solvers:
   for (SolverPlan& plan : direct) plan.reason = is_cheap ? factor + ", which is little" : factor;
   for (SolverPlan& plan : iterative) {
     const bool fits = direct.empty() || direct.front().predicted_bytes <= available;
-    plan.reason = (!fits ? fmt::format("factors would take about {:.2g} GB of the {:.2g} GB available: ",
+    plan.reason = (!fits ? fmt::format("factors would take about {} of the {} available: ",
                                        gigabytes(direct.front().predicted_bytes), gigabytes(available))
                    : is_cheap || direct.empty() ? ""
                                                 : factor + ": ") +
@@ -212,12 +216,12 @@ std::string advice(const SizeForecast& size, const solvers::SolverOptions& optio
                is_iterative(plan) ? 1.0 : 0.75);
   throw Error(
       ErrorCode::out_of_memory,
-      fmt::format("{} unknowns with {} would take about {:.2g} GB, and {:.2g} GB are available; about {:.2g} "
+      fmt::format("{} unknowns with {} would take about {}, and {} are available; about {} "
                   "million unknowns would fit: {}, or raise [solver] memory_limit if you know better",
                   size.unknowns < 1'000'000 ? fmt::format("{}", size.unknowns)
-                                            : fmt::format("{:.3g} million", 1e-6 * size.unknowns),
-                  described(plan), gigabytes(needed), gigabytes(std::max(0.0, available)), 1e-6 * fitting,
-                  advice(size, options, plan)));
+                                            : about(1e-6 * static_cast<double>(size.unknowns)) + " million",
+                  described(plan), gigabytes(needed), gigabytes(std::max(0.0, available)),
+                  about(1e-6 * fitting), advice(size, options, plan)));
 }
 
 std::vector<SolverPlan> plans_that_fit(const SizeForecast& size, const solvers::SolverOptions& options,

@@ -122,6 +122,12 @@ class CheckLayers(unittest.TestCase):
     def test_rejects_an_unknown_library(self):
         self.rejects({"iga/a.cpp": "#include <boost/any.hpp>\n"}, "iga/a.cpp:1", "belongs to no known library")
 
+    def test_rejects_decompositions_that_are_compiled_elsewhere(self):
+        self.rejects({"iga/a.cpp": "#include <Eigen/Eigenvalues>\n"}, "iga/a.cpp:1", "dense_matrices.hpp")
+        self.rejects({"iga/a.cpp": "#include <Eigen/Dense>\n"}, "iga/a.cpp:1", "dense_matrices.hpp")
+        self.accepts({"geometry/base/dense_matrices.cpp": "#include <Eigen/Eigenvalues>\n",
+                      "iga/a.cpp": "#include <Eigen/Geometry>\n"})
+
     def test_rejects_an_include_relative_to_the_file(self):
         self.rejects({"iga/a.hpp": "", "iga/b.cpp": '#include "a.hpp"\n'}, "iga/b.cpp:1",
                      'must be spelled from the root: "iga/a.hpp"')

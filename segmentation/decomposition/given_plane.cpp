@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <cmath>
 
+#include "geometry/base/dense_matrices.hpp"
 #include "geometry/base/error.hpp"
 #include "geometry/brep/require_solid.hpp"
 
@@ -41,10 +41,10 @@ PlaneSurface plane_through(const std::vector<Eigen::Vector3d>& points, double si
   Eigen::Matrix3Xd from_middle(3, static_cast<Eigen::Index>(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i)
     from_middle.col(static_cast<Eigen::Index>(i)) = points[i] - middle;
-  const Eigen::JacobiSVD<Eigen::MatrixXd> parts(from_middle, Eigen::ComputeFullU);
-  if (!(parts.singularValues()[1] > 1e-6 * size))
+  const LeftSingular parts = left_singular(from_middle);
+  if (!(parts.values[1] > 1e-6 * size))
     throw Error(ErrorCode::invalid_argument, "the points of a cut are on a line; three off it are needed");
-  const Eigen::Vector3d normal = parts.matrixU().col(2);
+  const Eigen::Vector3d normal = parts.vectors.col(2);
   for (const Eigen::Vector3d& point : points)
     if (const double off = std::abs((point - middle).dot(normal)); off > 1e-6 * size)
       throw Error(

@@ -1,10 +1,11 @@
 #include "segmentation/reconstruction/internal/facets.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+
+#include "geometry/base/dense_matrices.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -26,15 +27,9 @@ class GrowingPlane {
     if (count_ < 4) return;
     const Eigen::Vector3d mean = sum_ / count_;
     const Eigen::Matrix3d spread = squares_ - count_ * mean * mean.transpose();
-    const Eigen::Vector3d found =
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>().computeDirect(spread).eigenvectors().col(0);
+    const Eigen::Vector3d found = principal_axes(spread).axes.col(0);
     middle_ = first_ + mean;
-    // The direct formula is good to the square root of round-off; one step of inverse iteration mends it.
-    const Eigen::Matrix3d shifted = spread + 1e-14 * spread.trace() * Eigen::Matrix3d::Identity();
-    Eigen::Vector3d better = shifted.inverse() * found;
-    if (!better.allFinite() || !(better.norm() > 0)) better = found;
-    better.normalize();
-    normal_ = better.dot(normal_) < 0 ? Eigen::Vector3d(-better) : better;
+    normal_ = found.dot(normal_) < 0 ? Eigen::Vector3d(-found) : found;
   }
   double distance(const Eigen::Vector3d& point) const { return std::abs(normal_.dot(point - middle_)); }
   const Eigen::Vector3d& normal() const { return normal_; }

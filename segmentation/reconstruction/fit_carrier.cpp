@@ -1,12 +1,11 @@
 #include "segmentation/reconstruction/internal/fit_carrier.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <vector>
 
+#include "geometry/base/dense_matrices.hpp"
 #include "segmentation/reconstruction/internal/carrier_distance.hpp"
 
 namespace isopatch::segmentation {
@@ -166,7 +165,7 @@ std::optional<Carrier> least_squares(Carrier carrier, const Eigen::Matrix3Xd& po
       matrix(i, i) += damping * matrix(i, i) + 1e-14 * double(points.cols());
       if (!used[static_cast<std::size_t>(i)]) matrix(i, i) = 1;
     }
-    const Vector7 change = matrix.ldlt().solve(now.right);
+    const Vector7 change = solve_semidefinite(matrix, now.right);
     if (!change.allFinite()) return std::nullopt;
     Carrier next = moved(carrier, change);
     if (!sensible(next)) {
@@ -195,9 +194,7 @@ std::optional<Carrier> least_squares(Carrier carrier, const Eigen::Matrix3Xd& po
 std::optional<Carrier> plane_start(const SurfaceSample& s) {
   Carrier carrier{SurfaceKind::plane, s.points.rowwise().mean(), {}, 0, 0, {}};
   const Eigen::Matrix3Xd about = s.points.colwise() - carrier.origin;
-  carrier.axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(Eigen::Matrix3d(about * about.transpose()))
-                     .eigenvectors()
-                     .col(0);
+  carrier.axis = principal_axes(about * about.transpose()).axes.col(0);
   return carrier;
 }
 
@@ -222,7 +219,7 @@ std::optional<Round> round_through(const Eigen::Matrix3Xd& points, const Eigen::
     right += row * q.squaredNorm();
   }
   if (flat) matrix.topLeftCorner<3, 3>() += axis * axis.transpose() * matrix.topLeftCorner<3, 3>().trace();
-  const Eigen::Vector4d found = matrix.ldlt().solve(right);
+  const Eigen::Vector4d found = solve_semidefinite(matrix, right);
   const double square = found[3] + found.head<3>().squaredNorm();
   if (!found.allFinite() || !(square > 0)) return std::nullopt;
   return Round{middle + found.head<3>(), std::sqrt(square)};
@@ -236,7 +233,7 @@ std::optional<Carrier> sphere_start(const SurfaceSample& s) {
 
 std::optional<Carrier> cylinder_start(const SurfaceSample& s) {
   const Eigen::Matrix3d sums = s.normals * s.normals.transpose();
-  const Eigen::Vector3d axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sums).eigenvectors().col(0);
+  const Eigen::Vector3d axis = principal_axes(sums).axes.col(0);
   const auto round = round_through(s.points, axis);
   if (!round) return std::nullopt;
   return Carrier{SurfaceKind::cylinder, round->center, axis, round->radius, 0, {}};
@@ -256,7 +253,7 @@ Axis axis_along(const Eigen::Vector3d& direction, const SurfaceSample& s) {
     sums += row * row.transpose();
     right -= row * direction.dot(s.middles.col(i).cross(s.normals.col(i)));
   }
-  return {sums.ldlt().solve(right), direction};
+  return {solve_semidefinite(sums, right), direction};
 }
 
 /// Points with the normals of a cubic through them, over the plane that the facets have in the mean: nearer
@@ -279,7 +276,7 @@ std::optional<SurfaceSample> with_smooth_normals(const SurfaceSample& s) {
     right += row * z.dot(way);
   }
   sums.diagonal().array() += 1e-12;
-  const Cubic c = sums.ldlt().solve(right);
+  const Cubic c = solve_semidefinite(sums, right);
   if (!c.allFinite()) return std::nullopt;
   SurfaceSample result{s.points, s.points, Eigen::Matrix3Xd(3, s.points.cols())};
   for (Eigen::Index i = 0; i < at.cols(); ++i) {
@@ -301,18 +298,16 @@ std::vector<Axis> possible_axes(const SurfaceSample& s) {
     row << s.middles.col(i).cross(s.normals.col(i)), s.normals.col(i);
     sums += row * row.transpose();
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> found(sums);
+  const Eigen::MatrixXd found = symmetric_eigen(sums).vectors;
   for (Eigen::Index k = 0; k < 2; ++k) {
-    const Eigen::Vector3d direction = found.eigenvectors().col(k).head<3>();
+    const Eigen::Vector3d direction = found.col(k).head<3>();
     if (direction.norm() > 1e-6) result.push_back(axis_along(direction.normalized(), s));
   }
   const Eigen::Vector3d mean = s.normals.rowwise().mean();
   const Eigen::Matrix3Xd about = s.normals.colwise() - mean;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> leaning(Eigen::Matrix3d(about * about.transpose()));
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> square(
-      Eigen::Matrix3d(s.normals * s.normals.transpose()));
-  for (Eigen::Index k = 0; k < 2; ++k) result.push_back(axis_along(leaning.eigenvectors().col(k), s));
-  result.push_back(axis_along(square.eigenvectors().col(0), s));
+  const Eigen::Matrix3d leaning = principal_axes(about * about.transpose()).axes;
+  for (Eigen::Index k = 0; k < 2; ++k) result.push_back(axis_along(leaning.col(k), s));
+  result.push_back(axis_along(principal_axes(s.normals * s.normals.transpose()).axes.col(0), s));
   return result;
 }
 

@@ -1,9 +1,9 @@
 #include "segmentation/reconstruction/internal/meeting_point.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "geometry/base/dense_matrices.hpp"
 #include "segmentation/reconstruction/internal/carrier_distance.hpp"
 
 namespace isopatch::segmentation {
@@ -25,12 +25,10 @@ struct StepEquations {
     right -= value * row;
   }
   Eigen::Vector3d least_step() const {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> parts(matrix);
+    const auto [values, axes] = principal_axes(matrix);
     Eigen::Vector3d step = Eigen::Vector3d::Zero();
     for (Eigen::Index i = 0; i < 3; ++i) {
-      const double value = parts.eigenvalues()[i];
-      if (value > weak * parts.eigenvalues()[2])
-        step += parts.eigenvectors().col(i) * parts.eigenvectors().col(i).dot(right) / value;
+      if (values[i] > weak * values[2]) step += axes.col(i) * axes.col(i).dot(right) / values[i];
     }
     return step;
   }
@@ -52,12 +50,12 @@ void add_contact(StepEquations& equations, const Carrier& a, const Carrier& b, c
   const Eigen::Vector3d by_y = (slope(point + step * y) - slope(point - step * y)) / (2 * step);
   bend << by_x.dot(x), by_y.dot(x), by_x.dot(y), by_y.dot(y);
   const Eigen::Matrix2d even = (bend + bend.transpose()) / 2;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> parts(even);
-  const double most = parts.eigenvalues().cwiseAbs().maxCoeff();
+  const SymmetricEigen parts = symmetric_eigen(even);
+  const double most = parts.values.cwiseAbs().maxCoeff();
   for (Eigen::Index i = 0; i < 2; ++i) {
-    const double value = parts.eigenvalues()[i];
+    const double value = parts.values[i];
     if (std::abs(value) * size < 1e-6 || std::abs(value) < 1e-3 * most) continue;
-    const Eigen::Vector3d across = parts.eigenvectors()(0, i) * x + parts.eigenvectors()(1, i) * y;
+    const Eigen::Vector3d across = parts.vectors(0, i) * x + parts.vectors(1, i) * y;
     equations.add(across, here.dot(across) / value);
   }
 }

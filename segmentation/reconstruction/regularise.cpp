@@ -1,12 +1,12 @@
 #include "segmentation/reconstruction/internal/regularise.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>
 
+#include "geometry/base/dense_matrices.hpp"
 #include "segmentation/reconstruction/internal/carrier_distance.hpp"
 #include "segmentation/reconstruction/internal/fit_carrier.hpp"
 
@@ -73,9 +73,7 @@ class Regulariser {
     for (std::size_t i = 0; i < vertices.size(); ++i)
       result.points.col(static_cast<Eigen::Index>(i)) = mesh_.vertices.col(vertices[i]);
     const Eigen::Matrix3Xd about = result.points.colwise() - result.points.rowwise().mean();
-    const Eigen::Vector3d squares = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(
-                                        Eigen::Matrix3d(about * about.transpose() / double(about.cols())))
-                                        .eigenvalues();
+    const Eigen::Vector3d squares = principal_axes(about * about.transpose() / double(about.cols())).values;
     result.spread =
         std::sqrt(std::max(0.0, result.carrier.kind == SurfaceKind::plane ? squares[1] : squares[2] / 4));
     if (result.carrier.kind != SurfaceKind::plane && result.carrier.kind != SurfaceKind::sphere) {

@@ -22,10 +22,15 @@ TEST(AvailableMemory, FollowsTheLimitOnTheAddressSpace) {
 }
 
 TEST(ResidentMemory, GrowsWithWhatIsTouched) {
-  const std::int64_t before = resident_memory();
-  const std::vector<double> touched(std::size_t{8} << 20, 1.0);
-  EXPECT_GT(resident_memory() - before, std::int64_t{60} << 20);
-  EXPECT_EQ(touched.back(), 1.0);
+  // A busy system may take other pages of the process away meanwhile; hardly each time.
+  bool has_grown = false;
+  for (int attempt = 0; attempt < 5; ++attempt) {
+    const std::int64_t before = resident_memory();
+    const std::vector<double> touched(std::size_t{8} << 20, 1.0);
+    has_grown = has_grown || resident_memory() - before > std::int64_t{60} << 20;
+    EXPECT_EQ(touched.back(), 1.0);
+  }
+  EXPECT_TRUE(has_grown);
 }
 
 }  // namespace

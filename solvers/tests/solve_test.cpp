@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "geometry/base/dense_matrices.hpp"
 #include "geometry/base/error.hpp"
 #include "solvers/tests/sample_systems.hpp"
 
@@ -54,7 +55,7 @@ DenseSolution dense_solution(const LinearSystem& system) {
   }
   Eigen::VectorXd right_side = Eigen::VectorXd::Zero(n + m);
   right_side.head(n) = system.load;
-  const Eigen::VectorXd z = whole.fullPivLu().solve(right_side);
+  const Eigen::VectorXd z = solve_by_lu(whole, right_side);
   return {z.head(n), z.tail(m)};
 }
 

@@ -35,7 +35,7 @@ geometry::MultiPatch two_cubes() {
 
 std::vector<PatchShape> shape_of(const geometry::MultiPatch& model,
                                  PictureField field = PictureField::patch) {
-  return part_shape(iga::sample_part(model, model.patches()), {.field = field});
+  return part_shape(iga::sample_part(model, model.patches()), {.field = field, .component = {}});
 }
 
 TEST(PartShape, TheOuterSurfaceIsClosedAndHasTheAreaOfTheFaces) {
@@ -122,10 +122,69 @@ TEST(Clip, InTheDeformedPartCutsTheUndeformedOne) {
     patch.displacements = Eigen::Matrix3Xd::Zero(3, patch.points.cols());
     patch.displacements.row(0) = patch.points.row(0);
   }
-  const auto shape = part_shape(samples, {.field = PictureField::displacement, .deformation = 1});
+  const auto shape =
+      part_shape(samples, {.field = PictureField::displacement, .component = {}, .deformation = 1});
   const Surface face = section(shape, {0, 0.5});
   EXPECT_NEAR((face.points.row(0).array() - 1).abs().maxCoeff<Eigen::PropagateNaN>(), 0, 1e-12);
   EXPECT_NEAR((face.values.array() - 0.5).abs().maxCoeff<Eigen::PropagateNaN>(), 0, 1e-12);
+}
+
+TEST(Clip, OutsideThePartKeepsAllOrNothing) {
+  const auto model = two_cubes();
+  const auto shape = shape_of(model);
+  const Surface surface = outer_surface(model, shape);
+  const Lines edges = patch_edges(model, shape);
+  EXPECT_NEAR(area(clipped(surface, {0, 3})), 10, 1e-12);
+  EXPECT_NEAR(length(clipped(edges, {0, 3})), 40, 1e-12);
+  EXPECT_TRUE(section(shape, {0, 3}).triangles.empty());
+  EXPECT_TRUE(clipped(surface, {0, -1}).triangles.empty());
+  EXPECT_TRUE(clipped(edges, {0, -1}).segments.empty());
+  EXPECT_TRUE(cut_outline(surface, {0, -1}).segments.empty());
+}
+
+TEST(Clip, ShortensEdgesAtThePlane) {
+  const auto model = two_cubes();
+  // Four squares around the first cube and its end face: the edges along the axis lose three quarters of a
+  // unit in each of the four squares of the second cube, twice a square; its end's four edges and those of
+  // the squares that end there, four more, go.
+  const Lines kept = clipped(patch_edges(model, shape_of(model)), {0, 1.25});
+  EXPECT_NEAR(length(kept), 40 - 8 * 0.75 - 8, 1e-12);
+  EXPECT_LE(kept.undeformed.row(0).maxCoeff<Eigen::PropagateNaN>(), 1.25 + 1e-12);
+}
+
+TEST(Clip, AcrossAPipeHasTheRingAsItsFace) {
+  const auto model = geometry::connect(geometry::cylinder_model({.angle = Angle::degrees(360)}));
+  const auto shape = shape_of(model);
+  const Surface surface = outer_surface(model, shape);
+  const double middle = (surface.points.row(2).minCoeff<Eigen::PropagateNaN>() +
+                         surface.points.row(2).maxCoeff<Eigen::PropagateNaN>()) /
+                        2;
+  const Surface face = section(shape, {2, middle});
+  const Surface below = clipped(surface, {2, middle});
+  // The divergence theorem over what is kept and the face that closes it; the same from areas of the sampled
+  // ring.
+  double volume = 0;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Surface* part : {&below, &face})
+    for (const auto& triangle : part->triangles) {
+      sum += area_vector(*part, triangle);
+      volume += area_vector(*part, triangle).dot(part->points.col(triangle[0])) / 6;
+    }
+  EXPECT_NEAR(sum.norm(), 0, 1e-12);
+  const double height = middle - surface.points.row(2).minCoeff<Eigen::PropagateNaN>();
+  EXPECT_NEAR(volume, area(face) * height, 1e-12 * volume);
+  EXPECT_GT(area(face), 0);
+}
+
+TEST(Joined, KeepsBothWithTheirValues) {
+  const auto model = two_cubes();
+  const Surface one = outer_surface(model, shape_of(model));
+  const Surface both = joined(one, one);
+  EXPECT_NEAR(area(both), 20, 1e-12);
+  EXPECT_EQ(both.values.tail(one.values.size()), one.values);
+  EXPECT_EQ(both.triangles.back()[2], one.triangles.back()[2] + one.points.cols());
+  const Lines edges = patch_edges(model, shape_of(model));
+  EXPECT_NEAR(length(joined(edges, edges)), 80, 1e-12);
 }
 
 }  // namespace

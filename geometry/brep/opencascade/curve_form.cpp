@@ -1,10 +1,12 @@
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <Geom_Circle.hxx>
 #include <Geom_Ellipse.hxx>
 #include <Geom_Line.hxx>
 #include <cmath>
 #include <numbers>
 
+#include "geometry/base/dense_matrices.hpp"
 #include "geometry/brep/opencascade/internal/carrier_forms.hpp"
 #include "geometry/brep/opencascade/internal/conversions.hpp"
 
@@ -53,28 +55,27 @@ std::optional<Ellipse> ellipse_through(const Eigen::Matrix3Xd& points) {
   const Eigen::Matrix3Xd about = points.colwise() - mean;
   const double size = about.colwise().norm().maxCoeff();
   const Eigen::Matrix3d sums = about * about.transpose() / (size * size);
-  const Eigen::Matrix3d axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sums).eigenvectors();
+  const Eigen::Matrix3d axes = principal_axes(sums).axes;
   const Eigen::Vector3d x = axes.col(2), y = axes.col(1);
   Eigen::Matrix<double, Eigen::Dynamic, 6> rows(points.cols(), 6);
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     const double a = x.dot(about.col(i)) / size, b = y.dot(about.col(i)) / size;
     rows.row(i) << a * a, a * b, b * b, a, b, 1;
   }
-  const Eigen::Matrix<double, 6, 1> q =
-      Eigen::JacobiSVD<Eigen::MatrixXd>(rows, Eigen::ComputeFullV).matrixV().col(5);
+  const Eigen::Matrix<double, 6, 1> q = left_singular(rows.transpose()).vectors.col(5);
   Eigen::Matrix2d form;
   form << q[0], q[1] / 2, q[1] / 2, q[2];
   if (!(form.determinant() > 0)) return std::nullopt;
   const Eigen::Vector2d center = -form.inverse() * q.segment<2>(3) / 2;
   const double level = center.dot(form * center) - q[5];
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> found(form / level);
-  const Eigen::Vector2d squares = found.eigenvalues();
+  const SymmetricEigen found = symmetric_eigen(form / level);
+  const Eigen::Vector2d squares = found.values;
   if (!(squares.minCoeff() > 0)) return std::nullopt;
   const auto in_space = [&](const Eigen::Vector2d& p) -> Eigen::Vector3d {
     return size * (p.x() * x + p.y() * y);
   };
-  return Ellipse{mean + in_space(center), in_space(found.eigenvectors().col(0)) / std::sqrt(squares[0]),
-                 in_space(found.eigenvectors().col(1)) / std::sqrt(squares[1])};
+  return Ellipse{mean + in_space(center), in_space(found.vectors.col(0)) / std::sqrt(squares[0]),
+                 in_space(found.vectors.col(1)) / std::sqrt(squares[1])};
 }
 
 /// The circle through three points, if it passes through all.

@@ -1,6 +1,6 @@
 #include "geometry/brep/opencascade/internal/nearest_point.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <GeomAdaptor_Curve.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <Geom_BSplineCurve.hxx>

@@ -1,4 +1,4 @@
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Plane.hxx>
@@ -9,6 +9,7 @@
 #include <numbers>
 #include <vector>
 
+#include "geometry/base/dense_matrices.hpp"
 #include "geometry/brep/opencascade/internal/carrier_forms.hpp"
 #include "geometry/brep/opencascade/internal/conversions.hpp"
 
@@ -55,7 +56,7 @@ SurfaceSamples samples_of(const Geom_Surface& surface, const DomainBox& box) {
 /// The direction in which vectors are shortest.
 Eigen::Vector3d flattest(const Eigen::Matrix3Xd& vectors) {
   const Eigen::Matrix3d sums = vectors * vectors.transpose();
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sums).eigenvectors().col(0);
+  return principal_axes(sums).axes.col(0);
 }
 
 Eigen::Vector3d any_across(const Eigen::Vector3d& axis) {
@@ -79,10 +80,9 @@ std::optional<PlaneCircle> circle_through(const Eigen::Matrix2Xd& points) {
     normal += row * row.transpose();
     right += p.squaredNorm() * row;
   }
-  const Eigen::LDLT<Eigen::Matrix3d> solver(normal);
-  const Eigen::Vector3d found = solver.solve(right);
+  const Eigen::Vector3d found = solve_semidefinite(normal, right);
   const double square = found.z() + found.head<2>().squaredNorm();
-  if (solver.info() != Eigen::Success || !(square > 0) || !found.allFinite()) return std::nullopt;
+  if (!(square > 0) || !found.allFinite()) return std::nullopt;
   return PlaneCircle{mean + found.head<2>(), std::sqrt(square)};
 }
 
@@ -132,7 +132,7 @@ std::optional<Found> sphere_of(const SurfaceSamples& samples, double tolerance) 
     normal += row * row.transpose();
     right += p.squaredNorm() * row;
   }
-  const Eigen::Vector4d found = Eigen::LDLT<Eigen::Matrix4d>(normal).solve(right);
+  const Eigen::Vector4d found = solve_semidefinite(normal, right);
   const Eigen::Vector3d center = found.head<3>();
   const double square = found.w() + center.squaredNorm();
   if (!found.allFinite() || !(square > 0)) return std::nullopt;
@@ -162,7 +162,7 @@ std::optional<Found> cone_of(const SurfaceSamples& samples, double tolerance) {
   const Eigen::Matrix3d sums = samples.normals * samples.normals.transpose();
   const Eigen::Vector3d right =
       samples.normals * (samples.normals.cwiseProduct(samples.points).colwise().sum()).transpose();
-  const Eigen::Vector3d apex = Eigen::LDLT<Eigen::Matrix3d>(sums).solve(right);
+  const Eigen::Vector3d apex = solve_semidefinite(sums, right);
   if (!apex.allFinite()) return std::nullopt;
   // The axis points the way in which the cone widens.
   if (axis.dot(-apex) < 0) axis = -axis;
@@ -184,8 +184,7 @@ std::optional<Found> torus_of(const SurfaceSamples& samples, double tolerance) {
     row << samples.points.col(i).cross(samples.normals.col(i)), samples.normals.col(i);
     sums += row * row.transpose();
   }
-  const Eigen::Matrix<double, 6, 1> line =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>>(sums).eigenvectors().col(0);
+  const Eigen::Matrix<double, 6, 1> line = symmetric_eigen(sums).vectors.col(0);
   const double length = line.head<3>().norm();
   if (!(length > 1e-6)) return std::nullopt;
   const Eigen::Vector3d axis = line.head<3>() / length, moment = line.tail<3>() / length;

@@ -1,10 +1,11 @@
 #include "segmentation/decomposition/combinatorics/internal/loop_shape.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "geometry/base/dense_matrices.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -95,8 +96,8 @@ double unevenness(const Eigen::Matrix3Xd& polygon) {
   if (!(area > 0)) return 1;
   const Eigen::Vector3d middle = polygon.rowwise().mean();
   const Eigen::Matrix3Xd offsets = polygon.colwise() - middle;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spread(offsets * offsets.transpose());
-  return std::sqrt(std::max(0.0, spread.eigenvalues()(0)) / static_cast<double>(polygon.cols()) / area);
+  const double least = principal_axes(offsets * offsets.transpose()).values[0];
+  return std::sqrt(std::max(0.0, least) / static_cast<double>(polygon.cols()) / area);
 }
 
 double indirection(const CellGraph& graph, const CellIncidence& incidence, const Eigen::Matrix3Xd& points,

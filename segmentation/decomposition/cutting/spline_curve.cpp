@@ -1,8 +1,8 @@
 #include "segmentation/decomposition/cutting/spline_curve.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 
+#include "geometry/base/dense_matrices.hpp"
 #include "geometry/splines/grid.hpp"
 
 namespace isopatch::segmentation {
@@ -16,7 +16,7 @@ NurbsCurve interpolated(const CurvePoints& curve, const KnotVector& knots) {
   for (std::size_t i = 0; i < at.size(); ++i)
     points.row(static_cast<Eigen::Index>(i)) = curve(at[i]).transpose();
   const Eigen::MatrixXd matrix = geometry::collocation(knots, at);
-  Eigen::Matrix3Xd control = matrix.partialPivLu().solve(points).transpose();
+  Eigen::Matrix3Xd control = solve_by_lu(matrix, points).transpose();
   control.col(0) = points.row(0).transpose();
   control.col(control.cols() - 1) = points.row(points.rows() - 1).transpose();
   return NurbsCurve({knots}, std::move(control));

@@ -1,10 +1,10 @@
 #include "segmentation/parameterization/tests/spline_blocks.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
+#include "geometry/base/dense_matrices.hpp"
 #include "geometry/brep/make_brep.hpp"
 #include "geometry/patch_face.hpp"
 #include "geometry/splines/grid.hpp"
@@ -66,7 +66,7 @@ geometry::NurbsCurve outline_curve(const KnotVector& knots,
     points.row(static_cast<Eigen::Index>(i)) = map(at[i]).transpose();
   const Eigen::MatrixXd basis(geometry::collocation(knots, at));
   Eigen::Matrix3Xd net = Eigen::Matrix3Xd::Zero(3, points.rows());
-  net.topRows<2>() = basis.partialPivLu().solve(points).transpose();
+  net.topRows<2>() = solve_by_lu(basis, points).transpose();
   return {{knots}, net};
 }
 
