@@ -17,9 +17,9 @@ using geometry::TriangleSide;
 using MeshEdge = std::pair<int, int>;  // vertices, the lower first
 
 // A loop turns in a place where it does by so much along this share of it.
-constexpr double window_share = 0.05;
+constexpr double window_share = 0.03;
 constexpr double least_turn = 0.5;  // rad
-constexpr double least_apart = 0.1;
+constexpr double least_apart = 0.04;
 constexpr std::size_t most_divisions = 4;
 constexpr double spacing_change = 4;
 
