@@ -32,7 +32,8 @@ struct CarrierSolid {
     Carrier carrier;                          ///< not looked at where there is a spline
     bool reversed = false;                    ///< whether the outward normal is against the surface's
     std::vector<std::vector<EdgeUse>> loops;  ///< walked with the face to the left, seen from outside
-    std::optional<NurbsSurface> spline = {};  ///< freeform, m; no closed one: its loops are closed in its domain
+    std::optional<NurbsSurface> spline =
+        {};  ///< freeform, m; no closed one: its loops are closed in its domain
   };
   Eigen::Matrix3Xd vertices;  ///< m
   std::vector<Edge> edges;

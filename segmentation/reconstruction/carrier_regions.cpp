@@ -26,8 +26,8 @@ constexpr double loose = 20;
 // share of the surface around.
 constexpr std::size_t least_in_freeform = 8;
 constexpr double leaf_share = 0.02;
-// So are some more facets of less than this share of its area: small pieces of anything curved are on a carrier
-// within a tolerance that is a share of the whole size.
+// So are some more facets of less than this share of its area: small pieces of anything curved are on a
+// carrier within a tolerance that is a share of the whole size.
 constexpr std::size_t few_in_freeform = 20;
 constexpr double leaf_area = 0.03;
 // Neighbouring surfaces that are held against one torus or sphere.

@@ -15,7 +15,8 @@ double chord_error(const geometry::TriangleMesh& mesh, const geometry::MeshNeigh
       if (regions.of_triangle[static_cast<std::size_t>(other)] != region) continue;
       const Eigen::Vector3d a = geometry::area_vector(mesh, t), b = geometry::area_vector(mesh, other);
       const double edge =
-          (mesh.vertices.col(mesh.triangles((i + 1) % 3, t)) - mesh.vertices.col(mesh.triangles(i, t))).norm();
+          (mesh.vertices.col(mesh.triangles((i + 1) % 3, t)) - mesh.vertices.col(mesh.triangles(i, t)))
+              .norm();
       const double width = (a.norm() + b.norm()) / 2 / edge, angle = std::atan2(a.cross(b).norm(), a.dot(b));
       result = std::max(result, width * angle / 8);
     }

@@ -83,14 +83,14 @@ FittedCurves fit_curves(const std::vector<CurveSample>& samples, double toleranc
     for (const CurveSample& sample : samples) {
       result.curves.push_back(fitted(knots, sample));
       std::vector<int> inside(static_cast<std::size_t>(knots.size()), 0);
-      for (Eigen::Index i = 0; i < sample.t.size(); ++i) ++inside[static_cast<std::size_t>(knots.span(sample.t[i]))];
+      for (Eigen::Index i = 0; i < sample.t.size(); ++i)
+        ++inside[static_cast<std::size_t>(knots.span(sample.t[i]))];
       for (Eigen::Index i = 0; i < sample.t.size(); ++i) {
         const double off = off_at(result.curves.back(), sample, i);
         result.largest = std::max(result.largest, off);
         const int span = knots.span(sample.t[i]);
         const auto k = static_cast<std::size_t>(span);
-        if (off > tolerance && inside[k] > 1)
-          halved.insert((knots.knots()[k] + knots.knots()[k + 1]) / 2);
+        if (off > tolerance && inside[k] > 1) halved.insert((knots.knots()[k] + knots.knots()[k + 1]) / 2);
       }
     }
     if (halved.empty()) break;

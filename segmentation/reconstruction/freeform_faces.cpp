@@ -12,11 +12,12 @@ namespace {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const int t : region.triangles)
     middle += mesh.vertices.col(mesh.triangles(0, t)) / double(region.triangles.size());
-  throw Error(ErrorCode::unsupported,
-              fmt::format("a face of {} triangles and {:.4g} m^2 around ({:.6g}, {:.6g}, {:.6g}) m is no plane, "
-                          "cylinder, cone, sphere or torus, and not straight between two parallel planes; other "
-                          "freeform faces cannot be reconstructed yet",
-                          region.triangles.size(), region.area, middle.x(), middle.y(), middle.z()));
+  throw Error(
+      ErrorCode::unsupported,
+      fmt::format("a face of {} triangles and {:.4g} m^2 around ({:.6g}, {:.6g}, {:.6g}) m is no plane, "
+                  "cylinder, cone, sphere or torus, and not straight between two parallel planes; other "
+                  "freeform faces cannot be reconstructed yet",
+                  region.triangles.size(), region.area, middle.x(), middle.y(), middle.z()));
 }
 
 }  // namespace

@@ -44,7 +44,8 @@ Eigen::Vector2d NearestOnSpline::parameters(const Eigen::Vector3d& point) const 
   return parameters(point, places_.col(nearest));
 }
 
-Eigen::Vector2d NearestOnSpline::parameters(const Eigen::Vector3d& point, const Eigen::Vector2d& start) const {
+Eigen::Vector2d NearestOnSpline::parameters(const Eigen::Vector3d& point,
+                                            const Eigen::Vector2d& start) const {
   const Eigen::Vector2d low = surface_.low(), high = surface_.high();
   Eigen::Vector2d uv = start.cwiseMax(low).cwiseMin(high);
   for (int round = 0; round < 30; ++round) {

@@ -73,7 +73,9 @@ Regions regions_of(const geometry::TriangleMesh& mesh, const geometry::MeshNeigh
 std::function<double(const Eigen::Vector3d&)> distances(const Region& region) {
   if (!region.spline)
     return [&](const Eigen::Vector3d& p) { return carrier_distance(*region.carrier, p).value; };
-  return [nearest = NearestOnSpline(*region.spline)](const Eigen::Vector3d& p) { return nearest.distance(p).value; };
+  return [nearest = NearestOnSpline(*region.spline)](const Eigen::Vector3d& p) {
+    return nearest.distance(p).value;
+  };
 }
 
 void measure_deviation(const geometry::TriangleMesh& mesh, Regions& regions, ReconstructionReport& report) {
@@ -122,8 +124,8 @@ Reconstruction bounded(const geometry::TriangleMesh& mesh, const geometry::MeshN
   report.regularity = regularise(mesh, regions, report.tolerance);
   regions = by_area(split_bands(mesh, neighbours, std::move(regions)));
   progress("bounding the faces", 0);
-  const geometry::CarrierSolid solid =
-      solid_of_regions(mesh, neighbours, regions, std::max(report.tolerance, freeform_share * geometry::diagonal(mesh)));
+  const geometry::CarrierSolid solid = solid_of_regions(
+      mesh, neighbours, regions, std::max(report.tolerance, freeform_share * geometry::diagonal(mesh)));
   measure_deviation(mesh, regions, report);
   const geometry::Brep brep = geometry::make_brep(solid, 3 * report.tolerance);
   progress("checking the solid", 0);

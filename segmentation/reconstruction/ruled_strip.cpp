@@ -32,7 +32,12 @@ class StripMaker {
  public:
   StripMaker(const geometry::TriangleMesh& mesh, const geometry::MeshNeighbours& neighbours,
              const Wireframe& wires, const Regions& regions, int region, double tolerance)
-      : mesh_(mesh), neighbours_(neighbours), wires_(wires), regions_(regions), region_(region), tolerance_(tolerance) {}
+      : mesh_(mesh),
+        neighbours_(neighbours),
+        wires_(wires),
+        regions_(regions),
+        region_(region),
+        tolerance_(tolerance) {}
 
   std::optional<RuledStrip> make() {
     const auto& loops = wires_.loops[static_cast<std::size_t>(region_)];
@@ -47,7 +52,9 @@ class StripMaker {
   }
 
  private:
-  const WireEdge& edge(std::size_t i) const { return wires_.edges[static_cast<std::size_t>(loop_[i].edge.value)]; }
+  const WireEdge& edge(std::size_t i) const {
+    return wires_.edges[static_cast<std::size_t>(loop_[i].edge.value)];
+  }
   /// Points of an edge as the loop runs.
   std::vector<Eigen::Vector3d> points(std::size_t i) const {
     std::vector<Eigen::Vector3d> result = edge(i).points;
@@ -65,7 +72,8 @@ class StripMaker {
   /// Whether the first edge and the third are in parallel planes.
   bool between_planes() {
     const std::optional<Carrier>&low = beside(0), &high = beside(2);
-    if (!low || !high || low->kind != geometry::SurfaceKind::plane || high->kind != geometry::SurfaceKind::plane)
+    if (!low || !high || low->kind != geometry::SurfaceKind::plane ||
+        high->kind != geometry::SurfaceKind::plane)
       return false;
     up_ = low->axis;
     if (up_.cross(high->axis).norm() > 1e-9) return false;
@@ -86,7 +94,8 @@ class StripMaker {
         if (way.cross(p - all.front()).norm() > tolerance_ * way.norm()) return false;
       if (!beside(i)) continue;
       for (const double share : {0.25, 0.5, 0.75})
-        if (std::abs(carrier_distance(*beside(i), all.front() + share * way).value) > tolerance_) return false;
+        if (std::abs(carrier_distance(*beside(i), all.front() + share * way).value) > tolerance_)
+          return false;
     }
     return true;
   }
@@ -95,7 +104,8 @@ class StripMaker {
   CurveSample sample(std::size_t i) const {
     std::vector<Eigen::Vector3d> all = points(i);
     if (i == 2) std::reverse(all.begin(), all.end());
-    return by_length(Eigen::Map<const Eigen::Matrix3Xd>(all.front().data(), 3, static_cast<Eigen::Index>(all.size())));
+    return by_length(
+        Eigen::Map<const Eigen::Matrix3Xd>(all.front().data(), 3, static_cast<Eigen::Index>(all.size())));
   }
 
   bool is_upright() const {
@@ -153,7 +163,8 @@ class StripMaker {
     std::optional<RuledCurves> curves;
     if (is_upright()) curves = upright_curves(low, high);
     if (!curves) curves = inclined_curves(low, high);
-    if (curves->largest_on_curves > 3 * tolerance_ || curves->largest > tolerance_ + chord() / 2) return std::nullopt;
+    if (curves->largest_on_curves > 3 * tolerance_ || curves->largest > tolerance_ + chord() / 2)
+      return std::nullopt;
     const NurbsCurve &below = curves->low, &above = curves->high;
     RuledStrip strip{geometry::ruled(below, above), {}, {}};
     const auto ends = [](const NurbsCurve& curve) {

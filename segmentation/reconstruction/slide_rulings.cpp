@@ -22,8 +22,8 @@ constexpr int most_slides = 12;
 constexpr int most_halvings = 6;
 // Share of the height within which a point is on a plane.
 constexpr double on_plane = 1e-4;
-// What it costs that neighbouring control points slide by different ways, beside what it costs that points are
-// off: slides differ by millimetres where points are to be off by micrometres.
+// What it costs that neighbouring control points slide by different ways, beside what it costs that points
+// are off: slides differ by millimetres where points are to be off by micrometres.
 constexpr double stiffness = 1e-4;
 
 class RulingSlider {

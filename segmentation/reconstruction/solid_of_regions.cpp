@@ -30,7 +30,8 @@ constexpr double farthest_corner = 1e-4;
 std::vector<Carrier> carriers_of(const Regions& regions, const std::vector<int>& numbers) {
   std::vector<Carrier> result;
   for (const int r : numbers)
-    if (const auto& carrier = regions.regions[static_cast<std::size_t>(r)].carrier) result.push_back(*carrier);
+    if (const auto& carrier = regions.regions[static_cast<std::size_t>(r)].carrier)
+      result.push_back(*carrier);
   return result;
 }
 
@@ -72,7 +73,8 @@ void sharpen_corners(Wireframe& wires, const Regions& regions, double size) {
 }
 
 /// The normal of the planes that both ends of an edge are in, if these are parallel.
-std::optional<Eigen::Vector3d> between_planes(const Wireframe& wires, const Regions& regions, const WireEdge& edge) {
+std::optional<Eigen::Vector3d> between_planes(const Wireframe& wires, const Regions& regions,
+                                              const WireEdge& edge) {
   for (const int a : wires.regions_at[static_cast<std::size_t>(edge.start)])
     for (const int b : wires.regions_at[static_cast<std::size_t>(edge.end)]) {
       const auto &first = regions.regions[static_cast<std::size_t>(a)].carrier,
@@ -88,11 +90,12 @@ std::optional<Eigen::Vector3d> between_planes(const Wireframe& wires, const Regi
   return std::nullopt;
 }
 
-/// Edges of freeform faces that run at right angles from one plane to another do so exactly: what lies over each
-/// other is to be drawn as one.
+/// Edges of freeform faces that run at right angles from one plane to another do so exactly: what lies over
+/// each other is to be drawn as one.
 void make_upright(Wireframe& wires, const Regions& regions, double tolerance) {
   for (WireEdge& edge : wires.edges) {
-    if (edge.points.size() < 2 || carriers_of(regions, {edge.regions[0], edge.regions[1]}).size() == 2) continue;
+    if (edge.points.size() < 2 || carriers_of(regions, {edge.regions[0], edge.regions[1]}).size() == 2)
+      continue;
     const auto up = between_planes(wires, regions, edge);
     if (!up) continue;
     const Eigen::Vector3d way = edge.points.back() - edge.points.front(), aside = way - *up * up->dot(way);
@@ -153,8 +156,7 @@ std::vector<std::string> face_names(const Regions& regions) {
 }
 
 CarrierSolid solid_of_regions(const geometry::TriangleMesh& mesh, const geometry::MeshNeighbours& neighbours,
-                              Regions& regions,
-                              double tolerance) {
+                              Regions& regions, double tolerance) {
   const double size = geometry::diagonal(mesh);
   Wireframe wires = wireframe(mesh, neighbours, regions);
   sharpen_corners(wires, regions, size);
@@ -166,11 +168,12 @@ CarrierSolid solid_of_regions(const geometry::TriangleMesh& mesh, const geometry
   for (std::size_t v = 0; v < wires.vertices.size(); ++v)
     solid.vertices.col(static_cast<Eigen::Index>(v)) = wires.vertices[v];
   for (const WireEdge& edge : wires.edges)
-    solid.edges.push_back({VertexId(edge.start), VertexId(edge.end), exact_points(edge, regions, size), edge.curve});
+    solid.edges.push_back(
+        {VertexId(edge.start), VertexId(edge.end), exact_points(edge, regions, size), edge.curve});
   const std::vector<std::string> names = face_names(regions);
   for (std::size_t r = 0; r < regions.regions.size(); ++r)
-    solid.faces.push_back({names[r], regions.regions[r].carrier.value_or(Carrier{}), regions.regions[r].reversed,
-                           wires.loops[r], regions.regions[r].spline});
+    solid.faces.push_back({names[r], regions.regions[r].carrier.value_or(Carrier{}),
+                           regions.regions[r].reversed, wires.loops[r], regions.regions[r].spline});
   return solid;
 }
 

@@ -57,8 +57,8 @@ class Band {
   /// One loop that no vertex is twice on.
   bool is_disc() const { return loops_.size() == 1 && next_.size() == loops_[0].size(); }
 
-  /// Edges from border to border where the spacing of vertices changes at both ends to the same side, as where
-  /// faces of a CAD program met that continue each other.
+  /// Edges from border to border where the spacing of vertices changes at both ends to the same side, as
+  /// where faces of a CAD program met that continue each other.
   std::vector<std::vector<MeshEdge>> changes() const {
     const std::vector<int>& loop = loops_[0];
     const std::size_t n = loop.size();
@@ -106,7 +106,8 @@ class Band {
   Eigen::Vector3d point(int v) const { return mesh_.vertices.col(v); }
   double length(const std::vector<int>& loop) const {
     double result = 0;
-    for (std::size_t i = 0; i < loop.size(); ++i) result += (point(loop[(i + 1) % loop.size()]) - point(loop[i])).norm();
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      result += (point(loop[(i + 1) % loop.size()]) - point(loop[i])).norm();
     return result;
   }
 
@@ -131,7 +132,8 @@ class Band {
         if (apart(i, j) < window_share / 2 * whole) gathered[i] += turn[j];
     std::vector<std::size_t> order(n), result;
     for (std::size_t i = 0; i < n; ++i) order[i] = i;
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return gathered[a] > gathered[b]; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return gathered[a] > gathered[b]; });
     for (const std::size_t i : order) {
       const bool turns = gathered[i] > least_turn && result.size() < most_divisions;
       if (!turns && result.size() >= 2) break;
@@ -176,8 +178,8 @@ class Band {
 
   const geometry::TriangleMesh& mesh_;
   const geometry::MeshNeighbours& neighbours_;
-  std::multimap<int, int> next_;               // along the border
-  std::map<int, std::vector<int>> beside_;     // across an inner edge
+  std::multimap<int, int> next_;            // along the border
+  std::map<int, std::vector<int>> beside_;  // across an inner edge
   std::vector<std::vector<int>> loops_;
 };
 
@@ -194,7 +196,8 @@ std::vector<std::vector<int>> pieces_between(const geometry::TriangleMesh& mesh,
       for (int i = 0; i < 3; ++i) {
         const int t = piece[next];
         if (walls.contains(mesh_edge(mesh.triangles(i, t), mesh.triangles((i + 1) % 3, t)))) continue;
-        const int other = neighbours.across[static_cast<std::size_t>(t)][static_cast<std::size_t>(i)].triangle;
+        const int other =
+            neighbours.across[static_cast<std::size_t>(t)][static_cast<std::size_t>(i)].triangle;
         if (left.erase(other) > 0) piece.push_back(other);
       }
     result.push_back(std::move(piece));
@@ -222,7 +225,8 @@ Regions split_bands(const geometry::TriangleMesh& mesh, const geometry::MeshNeig
       for (const int t : pieces[i]) piece.area += geometry::area_vector(mesh, t).norm() / 2;
       piece.triangles = std::move(pieces[i]);
       const std::size_t number = i == 0 ? r : regions.regions.size();
-      for (const int t : piece.triangles) regions.of_triangle[static_cast<std::size_t>(t)] = static_cast<int>(number);
+      for (const int t : piece.triangles)
+        regions.of_triangle[static_cast<std::size_t>(t)] = static_cast<int>(number);
       if (i == 0)
         regions.regions[r] = std::move(piece);
       else

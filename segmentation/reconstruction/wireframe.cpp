@@ -170,7 +170,8 @@ namespace {
 template <class T>
 void begin_at(std::vector<T>& list, std::size_t segment, const T& added) {
   list.pop_back();
-  std::rotate(list.begin(), list.begin() + static_cast<std::ptrdiff_t>((segment + 1) % list.size()), list.end());
+  std::rotate(list.begin(), list.begin() + static_cast<std::ptrdiff_t>((segment + 1) % list.size()),
+              list.end());
   list.insert(list.begin(), added);
   list.push_back(added);
 }

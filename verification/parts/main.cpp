@@ -1,5 +1,5 @@
-// Writes STEP and STL files of the parts that the segmentation is measured on, and parts.json, which says what they
-// are.
+// Writes STEP and STL files of the parts that the segmentation is measured on, and parts.json, which says
+// what they are.
 
 #include <Message.hxx>
 #include <Message_Messenger.hxx>

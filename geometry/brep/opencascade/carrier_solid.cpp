@@ -241,8 +241,7 @@ class OnCarriers {
   }
 
   /// Moves all loops by whole turns: the outer one to the first turn, the others into it.
-  static void align(std::vector<std::vector<Trace>>& loops, std::size_t outer,
-                    const FaceSurface& surface) {
+  static void align(std::vector<std::vector<Trace>>& loops, std::size_t outer, const FaceSurface& surface) {
     const std::array<double, 2> periods{surface.u_period(), surface.v_period()};
     for (Eigen::Index row = 0; row < 2; ++row) {
       const double period = periods[static_cast<std::size_t>(row)];

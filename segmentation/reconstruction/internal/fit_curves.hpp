@@ -9,7 +9,7 @@ namespace isopatch::segmentation {
 
 /// Points along a curve at their parameters.
 struct CurveSample {
-  Eigen::VectorXd t;       ///< increasing from 0 to 1
+  Eigen::VectorXd t;        ///< increasing from 0 to 1
   Eigen::Matrix3Xd points;  ///< (3, t.size()), m; at least two
 };
 

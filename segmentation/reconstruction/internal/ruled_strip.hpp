@@ -13,7 +13,7 @@ namespace isopatch::segmentation {
 struct RuledStrip {
   /// u along the planes, v from one to the other, its normal outward.
   geometry::NurbsSurface surface;
-  std::array<int, 4> edges;                     ///< of the wireframe
+  std::array<int, 4> edges;                    ///< of the wireframe
   std::array<geometry::NurbsCurve, 4> curves;  ///< each from its edge's start to its end
 };
 

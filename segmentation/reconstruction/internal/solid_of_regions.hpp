@@ -7,8 +7,8 @@
 
 namespace isopatch::segmentation {
 
-/// Faces from regions, edges where their surfaces meet, vertices where more of them do. Axes of spheres may be
-/// turned; regions without carriers get splines.
+/// Faces from regions, edges where their surfaces meet, vertices where more of them do. Axes of spheres may
+/// be turned; regions without carriers get splines.
 /// @param tolerance  of freeform edges from the mesh's vertices, m
 /// @throws Error unsupported  as `add_seams` and `add_freeform_faces`
 geometry::CarrierSolid solid_of_regions(const geometry::TriangleMesh& mesh,

@@ -16,11 +16,11 @@ namespace isopatch::segmentation {
 
 /// Where two regions meet, from corner to corner.
 struct WireEdge {
-  int start = 0, end = 0;               ///< vertices of the wireframe
-  std::vector<Eigen::Vector3d> points;  ///< along it, m, both ends among them; none: a pole
-  std::vector<int> of_mesh;             ///< the mesh's vertex at each point; -1: it has none there
-  std::array<int, 2> regions{};         ///< to the left and to the right; one twice for a seam
-  bool free_start = false;              ///< closed, and its vertex is no corner
+  int start = 0, end = 0;                     ///< vertices of the wireframe
+  std::vector<Eigen::Vector3d> points;        ///< along it, m, both ends among them; none: a pole
+  std::vector<int> of_mesh;                   ///< the mesh's vertex at each point; -1: it has none there
+  std::array<int, 2> regions{};               ///< to the left and to the right; one twice for a seam
+  bool free_start = false;                    ///< closed, and its vertex is no corner
   std::optional<geometry::NurbsCurve> curve;  ///< from start to end, of an edge of a freeform face
 };
 
