@@ -62,7 +62,7 @@ TEST_P(Post, WithFreeformWallsComesBackFromItsTriangles) {
   // known between its edges within the chord error alone.
   const double volume = height * outline_area * (1 + top + top * top) / 3;
   const double chord = std::abs(made.report.mesh_volume / volume - 1);
-  EXPECT_NEAR(made.brep.volume() / volume, 1, top == 1 ? 2e-5 : chord / 2);
+  EXPECT_NEAR(made.brep.volume() / volume, 1, top == 1 ? 2e-5 : chord);
   const geometry::BrepReport report = geometry::check(made.brep);
   EXPECT_TRUE(report.contradictions.empty());
   EXPECT_EQ(report.topology.genus, 0);
