@@ -2,7 +2,7 @@
 # target FILES that runs it in the build tree; LAST is the file that it writes last. Sets `made` to the folder.
 function(isopatch_drawn_solids program files last)
   set(libraries)
-  foreach(library TKOffset TKFillet TKBool TKBO TKPrim)
+  foreach(library TKOffset TKFillet TKBool TKBO TKPrim TKSTL)
     find_library(OPENCASCADE_${library} ${library} REQUIRED)
     list(APPEND libraries "${OPENCASCADE_${library}}")
   endforeach()

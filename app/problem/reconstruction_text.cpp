@@ -18,6 +18,8 @@ Json json_of(const Eigen::Vector3d& v) {
 }
 
 std::string figures_of(const Region& region) {
+  if (region.spline)
+    return fmt::format("spline of {} x {} control points", region.spline->size(0), region.spline->size(1));
   const geometry::Carrier& c = *region.carrier;
   switch (c.kind) {
     case SurfaceKind::cylinder:
@@ -34,6 +36,14 @@ std::string figures_of(const Region& region) {
 }
 
 Json face_json(const std::string& name, const Region& region) {
+  if (region.spline)
+    return Json{{"name", name},
+                {"kind", "freeform"},
+                {"area", region.area},
+                {"triangles", region.triangles.size()},
+                {"largest_deviation", region.deviation},
+                {"degrees", {region.spline->degree(0), region.spline->degree(1)}},
+                {"control_points", {region.spline->size(0), region.spline->size(1)}}};
   const geometry::Carrier& c = *region.carrier;
   Json face{{"name", name},
             {"kind", geometry::name(c.kind)},

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "geometry/base/ids.hpp"
 #include "geometry/brep/brep_parts.hpp"
+#include "geometry/splines/nurbs.hpp"
 #include "geometry/topology/edge_use.hpp"
 
 namespace isopatch::geometry {
@@ -23,12 +25,15 @@ struct CarrierSolid {
     /// (3, n) from start to end along the edge, m, n = k * 32 + 1. What is a line, circle or ellipse through
     /// all within the tolerance becomes one; other edges are splines through them. Empty: a pole.
     Eigen::Matrix3Xd points;
+    std::optional<NurbsCurve> curve;  ///< through the points, m, where it is known
   };
   struct Face {
     std::string name;
-    Carrier carrier;
-    bool reversed = false;                    ///< whether the outward normal is against the carrier's
+    Carrier carrier;                          ///< not looked at where there is a spline
+    bool reversed = false;                    ///< whether the outward normal is against the surface's
     std::vector<std::vector<EdgeUse>> loops;  ///< walked with the face to the left, seen from outside
+    std::optional<NurbsSurface> spline =
+        {};  ///< freeform, m; no closed one: its loops are closed in its domain
   };
   Eigen::Matrix3Xd vertices;  ///< m
   std::vector<Edge> edges;

@@ -23,7 +23,7 @@ void require_sound(const CarrierSolid& solid) {
       throw Error(ErrorCode::invalid_argument, fmt::format("an edge has {} points", points));
   }
   for (const CarrierSolid::Face& face : solid.faces) {
-    if (face.carrier.kind == SurfaceKind::spline || face.carrier.kind == SurfaceKind::other)
+    if (!face.spline && (face.carrier.kind == SurfaceKind::spline || face.carrier.kind == SurfaceKind::other))
       throw Error(ErrorCode::invalid_argument, fmt::format("face '{}' has no carrier", face.name));
     for (const auto& loop : face.loops)
       for (const EdgeUse& use : loop)

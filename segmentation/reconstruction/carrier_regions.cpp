@@ -26,6 +26,10 @@ constexpr double loose = 20;
 // share of the surface around.
 constexpr std::size_t least_in_freeform = 8;
 constexpr double leaf_share = 0.02;
+// So are some more facets of less than this share of its area: small pieces of anything curved are on a
+// carrier within a tolerance that is a share of the whole size.
+constexpr std::size_t few_in_freeform = 20;
+constexpr double leaf_area = 0.03;
 // Neighbouring surfaces that are held against one torus or sphere.
 constexpr int most_joins = 3000;
 // Facets of a band that are looked at to either side.
@@ -90,20 +94,26 @@ class CarrierGrower {
   void drop_leaves() {
     for (bool changed = true; changed;) {
       changed = false;
-      const std::vector<std::size_t> around = free_sizes();
+      const std::vector<FreeSize> around = free_sizes();
       for (std::size_t r = 0; r < found_.size(); ++r) {
         std::size_t free = 0, smooth = 0, largest = 0;
-        for (const int f : found_[r].facets)
+        double area = 0, area_around = 0;
+        for (const int f : found_[r].facets) {
+          area += facet(f).area;
           for (const FacetLink& link : facet(f).links) {
             if (owner(link.other) == static_cast<int>(r) || !is_smooth(link)) continue;
             ++smooth;
-            const std::size_t size = around[static_cast<std::size_t>(link.other)];
-            free += size > 0;
-            largest = std::max(largest, size);
+            const FreeSize& size = around[static_cast<std::size_t>(link.other)];
+            free += size.facets > 0;
+            largest = std::max(largest, size.facets);
+            area_around = std::max(area_around, size.area);
           }
+        }
+        const bool is_small = found_[r].facets.size() < few_in_freeform && area < leaf_area * area_around;
         const std::size_t least =
             std::max(least_in_freeform, static_cast<std::size_t>(leaf_share * static_cast<double>(largest)));
-        if (2 * free <= smooth || found_[r].facets.size() >= least || largest < least_in_freeform) continue;
+        if (2 * free <= smooth || largest < least_in_freeform) continue;
+        if (found_[r].facets.size() >= least && !is_small) continue;
         release(r);
         changed = true;
       }
@@ -430,14 +440,22 @@ class CarrierGrower {
     return count == 0 || facet(f).area * count > plane_ratio * sum;
   }
 
-  /// By facet: how many small ones without a carrier hang together there; 0 for all others.
-  std::vector<std::size_t> free_sizes() const {
-    std::vector<std::size_t> result(facets_.size(), 0);
+  /// Small facets without a carrier that hang together.
+  struct FreeSize {
+    std::size_t facets = 0;
+    double area = 0;
+  };
+
+  /// By facet: what it hangs together with; nothing for all others.
+  std::vector<FreeSize> free_sizes() const {
+    std::vector<FreeSize> result(facets_.size());
     std::vector<bool> done(facets_.size(), false);
     for (std::size_t f = 0; f < facets_.size(); ++f) {
       if (owner_[f] >= 0 || done[f] || plane_[f]) continue;
       const std::vector<int> together = left_around(static_cast<int>(f), done);
-      for (const int one : together) result[static_cast<std::size_t>(one)] = together.size();
+      FreeSize size{together.size()};
+      for (const int one : together) size.area += facet(one).area;
+      for (const int one : together) result[static_cast<std::size_t>(one)] = size;
     }
     return result;
   }

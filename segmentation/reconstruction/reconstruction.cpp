@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -20,8 +21,10 @@
 #include "segmentation/reconstruction/internal/carrier_distance.hpp"
 #include "segmentation/reconstruction/internal/carrier_regions.hpp"
 #include "segmentation/reconstruction/internal/facets.hpp"
+#include "segmentation/reconstruction/internal/nearest_on_spline.hpp"
 #include "segmentation/reconstruction/internal/regularise.hpp"
 #include "segmentation/reconstruction/internal/solid_of_regions.hpp"
+#include "segmentation/reconstruction/internal/split_bands.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -31,6 +34,8 @@ namespace {
 constexpr double steps_of_rounding = 4;
 // Vertices of a plane face of a CAD file are nearer to it than those of curved faces.
 constexpr double plane_share = 0.2;
+// Edges of freeform faces are as near to the vertices, as a share of the size.
+constexpr double freeform_share = 1e-5;
 // What is farther off its surface than this share of the size lies on another one.
 constexpr double loosest = 1e-3;
 
@@ -64,44 +69,36 @@ Regions regions_of(const geometry::TriangleMesh& mesh, const geometry::MeshNeigh
   return by_area(carrier_regions(mesh, facets, tolerance_of(mesh, options), options, progress));
 }
 
-void require_carriers(const geometry::TriangleMesh& mesh, const Regions& regions) {
-  int free = 0;
-  const Region* first = nullptr;
-  for (const Region& region : regions.regions) {
-    if (region.carrier) continue;
-    ++free;
-    if (first == nullptr) first = &region;
-  }
-  if (first == nullptr) return;
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  for (const int t : first->triangles)
-    middle += mesh.vertices.col(mesh.triangles(0, t)) / double(first->triangles.size());
-  throw Error(ErrorCode::unsupported,
-              fmt::format("{} of {} faces {} no plane, cylinder, cone, sphere or torus; the largest, of {} "
-                          "triangles and {:.4g} m^2, lies around "
-                          "({:.6g}, {:.6g}, {:.6g}) m; freeform faces cannot be reconstructed yet",
-                          free, regions.regions.size(), free == 1 ? "is" : "are", first->triangles.size(),
-                          first->area, middle.x(), middle.y(), middle.z()));
+/// Signed distances from a region's surface.
+std::function<double(const Eigen::Vector3d&)> distances(const Region& region) {
+  if (!region.spline)
+    return [&](const Eigen::Vector3d& p) { return carrier_distance(*region.carrier, p).value; };
+  return [nearest = NearestOnSpline(*region.spline)](const Eigen::Vector3d& p) {
+    return nearest.distance(p).value;
+  };
 }
 
-void measure_deviation(const geometry::TriangleMesh& mesh, const Regions& regions,
-                       ReconstructionReport& report) {
+void measure_deviation(const geometry::TriangleMesh& mesh, Regions& regions, ReconstructionReport& report) {
   double squares = 0, count = 0, between = 0;
-  for (const Region& region : regions.regions)
+  for (Region& region : regions.regions) {
+    const auto distance = distances(region);
+    region.deviation = 0;
     for (const int t : region.triangles) {
       double sum = 0;
       std::array<Eigen::Vector3d, 3> p;
       for (int i = 0; i < 3; ++i) p[static_cast<std::size_t>(i)] = mesh.vertices.col(mesh.triangles(i, t));
       for (std::size_t i = 0; i < 3; ++i) {
-        const double off = carrier_distance(*region.carrier, p[i]).value;
+        const double off = distance(p[i]);
+        region.deviation = std::fmax(region.deviation, std::abs(off));
         report.largest_deviation = std::fmax(report.largest_deviation, std::abs(off));
         squares += off * off;
         ++count;
-        sum += carrier_distance(*region.carrier, (p[i] + p[(i + 1) % 3]) / 2).value / 3;
+        sum += distance((p[i] + p[(i + 1) % 3]) / 2) / 3;
       }
       const double area = geometry::area_vector(mesh, t).norm() / 2;
       between += (region.reversed ? sum : -sum) * area;
     }
+  }
   report.mean_deviation = std::sqrt(squares / count);
   report.mesh_volume = geometry::volume(mesh);
   report.expected_volume = report.mesh_volume + between;
@@ -119,15 +116,17 @@ void require_volume(const ReconstructionReport& report, double area) {
           report.volume, report.expected_volume));
 }
 
-/// The solid of regions that all have carriers.
+/// The solid of regions.
 Reconstruction bounded(const geometry::TriangleMesh& mesh, const geometry::MeshNeighbours& neighbours,
                        Regions regions, const ReconstructionOptions& options, const Progress& progress) {
   ReconstructionReport report;
   report.tolerance = tolerance_of(mesh, options);
   report.regularity = regularise(mesh, regions, report.tolerance);
-  measure_deviation(mesh, regions, report);
+  regions = by_area(split_bands(mesh, neighbours, std::move(regions)));
   progress("bounding the faces", 0);
-  const geometry::CarrierSolid solid = solid_of_regions(mesh, neighbours, regions);
+  const geometry::CarrierSolid solid = solid_of_regions(
+      mesh, neighbours, regions, std::max(report.tolerance, freeform_share * geometry::diagonal(mesh)));
+  measure_deviation(mesh, regions, report);
   const geometry::Brep brep = geometry::make_brep(solid, 3 * report.tolerance);
   progress("checking the solid", 0);
   geometry::require_sound(brep);
@@ -203,10 +202,7 @@ Reconstruction reconstruct(const geometry::TriangleMesh& given, const Reconstruc
   std::optional<Reconstruction> result;
   if (is_freeform(regions) && options.method == RegionMethod::carriers)
     result = loosely(mended.mesh, neighbours, regions, options, progress);
-  if (!result) {
-    require_carriers(mended.mesh, regions);
-    result = bounded(mended.mesh, neighbours, regions, options, progress);
-  }
+  if (!result) result = bounded(mended.mesh, neighbours, regions, options, progress);
   result->report.remarks.insert(result->report.remarks.begin(), mended.remarks.begin(), mended.remarks.end());
   result->report.seconds = watch.seconds();
   return *result;

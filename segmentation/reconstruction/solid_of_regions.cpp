@@ -4,9 +4,13 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
+#include "segmentation/reconstruction/internal/carrier_distance.hpp"
+#include "segmentation/reconstruction/internal/freeform_faces.hpp"
 #include "segmentation/reconstruction/internal/meeting_point.hpp"
 #include "segmentation/reconstruction/internal/seams.hpp"
 #include "segmentation/reconstruction/internal/wireframe.hpp"
@@ -22,9 +26,12 @@ constexpr int most_edge_pieces = 16;
 // A vertex of the mesh is off the corner by some tolerances, which are shares of the size.
 constexpr double farthest_corner = 1e-4;
 
+/// Of those that are not freeform.
 std::vector<Carrier> carriers_of(const Regions& regions, const std::vector<int>& numbers) {
   std::vector<Carrier> result;
-  for (const int r : numbers) result.push_back(*regions.regions[static_cast<std::size_t>(r)].carrier);
+  for (const int r : numbers)
+    if (const auto& carrier = regions.regions[static_cast<std::size_t>(r)].carrier)
+      result.push_back(*carrier);
   return result;
 }
 
@@ -58,12 +65,71 @@ void sharpen_corners(Wireframe& wires, const Regions& regions, double size) {
   for (WireEdge& edge : wires.edges) {
     edge.points.front() = wires.vertices[static_cast<std::size_t>(edge.start)];
     edge.points.back() = wires.vertices[static_cast<std::size_t>(edge.end)];
+    const std::vector<Carrier> both = carriers_of(regions, {edge.regions[0], edge.regions[1]});
+    if (both.size() == 1)
+      for (std::size_t i = 1; i + 1 < edge.points.size(); ++i)
+        edge.points[i] = meeting_point(both, edge.points[i], size);
   }
+}
+
+/// The normal of the planes that both ends of an edge are in, if these are parallel.
+std::optional<Eigen::Vector3d> between_planes(const Wireframe& wires, const Regions& regions,
+                                              const WireEdge& edge) {
+  for (const int a : wires.regions_at[static_cast<std::size_t>(edge.start)])
+    for (const int b : wires.regions_at[static_cast<std::size_t>(edge.end)]) {
+      const auto &first = regions.regions[static_cast<std::size_t>(a)].carrier,
+                 &second = regions.regions[static_cast<std::size_t>(b)].carrier;
+      if (!first || !second || first->kind != geometry::SurfaceKind::plane ||
+          second->kind != geometry::SurfaceKind::plane)
+        continue;
+      const double rise = first->axis.dot(edge.points.back() - edge.points.front());
+      if (first->axis.cross(second->axis).norm() < 1e-12 &&
+          std::abs(rise) > 0.999 * (edge.points.back() - edge.points.front()).norm())
+        return first->axis;
+    }
+  return std::nullopt;
+}
+
+/// Edges of freeform faces that run at right angles from one plane to another do so exactly: what lies over
+/// each other is to be drawn as one.
+void make_upright(Wireframe& wires, const Regions& regions, double tolerance) {
+  for (WireEdge& edge : wires.edges) {
+    if (edge.points.size() < 2 || carriers_of(regions, {edge.regions[0], edge.regions[1]}).size() == 2)
+      continue;
+    const auto up = between_planes(wires, regions, edge);
+    if (!up) continue;
+    const Eigen::Vector3d way = edge.points.back() - edge.points.front(), aside = way - *up * up->dot(way);
+    if (aside.norm() > tolerance) continue;
+    edge.points.front() += aside / 2;
+    for (const Carrier& carrier : carriers_of(regions, {edge.regions[0], edge.regions[1]})) {
+      const CarrierDistance off = carrier_distance(carrier, edge.points.front());
+      const Eigen::Vector3d flat = off.gradient - *up * up->dot(off.gradient);
+      edge.points.front() -= off.value * flat;
+    }
+    const double height = up->dot(way);
+    edge.points = {edge.points.front(), edge.points.front() + height * *up};
+    edge.of_mesh = {edge.of_mesh.front(), edge.of_mesh.back()};
+    wires.vertices[static_cast<std::size_t>(edge.start)] = edge.points.front();
+    wires.vertices[static_cast<std::size_t>(edge.end)] = edge.points.back();
+  }
+  for (WireEdge& edge : wires.edges) {
+    edge.points.front() = wires.vertices[static_cast<std::size_t>(edge.start)];
+    edge.points.back() = wires.vertices[static_cast<std::size_t>(edge.end)];
+  }
+}
+
+Eigen::Matrix3Xd along(const geometry::NurbsCurve& curve) {
+  Eigen::Matrix3Xd points(3, edge_intervals + 1);
+  const geometry::Parameter<1> low = curve.low(), high = curve.high();
+  for (int i = 0; i <= edge_intervals; ++i)
+    points.col(i) = curve.point(low + (high - low) * i / edge_intervals);
+  return points;
 }
 
 /// Many points where the two surfaces meet.
 Eigen::Matrix3Xd exact_points(const WireEdge& edge, const Regions& regions, double size) {
   if (edge.points.empty()) return {};
+  if (edge.curve) return along(*edge.curve);
   const bool seam = edge.regions[0] == edge.regions[1];
   const int pieces = std::clamp(static_cast<int>(edge.points.size()) / 8, 1, most_edge_pieces);
   Eigen::Matrix3Xd points = evenly(edge.points, seam ? edge_intervals : pieces * edge_intervals);
@@ -90,21 +156,24 @@ std::vector<std::string> face_names(const Regions& regions) {
 }
 
 CarrierSolid solid_of_regions(const geometry::TriangleMesh& mesh, const geometry::MeshNeighbours& neighbours,
-                              Regions& regions) {
+                              Regions& regions, double tolerance) {
   const double size = geometry::diagonal(mesh);
   Wireframe wires = wireframe(mesh, neighbours, regions);
   sharpen_corners(wires, regions, size);
+  make_upright(wires, regions, tolerance);
   add_seams(wires, regions, mesh, size);
+  add_freeform_faces(mesh, neighbours, wires, regions, tolerance);
   CarrierSolid solid;
   solid.vertices.resize(3, static_cast<Eigen::Index>(wires.vertices.size()));
   for (std::size_t v = 0; v < wires.vertices.size(); ++v)
     solid.vertices.col(static_cast<Eigen::Index>(v)) = wires.vertices[v];
   for (const WireEdge& edge : wires.edges)
-    solid.edges.push_back({VertexId(edge.start), VertexId(edge.end), exact_points(edge, regions, size)});
+    solid.edges.push_back(
+        {VertexId(edge.start), VertexId(edge.end), exact_points(edge, regions, size), edge.curve});
   const std::vector<std::string> names = face_names(regions);
   for (std::size_t r = 0; r < regions.regions.size(); ++r)
-    solid.faces.push_back(
-        {names[r], *regions.regions[r].carrier, regions.regions[r].reversed, wires.loops[r]});
+    solid.faces.push_back({names[r], regions.regions[r].carrier.value_or(Carrier{}),
+                           regions.regions[r].reversed, wires.loops[r], regions.regions[r].spline});
   return solid;
 }
 

@@ -108,11 +108,13 @@ class WireMaker {
     edge.regions = {region(first), region(across(first))};
     edge.start = vertex(from(first), first);
     edge.points.emplace_back(mesh_.vertices.col(from(first)));
+    edge.of_mesh.push_back(from(first));
     TriangleSide side = first;
     for (;; side = next(side)) {
       use(side) = {id, false};
       use(across(side)) = {id, true};
       edge.points.emplace_back(mesh_.vertices.col(to(side)));
+      edge.of_mesh.push_back(to(side));
       if (corner_[static_cast<std::size_t>(to(side))] || to(side) == from(first)) break;
     }
     edge.end = vertex(to(side), side);
@@ -162,15 +164,35 @@ Wireframe wireframe(const geometry::TriangleMesh& mesh, const geometry::MeshNeig
   return WireMaker(mesh, neighbours, regions).make();
 }
 
+namespace {
+
+/// A list along a closed edge, as it is from a new place in its segment on.
+template <class T>
+void begin_at(std::vector<T>& list, std::size_t segment, const T& added) {
+  list.pop_back();
+  std::rotate(list.begin(), list.begin() + static_cast<std::ptrdiff_t>((segment + 1) % list.size()),
+              list.end());
+  list.insert(list.begin(), added);
+  list.push_back(added);
+}
+
+/// What is after a new place in a segment, with it; the list ends there.
+template <class T>
+std::vector<T> cut_at(std::vector<T>& list, std::size_t segment, const T& added) {
+  std::vector<T> rest(list.begin() + static_cast<std::ptrdiff_t>(segment) + 1, list.end());
+  rest.insert(rest.begin(), added);
+  list.resize(segment + 1);
+  list.push_back(added);
+  return rest;
+}
+
+}  // namespace
+
 int split(Wireframe& wires, int number, std::size_t segment, const Eigen::Vector3d& point) {
   WireEdge& edge = wires.edges[static_cast<std::size_t>(number)];
   if (edge.free_start) {
-    auto& points = edge.points;
-    points.pop_back();
-    std::rotate(points.begin(), points.begin() + static_cast<std::ptrdiff_t>((segment + 1) % points.size()),
-                points.end());
-    points.insert(points.begin(), point);
-    points.push_back(point);
+    begin_at(edge.points, segment, point);
+    begin_at(edge.of_mesh, segment, -1);
     edge.free_start = false;
     wires.vertices[static_cast<std::size_t>(edge.start)] = point;
     return edge.start;
@@ -180,11 +202,9 @@ int split(Wireframe& wires, int number, std::size_t segment, const Eigen::Vector
   wires.regions_at.push_back({edge.regions[0], edge.regions[1]});
   WireEdge rest = edge;
   rest.start = vertex;
-  rest.points.assign(edge.points.begin() + static_cast<std::ptrdiff_t>(segment) + 1, edge.points.end());
-  rest.points.insert(rest.points.begin(), point);
+  rest.points = cut_at(edge.points, segment, point);
+  rest.of_mesh = cut_at(edge.of_mesh, segment, -1);
   edge.end = vertex;
-  edge.points.resize(segment + 1);
-  edge.points.push_back(point);
   for (const int region : std::set<int>{edge.regions[0], edge.regions[1]})
     for (auto& loop : wires.loops[static_cast<std::size_t>(region)])
       for (std::size_t i = 0; i < loop.size(); ++i) {

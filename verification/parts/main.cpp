@@ -1,5 +1,5 @@
-// Writes STEP files of the parts that the segmentation is measured on, and parts.json, which says what they
-// are.
+// Writes STEP and STL files of the parts that the segmentation is measured on, and parts.json, which says
+// what they are.
 
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
@@ -14,6 +14,7 @@
 
 #include "verification/parts/internal/drawings.hpp"
 #include "verification/parts/internal/step_file.hpp"
+#include "verification/parts/internal/stl_file.hpp"
 
 namespace {
 
@@ -25,6 +26,7 @@ using nlohmann::ordered_json;
 ordered_json description(const Drawing& drawing, const Part& part) {
   ordered_json result = {{"name", drawing.name}, {"set", drawing.set}, {"what", drawing.what}};
   result["file"] = drawing.name + ".step";
+  result["triangles"] = drawing.name + ".stl";
   for (const auto& face : part.faces) result["faces"].push_back(face.name);
   result["held"] = part.faces[0].name;
   result["loaded"] = part.faces[1].name;
@@ -37,6 +39,7 @@ ordered_json written(const Drawing& drawing, const std::string& folder) {
   try {
     const Part part = drawing.draw();
     write_step(part, drawing.name, folder + "/" + drawing.name + ".step");
+    write_stl(part, folder + "/" + drawing.name + ".stl");
     return description(drawing, part);
   } catch (const Standard_Failure& failure) {
     throw std::runtime_error(drawing.name + ": " + failure.GetMessageString());

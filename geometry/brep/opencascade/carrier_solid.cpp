@@ -4,11 +4,7 @@
 #include <BRep_Tool.hxx>
 #include <GeomAPI_Interpolate.hxx>
 #include <Geom_BSplineCurve.hxx>
-#include <Geom_ConicalSurface.hxx>
-#include <Geom_CylindricalSurface.hxx>
 #include <Geom_Plane.hxx>
-#include <Geom_SphericalSurface.hxx>
-#include <Geom_ToroidalSurface.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
@@ -20,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -32,6 +29,7 @@
 #include "geometry/brep/opencascade/internal/carrier_forms.hpp"
 #include "geometry/brep/opencascade/internal/conversions.hpp"
 #include "geometry/brep/opencascade/internal/domain_curve.hpp"
+#include "geometry/brep/opencascade/internal/face_surface.hpp"
 #include "geometry/brep/opencascade/internal/solid_shapes.hpp"
 
 namespace isopatch::geometry {
@@ -39,79 +37,8 @@ namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
 constexpr double least_edge_tolerance = 1e-7;
-constexpr int trace_samples = 65;
-
-/// A carrier as a surface, and from points to its domain.
-class CarrierSurface {
- public:
-  /// @param start  a point of the seam, where the turn begins; on the axis: anywhere
-  CarrierSurface(const Carrier& carrier, const Eigen::Vector3d& start, double scale) : carrier_(carrier) {
-    carrier_.origin *= scale;
-    carrier_.radius *= scale;
-    carrier_.second_radius *= scale;
-    z_ = carrier_.axis;
-    const Eigen::Vector3d way = scale * start - carrier_.origin;
-    x_ = way - z_ * z_.dot(way);
-    if (!(x_.norm() > 1e-9 * (1 + way.norm())))
-      x_ = to_eigen(gp_Ax2(gp_Pnt(), gp_Dir(z_.x(), z_.y(), z_.z())).XDirection());
-    x_.normalize();
-    y_ = z_.cross(x_);
-    const gp_Ax3 frame(to_point(carrier_.origin), gp_Dir(z_.x(), z_.y(), z_.z()),
-                       gp_Dir(x_.x(), x_.y(), x_.z()));
-    switch (carrier_.kind) {
-      case SurfaceKind::cylinder:
-        surface_ = new Geom_CylindricalSurface(frame, carrier_.radius);
-        break;
-      case SurfaceKind::cone:
-        surface_ = new Geom_ConicalSurface(frame, carrier_.half_angle.radians(), carrier_.radius);
-        break;
-      case SurfaceKind::sphere:
-        surface_ = new Geom_SphericalSurface(frame, carrier_.radius);
-        break;
-      case SurfaceKind::torus:
-        surface_ = new Geom_ToroidalSurface(frame, carrier_.radius, carrier_.second_radius);
-        break;
-      default:
-        surface_ = new Geom_Plane(frame);
-    }
-  }
-  const Handle(Geom_Surface) & surface() const { return surface_; }
-  double u_period() const { return carrier_.kind == SurfaceKind::plane ? 0 : turn; }
-  double v_period() const { return carrier_.kind == SurfaceKind::torus ? turn : 0; }
-
-  /// @param before  the parameters of a point nearby, which the result follows across seams and poles
-  Eigen::Vector2d parameters(const Eigen::Vector3d& point, const Eigen::Vector2d& before) const {
-    const Eigen::Vector3d way = point - carrier_.origin;
-    const double a = x_.dot(way), b = y_.dot(way), h = z_.dot(way), r = std::hypot(a, b);
-    if (carrier_.kind == SurfaceKind::plane) return {a, b};
-    // On the cone's other half the turn is the opposite one.
-    Eigen::Vector2d uv(std::atan2(b, a), h);
-    switch (carrier_.kind) {
-      case SurfaceKind::cone: {
-        const double angle = carrier_.half_angle.radians();
-        uv.y() = (r - carrier_.radius) * std::sin(angle) + h * std::cos(angle);
-        break;
-      }
-      case SurfaceKind::sphere:
-        uv.y() = std::atan2(h, r);
-        break;
-      case SurfaceKind::torus:
-        uv.y() = std::atan2(h, r - carrier_.radius);
-        break;
-      default:
-        break;
-    }
-    if (r < 1e-9 * (1 + way.norm())) uv.x() = before.x();
-    uv.x() += turn * std::round((before.x() - uv.x()) / turn);
-    if (v_period() > 0) uv.y() += turn * std::round((before.y() - uv.y()) / turn);
-    return uv;
-  }
-
- private:
-  Carrier carrier_;
-  Eigen::Vector3d x_, y_, z_;
-  Handle(Geom_Surface) surface_;
-};
+constexpr int least_trace_samples = 65;
+constexpr int trace_samples_of_span = 12;
 
 /// A curve through points at evenly spaced parameters, or what it really is.
 CurveForm form_of_points(const Eigen::Matrix3Xd& points, double tolerance) {
@@ -175,6 +102,13 @@ class OnCarriers {
   TopoDS_Vertex& vertex(VertexId id) { return vertices_[static_cast<std::size_t>(id.value)]; }
   TopoDS_Edge& edge(EdgeId id) { return edges_[static_cast<std::size_t>(id.value)]; }
 
+  CurveForm form_of(const CarrierSolid::Edge& given) const {
+    if (!given.curve) return form_of_points(scale_ * given.points, tolerance_);
+    const Handle(Geom_BSplineCurve) curve = to_shape(*given.curve, scale_);
+    return {Handle(Geom_Curve)(curve), curve->FirstParameter(), curve->LastParameter(),
+            [](double t) { return t; }};
+  }
+
   TopoDS_Edge edge_of(const CarrierSolid::Edge& given) {
     TopoDS_Edge made;
     if (given.points.cols() == 0) {
@@ -182,7 +116,7 @@ class OnCarriers {
       builder_.Degenerated(made, true);
       builder_.Range(made, 0, 1);
     } else {
-      const CurveForm form = form_of_points(scale_ * given.points, tolerance_);
+      const CurveForm form = form_of(given);
       builder_.MakeEdge(made, form.curve, least_edge_tolerance);
       builder_.Range(made, form.first, form.last);
       const auto ends = {std::pair(given.start, form.first), std::pair(given.end, form.last)};
@@ -226,13 +160,19 @@ class OnCarriers {
     return across.dot(b) < 0;
   }
 
+  static int trace_samples(const Handle(Geom_Curve) & curve) {
+    const Handle(Geom_BSplineCurve) spline = Handle(Geom_BSplineCurve)::DownCast(curve);
+    if (spline.IsNull()) return least_trace_samples;
+    return std::max(least_trace_samples, trace_samples_of_span * (spline->NbKnots() - 1) + 1);
+  }
+
   struct Trace {
     Eigen::VectorXd t;        ///< along the edge, increasing
     Eigen::Matrix2Xd points;  ///< in the domain
   };
 
   /// The loop's curves in the domain, one after the other.
-  std::vector<Trace> traces(const std::vector<EdgeUse>& loop, const CarrierSurface& surface, bool reversed) {
+  std::vector<Trace> traces(const std::vector<EdgeUse>& loop, const FaceSurface& surface, bool reversed) {
     std::vector<Trace> result(loop.size());
     // A pole's own turn is what the others leave open, so it comes last.
     std::size_t first = 0;
@@ -258,19 +198,20 @@ class OnCarriers {
       }
       double from = 0, to = 0;
       const Handle(Geom_Curve) curve = BRep_Tool::Curve(made, from, to);
-      trace.t.resize(trace_samples);
-      trace.points.resize(2, trace_samples);
+      const int samples = trace_samples(curve);
+      trace.t.resize(samples);
+      trace.points.resize(2, samples);
       // At a pole the first point's turn is that of the second.
       const auto sample = [&](int s) {
-        const double share = double(s) / (trace_samples - 1);
+        const double share = double(s) / (samples - 1);
         return from + (to - from) * (loop[i].reversed ? 1 - share : share);
       };
-      if (k == 0) at = surface.parameters(to_eigen(curve->Value(sample(1))), at);
-      for (int s = 0; s < trace_samples; ++s) {
+      if (k == 0) at = surface.parameters(to_eigen(curve->Value(sample(1))), std::nullopt);
+      for (int s = 0; s < samples; ++s) {
         const Eigen::Vector3d point = to_eigen(curve->Value(sample(s)));
         at = surface.parameters(point, at);
         if (s == 0 && k == 0) begin = at;
-        const int place = loop[i].reversed ? trace_samples - 1 - s : s;
+        const int place = loop[i].reversed ? samples - 1 - s : s;
         trace.t[place] = sample(s);
         trace.points.col(place) = at;
       }
@@ -300,8 +241,7 @@ class OnCarriers {
   }
 
   /// Moves all loops by whole turns: the outer one to the first turn, the others into it.
-  static void align(std::vector<std::vector<Trace>>& loops, std::size_t outer,
-                    const CarrierSurface& surface) {
+  static void align(std::vector<std::vector<Trace>>& loops, std::size_t outer, const FaceSurface& surface) {
     const std::array<double, 2> periods{surface.u_period(), surface.v_period()};
     for (Eigen::Index row = 0; row < 2; ++row) {
       const double period = periods[static_cast<std::size_t>(row)];
@@ -320,7 +260,10 @@ class OnCarriers {
   TopoDS_Face face_of(const CarrierSolid::Face& given) {
     if (given.loops.empty())
       throw Error(ErrorCode::invalid_argument, fmt::format("face '{}' has no loop", given.name));
-    const CarrierSurface surface(given.carrier, start_of_turn(given), scale_);
+    const std::unique_ptr<FaceSurface> made =
+        given.spline ? spline_surface(*given.spline, scale_)
+                     : carrier_surface(given.carrier, start_of_turn(given), scale_);
+    const FaceSurface& surface = *made;
     std::vector<std::vector<Trace>> loops;
     std::vector<double> areas;
     for (const auto& loop : given.loops) {

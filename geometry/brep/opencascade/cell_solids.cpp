@@ -18,16 +18,6 @@
 namespace isopatch::geometry {
 namespace {
 
-Handle(Geom_BSplineCurve) to_curve(const NurbsCurve& curve, double scale) {
-  const NurbsSurface strip(
-      {curve.knots(0), KnotVector()},
-      (Eigen::Matrix3Xd(3, 2 * curve.size()) << curve.control_points(),
-       curve.control_points() + Eigen::Matrix3Xd::Ones(3, curve.size()))
-          .finished(),
-      (Eigen::VectorXd(2 * curve.size()) << curve.weights(), curve.weights()).finished());
-  return Handle(Geom_BSplineCurve)::DownCast(to_shape(strip, scale)->VIso(0));
-}
-
 /// The curve of an edge in space or in a domain, with its parameters at t = 0 and t = 1.
 template <class Curve>
 struct Ranged {
@@ -79,7 +69,7 @@ class CellMaker {
       const EdgeGeometry& edge = source_.of(*source);
       return {edge.curve, edge.first, edge.last};
     }
-    return {to_curve(std::get<NurbsCurve>(curve.shape), 1 / metres_)};
+    return {to_shape(std::get<NurbsCurve>(curve.shape), 1 / metres_)};
   }
 
   /// Nothing on planes, whose domain curves the library makes itself.

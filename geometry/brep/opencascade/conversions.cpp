@@ -3,6 +3,7 @@
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColStd_Array2OfReal.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array1OfPnt2d.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 
@@ -38,6 +39,17 @@ Handle(Geom_BSplineSurface) to_shape(const NurbsSurface& surface, double scale) 
   return new Geom_BSplineSurface(points, weights, breaks(surface.knots(0)), breaks(surface.knots(1)),
                                  multiplicities(surface.knots(0)), multiplicities(surface.knots(1)),
                                  surface.degree(0), surface.degree(1));
+}
+
+Handle(Geom_BSplineCurve) to_shape(const NurbsCurve& curve, double scale) {
+  TColgp_Array1OfPnt points(1, curve.size());
+  TColStd_Array1OfReal weights(1, curve.size());
+  for (int i = 0; i < curve.size(); ++i) {
+    points(i + 1) = to_point(scale * curve.control_points().col(i));
+    weights(i + 1) = curve.weights()(i);
+  }
+  return new Geom_BSplineCurve(points, weights, breaks(curve.knots(0)), multiplicities(curve.knots(0)),
+                               curve.degree(0));
 }
 
 Handle(Geom2d_BSplineCurve) to_domain_curve(const NurbsCurve& curve) {

@@ -74,7 +74,16 @@ class Overlayer {
     BRepBuilderAPI_MakeEdge maker(curve, std::min(source.first, source.last),
                                   std::max(source.first, source.last));
     if (!maker.IsDone()) fail();
+    const BRep_Builder shapes;
+    for (const TopoDS_Vertex& end : {maker.Vertex1(), maker.Vertex2()}) shapes.UpdateVertex(end, joined());
     return TopoDS::Edge(source.first < source.last ? maker.Shape() : maker.Shape().Reversed());
+  }
+
+  /// Ends of neighbouring edges are one vertex within this: a wire leaves out what does not begin where the
+  /// last one ended, and reports success.
+  double joined() const {
+    const auto& box = source_.tables().box;
+    return 1e-6 * (box[1] - box[0]).norm() / metres_;
   }
 
   /// A whole circle has a vertex where it begins, which must be none but where a line ends or crosses it.

@@ -7,11 +7,13 @@
 
 namespace isopatch::segmentation {
 
-/// Faces from regions, which all have carriers, edges where these meet, vertices where more of them do. Axes
-/// of spheres may be turned.
-/// @throws Error unsupported  as `add_seams`
+/// Faces from regions, edges where their surfaces meet, vertices where more of them do. Axes of spheres may
+/// be turned; regions without carriers get splines.
+/// @param tolerance  of freeform edges from the mesh's vertices, m
+/// @throws Error unsupported  as `add_seams` and `add_freeform_faces`
 geometry::CarrierSolid solid_of_regions(const geometry::TriangleMesh& mesh,
-                                        const geometry::MeshNeighbours& neighbours, Regions& regions);
+                                        const geometry::MeshNeighbours& neighbours, Regions& regions,
+                                        double tolerance);
 
 /// "plane_1", "cylinder_2", ...: the kind and the number of the face among those of its kind.
 std::vector<std::string> face_names(const Regions& regions);

@@ -2,22 +2,26 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "geometry/base/ids.hpp"
 #include "geometry/brep/brep_parts.hpp"
 #include "geometry/mesh/mesh_neighbours.hpp"
 #include "geometry/mesh/triangle_mesh.hpp"
+#include "geometry/splines/nurbs.hpp"
 #include "segmentation/reconstruction/regions.hpp"
 
 namespace isopatch::segmentation {
 
 /// Where two regions meet, from corner to corner.
 struct WireEdge {
-  int start = 0, end = 0;               ///< vertices of the wireframe
-  std::vector<Eigen::Vector3d> points;  ///< along it, m, both ends among them; none: a pole
-  std::array<int, 2> regions{};         ///< to the left and to the right; one twice for a seam
-  bool free_start = false;              ///< closed, and its vertex is no corner
+  int start = 0, end = 0;                     ///< vertices of the wireframe
+  std::vector<Eigen::Vector3d> points;        ///< along it, m, both ends among them; none: a pole
+  std::vector<int> of_mesh;                   ///< the mesh's vertex at each point; -1: it has none there
+  std::array<int, 2> regions{};               ///< to the left and to the right; one twice for a seam
+  bool free_start = false;                    ///< closed, and its vertex is no corner
+  std::optional<geometry::NurbsCurve> curve;  ///< from start to end, of an edge of a freeform face
 };
 
 /// The edges of regions and their loops, as of a B-rep, but with points of the mesh.

@@ -30,6 +30,7 @@ inline gp_Pnt to_point(const Eigen::Vector3d& p) {
 
 /// @param scale  that the coordinates are multiplied with
 Handle(Geom_BSplineSurface) to_shape(const NurbsSurface& surface, double scale);
+Handle(Geom_BSplineCurve) to_shape(const NurbsCurve& curve, double scale);
 /// The curve's (u, v).
 Handle(Geom2d_BSplineCurve) to_domain_curve(const NurbsCurve& curve);
 /// @param curve  not periodic

@@ -1,0 +1,239 @@
+#include "segmentation/reconstruction/internal/split_bands.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <queue>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace isopatch::segmentation {
+namespace {
+
+using geometry::TriangleSide;
+using MeshEdge = std::pair<int, int>;  // vertices, the lower first
+
+// A loop turns in a place where it does by so much along this share of it.
+constexpr double window_share = 0.03;
+constexpr double least_turn = 0.5;  // rad
+constexpr double least_apart = 0.04;
+constexpr std::size_t most_divisions = 4;
+constexpr double spacing_change = 4;
+
+MeshEdge mesh_edge(int a, int b) {
+  return {std::min(a, b), std::max(a, b)};
+}
+
+/// The borders and edges of a region.
+class Band {
+ public:
+  Band(const geometry::TriangleMesh& mesh, const geometry::MeshNeighbours& neighbours, const Regions& regions,
+       int region)
+      : mesh_(mesh), neighbours_(neighbours) {
+    for (const int t : regions.regions[static_cast<std::size_t>(region)].triangles)
+      for (int i = 0; i < 3; ++i) {
+        const TriangleSide other = across({t, i});
+        const int a = mesh.triangles(i, t), b = mesh.triangles((i + 1) % 3, t);
+        if (regions.of_triangle[static_cast<std::size_t>(other.triangle)] != region)
+          next_.emplace(a, b);
+        else
+          beside_[a].push_back(b);
+      }
+    std::set<int> done;
+    for (const auto& [first, second] : next_) {
+      if (done.contains(first)) continue;
+      std::vector<int> loop;
+      for (int v = first; done.insert(v).second; v = next_.find(v)->second) loop.push_back(v);
+      loops_.push_back(std::move(loop));
+    }
+  }
+
+  /// The longer one first; two loops that no vertex is twice on.
+  bool is_band() const { return loops_.size() == 2 && next_.size() == loops_[0].size() + loops_[1].size(); }
+
+  /// One loop that no vertex is twice on.
+  bool is_disc() const { return loops_.size() == 1 && next_.size() == loops_[0].size(); }
+
+  /// Edges from border to border where the spacing of vertices changes at both ends to the same side, as
+  /// where faces of a CAD program met that continue each other.
+  std::vector<std::vector<MeshEdge>> changes() const {
+    const std::vector<int>& loop = loops_[0];
+    const std::size_t n = loop.size();
+    std::map<int, double> change;  // length after over length before
+    for (std::size_t i = 0; i < n; ++i)
+      change[loop[i]] = (point(loop[(i + 1) % n]) - point(loop[i])).norm() /
+                        (point(loop[i]) - point(loop[(i + n - 1) % n])).norm();
+    std::vector<std::vector<MeshEdge>> result;
+    std::set<int> used;
+    for (const auto& [v, ratio] : change) {
+      const auto beside = beside_.find(v);
+      if (beside == beside_.end() || (ratio < spacing_change && ratio > 1 / spacing_change)) continue;
+      for (const int w : beside->second) {
+        const auto other = change.find(w);
+        if (other == change.end() || used.contains(v) || used.contains(w)) continue;
+        // The two borders run against each other.
+        const bool same = ratio > 1 ? other->second < 1 / spacing_change : other->second > spacing_change;
+        if (!same) continue;
+        result.push_back({mesh_edge(v, w)});
+        used.insert({v, w});
+      }
+    }
+    return result;
+  }
+
+  /// Edges that divide it, from loop to loop.
+  std::vector<std::vector<MeshEdge>> divisions() {
+    if (length(loops_[1]) > length(loops_[0])) std::swap(loops_[0], loops_[1]);
+    std::vector<std::vector<MeshEdge>> result;
+    std::set<int> used;
+    for (const std::size_t place : places()) {
+      const std::vector<int> way = shortest_way(loops_[0][place], used);
+      if (way.empty()) continue;
+      result.emplace_back();
+      for (std::size_t i = 0; i + 1 < way.size(); ++i) result.back().push_back(mesh_edge(way[i], way[i + 1]));
+      used.insert(way.begin(), way.end());
+    }
+    return result;
+  }
+
+ private:
+  TriangleSide across(const TriangleSide& s) const {
+    return neighbours_.across[static_cast<std::size_t>(s.triangle)][static_cast<std::size_t>(s.side)];
+  }
+  Eigen::Vector3d point(int v) const { return mesh_.vertices.col(v); }
+  double length(const std::vector<int>& loop) const {
+    double result = 0;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      result += (point(loop[(i + 1) % loop.size()]) - point(loop[i])).norm();
+    return result;
+  }
+
+  /// Where the first loop turns most, and at least two places.
+  std::vector<std::size_t> places() const {
+    const std::vector<int>& loop = loops_[0];
+    const std::size_t n = loop.size();
+    std::vector<double> at{0}, turn(n), gathered(n, 0);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Eigen::Vector3d before = point(loop[i]) - point(loop[(i + n - 1) % n]),
+                            after = point(loop[(i + 1) % n]) - point(loop[i]);
+      turn[i] = std::atan2(before.cross(after).norm(), before.dot(after));
+      at.push_back(at.back() + after.norm());
+    }
+    const double whole = at[n];
+    const auto apart = [&](std::size_t a, std::size_t b) {
+      const double way = std::abs(at[a] - at[b]);
+      return std::min(way, whole - way);
+    };
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j)
+        if (apart(i, j) < window_share / 2 * whole) gathered[i] += turn[j];
+    std::vector<std::size_t> order(n), result;
+    for (std::size_t i = 0; i < n; ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return gathered[a] > gathered[b]; });
+    for (const std::size_t i : order) {
+      const bool turns = gathered[i] > least_turn && result.size() < most_divisions;
+      if (!turns && result.size() >= 2) break;
+      // Where it does not turn, the places are half of it apart.
+      const double least = turns ? least_apart * whole : 0.4 * whole;
+      if (std::all_of(result.begin(), result.end(), [&](std::size_t r) { return apart(i, r) >= least; }))
+        result.push_back(i);
+    }
+    return result;
+  }
+
+  /// From a vertex of the first loop to the second one, along no border and through no used vertex.
+  std::vector<int> shortest_way(int from, const std::set<int>& used) const {
+    const std::set<int> start(loops_[0].begin(), loops_[0].end()), goal(loops_[1].begin(), loops_[1].end());
+    std::map<int, double> known{{from, 0}};
+    std::map<int, int> before;
+    std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> open;
+    open.emplace(0, from);
+    while (!open.empty()) {
+      const auto [far, v] = open.top();
+      open.pop();
+      if (far > known[v]) continue;
+      if (goal.contains(v)) {
+        std::vector<int> way{v};
+        while (way.back() != from) way.push_back(before[way.back()]);
+        return way;
+      }
+      const auto beside = beside_.find(v);
+      if (beside == beside_.end()) continue;
+      for (const int w : beside->second) {
+        if (start.contains(w) || used.contains(w)) continue;
+        const double longer = far + (point(w) - point(v)).norm();
+        const auto [at, added] = known.emplace(w, std::numeric_limits<double>::infinity());
+        if (longer >= at->second) continue;
+        at->second = longer;
+        before[w] = v;
+        open.emplace(longer, w);
+      }
+    }
+    return {};
+  }
+
+  const geometry::TriangleMesh& mesh_;
+  const geometry::MeshNeighbours& neighbours_;
+  std::multimap<int, int> next_;            // along the border
+  std::map<int, std::vector<int>> beside_;  // across an inner edge
+  std::vector<std::vector<int>> loops_;
+};
+
+/// The pieces of a region between edges, each as its triangles.
+std::vector<std::vector<int>> pieces_between(const geometry::TriangleMesh& mesh,
+                                             const geometry::MeshNeighbours& neighbours, const Region& region,
+                                             const std::set<MeshEdge>& walls) {
+  std::set<int> left(region.triangles.begin(), region.triangles.end());
+  std::vector<std::vector<int>> result;
+  for (const int first : region.triangles) {
+    if (left.erase(first) == 0) continue;
+    std::vector<int> piece{first};
+    for (std::size_t next = 0; next < piece.size(); ++next)
+      for (int i = 0; i < 3; ++i) {
+        const int t = piece[next];
+        if (walls.contains(mesh_edge(mesh.triangles(i, t), mesh.triangles((i + 1) % 3, t)))) continue;
+        const int other =
+            neighbours.across[static_cast<std::size_t>(t)][static_cast<std::size_t>(i)].triangle;
+        if (left.erase(other) > 0) piece.push_back(other);
+      }
+    result.push_back(std::move(piece));
+  }
+  return result;
+}
+
+}  // namespace
+
+Regions split_bands(const geometry::TriangleMesh& mesh, const geometry::MeshNeighbours& neighbours,
+                    Regions regions) {
+  const std::size_t count = regions.regions.size();
+  for (std::size_t r = 0; r < count; ++r) {
+    if (regions.regions[r].carrier) continue;
+    Band band(mesh, neighbours, regions, static_cast<int>(r));
+    const auto divisions = band.is_band()   ? band.divisions()
+                           : band.is_disc() ? band.changes()
+                                            : std::vector<std::vector<MeshEdge>>{};
+    if (divisions.size() < (band.is_band() ? 2u : 1u)) continue;
+    std::set<MeshEdge> walls;
+    for (const auto& division : divisions) walls.insert(division.begin(), division.end());
+    auto pieces = pieces_between(mesh, neighbours, regions.regions[r], walls);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      Region piece;
+      for (const int t : pieces[i]) piece.area += geometry::area_vector(mesh, t).norm() / 2;
+      piece.triangles = std::move(pieces[i]);
+      const std::size_t number = i == 0 ? r : regions.regions.size();
+      for (const int t : piece.triangles)
+        regions.of_triangle[static_cast<std::size_t>(t)] = static_cast<int>(number);
+      if (i == 0)
+        regions.regions[r] = std::move(piece);
+      else
+        regions.regions.push_back(std::move(piece));
+    }
+  }
+  return regions;
+}
+
+}  // namespace isopatch::segmentation
