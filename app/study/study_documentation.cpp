@@ -111,7 +111,7 @@ std::vector<SectionText> study_sections() {
        "`elastic`, `free_body`. Where supports meet, all of them apply.",
        texts(support_keys())},
       {"support.cylindrical", "[[support]] cylindrical = { ... }",
-       "Radial or tangential alone is held by springs a million times as stiff as the part, at as many "
+       "Radial or tangential alone is held by springs ten thousand times as stiff as the part, at as many "
        "points "
        "as the faces have functions; all else exactly.",
        texts(cylindrical_keys())},

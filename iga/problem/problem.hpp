@@ -30,8 +30,8 @@ struct PlaneSupport {
 };
 
 /// Faces about an axis that are held along the directions of cylinder coordinates: no displacement along
-/// those that are true. Radial or tangential alone is held by springs a million times as stiff as the part,
-/// at as many points as the faces have functions (`sprung_faces`); all else exactly.
+/// those that are true. Radial or tangential alone is held by springs ten thousand times as stiff as the
+/// part, at as many points as the faces have functions (`sprung_faces`); all else exactly.
 struct CylindricalSupport {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< on the axis, m
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< of any length

@@ -12,7 +12,7 @@ namespace isopatch::iga {
 namespace {
 
 // Of the stiffness of a part, which is about Young's modulus over its size.
-constexpr double stiffer = 1e6;
+constexpr double stiffer = 1e4;
 
 std::vector<SprungFace> of_elastic(const Support& support, const ElasticSupport& springs) {
   const auto [normal, tangential] = springs;

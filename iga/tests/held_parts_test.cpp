@@ -162,8 +162,9 @@ TEST(CylindricalSupport, HeldAgainstTurningTakesATwistAsTheClosedForm) {
       const FieldValues at = evaluate(s.field, patch, {0.4, 0.3, 0.6});
       const double r = at.place.head<2>().norm();
       const double along = (at.place[0] * at.displacement[1] - at.place[1] * at.displacement[0]) / r;
-      // Points hold the face, and between them it gives way a little: 4e-4 with 16 elements around.
-      EXPECT_NEAR(along, exact(r), 6e-4 * exact(2));
+      // The springs give way by 4e-4 of the largest, and between their points the face does as much again
+      // with 16 elements around.
+      EXPECT_NEAR(along, exact(r), 1e-3 * exact(2));
     }
     const double moment = shear * 2 * 2 * std::numbers::pi * 2 * 0.5;  // shear radius area
     EXPECT_NEAR(s.results.reactions[0].moment[2], -moment, 1e-9 * moment);
