@@ -51,6 +51,8 @@ constexpr std::array units = {
     Unit{"rad", 1, dim::angle, ""},
     Unit{"deg", 3.14159265358979323846L / 180, dim::angle, ""},
     Unit{"\u00b0", 3.14159265358979323846L / 180, dim::angle, "", true},
+    Unit{"K", 1, dim::temperature, ""},
+    Unit{"rpm", 3.14159265358979323846L / 30, dim::angular_velocity, ""},
     Unit{"%", 0.01L, dim::none, ""},
     Unit{"B", 1, dim::data, ""},
     Unit{"kB", 1e3L, dim::data, ""},

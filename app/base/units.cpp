@@ -24,6 +24,7 @@ void raise(UnitScale& scale, int exponent) {
   scale.dimension.time *= exponent;
   scale.dimension.angle *= exponent;
   scale.dimension.data *= exponent;
+  scale.dimension.temperature *= exponent;
 }
 
 void multiply(UnitScale& scale, const UnitScale& other, int sign) {
@@ -33,6 +34,7 @@ void multiply(UnitScale& scale, const UnitScale& other, int sign) {
   scale.dimension.time += sign * other.dimension.time;
   scale.dimension.angle += sign * other.dimension.angle;
   scale.dimension.data += sign * other.dimension.data;
+  scale.dimension.temperature += sign * other.dimension.temperature;
 }
 
 /// Recursive descent over a product of units.
@@ -176,6 +178,11 @@ constexpr std::array known_dimensions = {
     KnownDimension{dim::density, "kg/m^3", "a density", "7850 kg/m^3"},
     KnownDimension{dim::acceleration, "m/s^2", "an acceleration", "9.81 m/s^2"},
     KnownDimension{dim::force_per_volume, "N/m^3", "a force per volume", "10 kN/m^3"},
+    KnownDimension{dim::temperature, "K", "a difference of temperature", "50 K"},
+    KnownDimension{dim::temperature_gradient, "K/m", "a gradient of temperature", "2 K/mm"},
+    KnownDimension{dim::expansion, "1/K", "a thermal expansion", "12e-6 1/K"},
+    KnownDimension{dim::stiffness, "N/m", "a stiffness", "10 kN/mm"},
+    KnownDimension{dim::angular_velocity, "rad/s", "an angular velocity", "3000 rpm"},
 };
 
 const KnownDimension* find(const Dimension& dimension) {
@@ -208,6 +215,7 @@ std::string si_unit(const Dimension& dimension) {
   append("s", dimension.time);
   append("rad", dimension.angle);
   append("B", dimension.data);
+  append("K", dimension.temperature);
   return result;
 }
 

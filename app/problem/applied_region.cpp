@@ -70,6 +70,11 @@ std::string region_text(const AppliedRegion& region) {
   if (!region.patches.empty())
     return fmt::format("{}: {} in {}, {}", region.name, region.kind,
                        counted(region.patches.size(), "patch", "patches"), with_unit(region.volume, "m^3"));
+  if (region.points > 0)
+    return fmt::format("{}: {} at {}", region.name, region.kind,
+                       counted(static_cast<std::size_t>(region.points), "point", "points"));
+  if (region.faces.empty() && region.edges.empty())
+    return fmt::format("{}: {}, holds the motions that other supports leave", region.name, region.kind);
   if (!region.edges.empty())
     return fmt::format("{}: {} on {} of patches", region.name, region.kind,
                        counted(region.edges.size(), "edge", "edges"));

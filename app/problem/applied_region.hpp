@@ -22,6 +22,7 @@ struct AppliedRegion {
   std::vector<std::string> edges = {};              ///< "0:east+back", in the input's naming
   std::string key = {};                             ///< what results call it: "left bore", or "support 1"
   std::vector<std::string> given = {};              ///< names of its faces, as the study gives them
+  int points = 0;                                   ///< corners of patches that a support holds
 };
 
 AppliedRegion region_of(const std::string& name, std::string_view kind,

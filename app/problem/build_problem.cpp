@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -11,6 +12,7 @@
 #include "app/base/place_outside.hpp"
 #include "app/base/place_text.hpp"
 #include "app/problem/attachment.hpp"
+#include "app/problem/corner_selection.hpp"
 #include "app/problem/edge_selection.hpp"
 #include "app/problem/loose_bodies.hpp"
 #include "app/problem/parameterized_model.hpp"
@@ -20,7 +22,12 @@
 #include "app/study/generated_models.hpp"
 #include "geometry/attach.hpp"
 #include "geometry/io/read_patches.hpp"
+#include "iga/problem/bearing_load.hpp"
+#include "iga/problem/face_axis.hpp"
+#include "iga/problem/hydrostatic_load.hpp"
 #include "iga/problem/loads.hpp"
+#include "iga/problem/remote_load.hpp"
+#include "iga/problem/rotation_load.hpp"
 #include "iga/solution/solver_choice.hpp"
 #include "iga/spaces/solution_knots.hpp"
 
@@ -95,26 +102,73 @@ class LoadAdder {
   void operator()(const Force& force) {
     add(iga::total_force(load_.name, faces_on(force.selection), force.value, built_.problem.discretization));
   }
+  void operator()(const Bearing& bearing) {
+    add(placed(
+        [&](auto faces) {
+          return iga::bearing_load(load_.name, faces, bearing.value, built_.problem.discretization);
+        },
+        bearing.selection));
+  }
+  void operator()(const Remote& remote) {
+    add(placed(
+        [&](auto faces) {
+          return iga::remote_load(load_.name, faces, remote.value, built_.problem.discretization);
+        },
+        remote.selection));
+  }
+  void operator()(const Hydrostatic& liquid) {
+    add(placed(
+        [&](auto faces) {
+          return iga::hydrostatic_load(load_.name, faces, liquid.value, built_.problem.discretization);
+        },
+        liquid.selection));
+  }
   void operator()(const BodyForce& force) {
     const auto patches = patches_in(force.patches);
     for (const PatchId id : patches) total() += volume(id) * force.value;
     built_.problem.volume_loads.push_back(
         {load_.name, patches, [f = force.value](const Eigen::Vector3d&) { return f; }});
   }
-  void operator()(const Gravity& gravity) {
-    const auto patches = patches_in(gravity.patches);
-    const auto& materials = built_.problem.materials;
-    try {
-      for (auto& weight : iga::gravity(load_.name, patches, gravity.value, materials))
-        built_.problem.volume_loads.push_back(std::move(weight));
-    } catch (const Error& error) {
-      throw error_at(load_.place, error.what(), error.code());
+  void operator()(const Gravity& gravity) { add_weight(gravity.patches, gravity.value); }
+  void operator()(const Acceleration& acceleration) { add_weight(acceleration.patches, -acceleration.value); }
+  void operator()(const Rotating& rotating) {
+    const auto patches = patches_in(rotating.patches);
+    for (auto& load : at_place([&] {
+           return iga::rotation_load(load_.name, patches, rotating.value, built_.problem.materials);
+         })) {
+      total() += iga::total_force(load, built_.problem.discretization);
+      built_.problem.volume_loads.push_back(std::move(load));
     }
-    for (const PatchId id : patches)
-      total() += volume(id) * materials[static_cast<std::size_t>(id.value)].density * gravity.value;
+  }
+  void operator()(const Temperature& temperature) {
+    iga::TemperatureLoad load{load_.name, patches_in(temperature.patches), temperature.value};
+    at_place([&] { return iga::thermal_strains({load}, built_.problem.materials); });
+    built_.problem.temperatures.push_back(std::move(load));
   }
 
  private:
+  /// What `make()` gives; its errors get the load's place in the study.
+  template <class Make>
+  std::invoke_result_t<Make> at_place(Make make) {
+    try {
+      return make();
+    } catch (const Error& error) {
+      throw error_at(load_.place, error.what(), error.code());
+    }
+  }
+  template <class Make>
+  iga::SurfaceLoad placed(Make make, const FaceSelection& selection) {
+    const auto faces = faces_on(selection);
+    return at_place([&] { return make(faces); });
+  }
+  void add_weight(const PatchSelection& selection, const Eigen::Vector3d& acceleration) {
+    const auto patches = patches_in(selection);
+    const auto& materials = built_.problem.materials;
+    for (auto& weight : at_place([&] { return iga::gravity(load_.name, patches, acceleration, materials); }))
+      built_.problem.volume_loads.push_back(std::move(weight));
+    for (const PatchId id : patches)
+      total() += volume(id) * materials[static_cast<std::size_t>(id.value)].density * acceleration;
+  }
   std::vector<geometry::PatchFace> faces_on(const FaceSelection& selection) {
     return caught_faces(selection, load_.name, kind_name(load_), built_, built_.loads);
   }
@@ -140,22 +194,70 @@ struct SupportCondition {
   Condition operator()(const HeldDisplacement& held) const { return held.displacement; }
   Condition operator()(const Symmetry&) const { return iga::PlaneSupport{}; }
   Condition operator()(const Roller& roller) const { return iga::PlaneSupport{roller.normal_displacement}; }
+  Condition operator()(const Cylindrical& about) const {
+    iga::CylindricalSupport result{
+        .radial = about.radial, .tangential = about.tangential, .axial = about.axial};
+    if (about.point) {
+      result.point = *about.point;
+      result.axis = *about.axis;
+      return result;
+    }
+    const iga::FaceAxis axis = iga::face_axis(model, faces);
+    constexpr double tilted = 1e-3;
+    if (!(axis.off <= place_tolerance * model.size() && axis.tilt <= tilted))
+      throw error_at(place,
+                     "cylindrical: the faces are no cylinders about one axis; choose those of one bore or "
+                     "shaft, or give point and axis");
+    result.point = axis.point;
+    result.axis = axis.direction;
+    return result;
+  }
+  Condition operator()(const Elastic& springs) const {
+    return iga::ElasticSupport{springs.normal + springs.total_normal / area,
+                               springs.tangential + springs.total_tangential / area};
+  }
+  Condition operator()(const FreeBody&) const { return iga::FreeBodySupport{}; }
+
+  const MultiPatch& model;
+  const std::vector<geometry::PatchFace>& faces;
+  double area = 0;  // of the faces, m^2
+  Place place;
 };
+
+// Lines and points take forces by stresses without limit.
+void warn_of_singular(const SupportInput& support, const char* what, BuiltProblem& built) {
+  built.warnings.push_back({fmt::format(
+      "{}: {} holds {}: where that takes a force, stresses grow without limit as elements become "
+      "small, and so does what gives way; look at them elsewhere",
+      to_string(support.selection.place), support.name, what)});
+}
 
 void add_support(const SupportInput& support, BuiltProblem& built) {
   const MultiPatch& model = built.problem.discretization.model;
-  auto faces = caught_faces(support.selection, support.name, kind_name(support), built, built.supports);
-  std::vector<iga::SupportedEdge> edges;
+  const Place& place = support.selection.place;
+  iga::Support made{support.name, {}, iga::FreeBodySupport{}};
   const auto* held = std::get_if<HeldDisplacement>(&support.condition);
+  if (std::holds_alternative<FreeBody>(support.condition) || (held && !held->points.empty())) {
+    built.supports.push_back(region_of(support.name, kind_name(support), made.faces, built.report));
+  } else {
+    made.faces = caught_faces(support.selection, support.name, kind_name(support), built, built.supports);
+  }
+  made.condition =
+      std::visit(SupportCondition{model, made.faces, built.supports.back().area, place}, support.condition);
   if (held && held->edges) {
-    edges = select_edges(model, faces, *held->edges, support.selection.place);
-    built.supports.back() = region_of(support.name, kind_name(support), edges, model);
+    made.edges = select_edges(model, made.faces, *held->edges, place);
+    built.supports.back() = region_of(support.name, kind_name(support), made.edges, model);
     built.supports.back().given = support.selection.faces;
-    faces.clear();
+    made.faces.clear();
+    warn_of_singular(support, "lines", built);
+  }
+  if (held && !held->points.empty()) {
+    made.corners = select_corners(model, held->points, place);
+    built.supports.back().points = static_cast<int>(held->points.size());
+    warn_of_singular(support, "points", built);
   }
   built.supports.back().key = support.key;
-  built.problem.supports.push_back(
-      {support.name, std::move(faces), std::visit(SupportCondition{}, support.condition), std::move(edges)});
+  built.problem.supports.push_back(std::move(made));
 }
 
 // The names of the blocks that the patches were, if they were any.

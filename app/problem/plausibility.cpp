@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
+#include <variant>
 
 #include "app/base/engineering_units.hpp"
 #include "app/problem/resolution_warning.hpp"
@@ -79,6 +81,23 @@ void add_left_out(const BuiltProblem& built, const iga::ElasticityResults& resul
        left_out.worst.patch, left_out.worst.place});
 }
 
+// What the points that hold a free body have to take.
+void add_imbalance(const BuiltProblem& built, const iga::ElasticityResults& results,
+                   std::vector<Warning>& warnings) {
+  constexpr double unbalanced = 1e-6;  // of all loads: their numbers have six digits
+  const double size = built.report.box.diagonal().norm();
+  for (std::size_t s = 0; s < results.reactions.size(); ++s) {
+    if (!std::holds_alternative<iga::FreeBodySupport>(built.problem.supports[s].condition)) continue;
+    const iga::Reaction& reaction = results.reactions[s];
+    const double left = std::max(reaction.force.norm(), reaction.moment.norm() / size);
+    if (!(left > unbalanced * results.load_size)) continue;
+    warnings.push_back({fmt::format(
+        "{}: the loads do not balance: a force of {} and a moment of {} about the origin are "
+        "left, which single points take; stresses near them grow without limit",
+        reaction.support, with_unit(reaction.force.norm(), "N"), with_unit(reaction.moment.norm(), "N m"))});
+  }
+}
+
 }  // namespace
 
 std::vector<Warning> input_warnings(const Study& study) {
@@ -106,6 +125,7 @@ std::vector<Warning> input_warnings(const Study& study) {
 
 std::vector<Warning> result_warnings(const BuiltProblem& built, const iga::ElasticitySolution& solution) {
   std::vector<Warning> warnings;
+  add_imbalance(built, solution.results, warnings);
   add_idle_loads(solution.results, warnings);
   add_large_displacement(built, solution.results, warnings);
   add_large_strain(built, solution, warnings);

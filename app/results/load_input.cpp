@@ -33,7 +33,9 @@ LoadedInput load_study(const InputFile& input) {
   LoadedInput result{load_model(study.model).model, std::nullopt, title_of(study, input.path)};
   for (const SupportInput& support : study.supports) {
     const auto* held = std::get_if<HeldDisplacement>(&support.condition);
-    if (!held || !held->edges) result.held.push_back(support.selection);
+    const FaceSelection& selection = support.selection;
+    const bool has_faces = !selection.faces.empty() || selection.where;
+    if (has_faces && (!held || !held->edges)) result.held.push_back(selection);
   }
   for (const AppliedLoad& load : study.loads)
     if (const FaceSelection* selection = faces_of(load)) result.loaded.push_back(*selection);

@@ -37,8 +37,14 @@ std::string_view kind_name(const AppliedLoad& load) {
   return std::visit(Overloaded{[](const Traction&) -> std::string_view { return "traction"; },
                                [](const Pressure&) -> std::string_view { return "pressure"; },
                                [](const Force&) -> std::string_view { return "force"; },
+                               [](const Bearing&) -> std::string_view { return "bearing"; },
+                               [](const Remote&) -> std::string_view { return "remote"; },
+                               [](const Hydrostatic&) -> std::string_view { return "hydrostatic"; },
                                [](const BodyForce&) -> std::string_view { return "body_force"; },
-                               [](const Gravity&) -> std::string_view { return "gravity"; }},
+                               [](const Gravity&) -> std::string_view { return "gravity"; },
+                               [](const Acceleration&) -> std::string_view { return "acceleration"; },
+                               [](const Rotating&) -> std::string_view { return "rotation"; },
+                               [](const Temperature&) -> std::string_view { return "temperature"; }},
                     load.load);
 }
 

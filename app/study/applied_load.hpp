@@ -6,6 +6,10 @@
 #include <variant>
 
 #include "app/study/face_selection.hpp"
+#include "iga/problem/hydrostatic_load.hpp"
+#include "iga/problem/remote_load.hpp"
+#include "iga/problem/rotation_load.hpp"
+#include "iga/problem/thermal_load.hpp"
 
 namespace isopatch::app {
 
@@ -44,16 +48,60 @@ struct Gravity {
   bool operator==(const Gravity&) const = default;
 };
 
+/// A total force that a pin or a shaft presses on faces with, N.
+struct Bearing {
+  FaceSelection selection = {};
+  Eigen::Vector3d value = Eigen::Vector3d::Zero();
+  bool operator==(const Bearing&) const = default;
+};
+
+/// A force and a moment at a point, carried to faces that may deform.
+struct Remote {
+  FaceSelection selection = {};
+  iga::RemoteForce value = {};
+  bool operator==(const Remote&) const = default;
+};
+
+/// The pressure of a liquid on faces.
+struct Hydrostatic {
+  FaceSelection selection = {};
+  iga::Liquid value = {};
+  bool operator==(const Hydrostatic&) const = default;
+};
+
+/// Acceleration of the part itself, as seen from patches, whose materials need a density, m/s^2.
+struct Acceleration {
+  PatchSelection patches = {};
+  Eigen::Vector3d value = Eigen::Vector3d::Zero();
+  bool operator==(const Acceleration&) const = default;
+};
+
+/// Rotation of patches, whose materials need a density.
+struct Rotating {
+  PatchSelection patches = {};
+  iga::Rotation value = {};
+  bool operator==(const Rotating&) const = default;
+};
+
+/// A change of temperature of patches, whose materials need an expansion.
+struct Temperature {
+  PatchSelection patches = {};
+  iga::TemperatureChange value = {};
+  bool operator==(const Temperature&) const = default;
+};
+
 /// What acts on some faces or in some patches: [[load]].
 struct AppliedLoad {
   std::string name = {};  ///< for messages: "load 1 (wind)"
   std::string key = {};   ///< what results call it: its name, or "load 1"
-  std::variant<Traction, Pressure, Force, BodyForce, Gravity> load = {};
+  std::variant<Traction, Pressure, Force, Bearing, Remote, Hydrostatic, BodyForce, Gravity, Acceleration,
+               Rotating, Temperature>
+      load = {};
   Place place = {};
   bool operator==(const AppliedLoad&) const = default;
 };
 
-/// "traction", "pressure", "force", "body_force" or "gravity", as its key in the study.
+/// "traction", "pressure", "force", ..., as its key in the study.
 std::string_view kind_name(const AppliedLoad& load);
 
 /// The faces on which it acts; nullptr for one that acts in patches.

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/study/load_tables.hpp"
 #include "app/study/selection_keys.hpp"
 
 namespace isopatch::app {
@@ -15,12 +16,14 @@ namespace dim = dimensions;
 
 FaceSelection& loaded_faces(AppliedLoad& load, const ConfigValue& value) {
   if (FaceSelection* selection = faces_of(load)) return *selection;
-  throw error_at(value.place, "[[load]]: body_force and gravity act in patches, not on faces");
+  throw error_at(value.place,
+                 fmt::format("[[load]]: {} acts in patches, not on faces; use patches", kind_name(load)));
 }
 
 PatchSelection& loaded_patches(AppliedLoad& load, const ConfigValue& value) {
   if (PatchSelection* selection = patches_of(load)) return *selection;
-  throw error_at(value.place, "[[load]]: only body_force and gravity take patches; use faces");
+  throw error_at(value.place,
+                 fmt::format("[[load]]: {} acts on faces, not in patches; use faces", kind_name(load)));
 }
 
 /// The vector of one kind of load.
@@ -32,13 +35,29 @@ Key<AppliedLoad> load_vector_key(const std::string& name, const Dimension& dimen
                                  });
 }
 
+/// The table of one kind of load.
+template <class Load, class Table>
+Key<AppliedLoad> load_table_key(const std::string& name, const Keys<Table>& keys, std::string meaning) {
+  return custom_key<AppliedLoad>(name, "table, see below", std::move(meaning),
+                                 [name, &keys](AppliedLoad& target, const ConfigValue& value) {
+                                   std::get<Load>(target.load).value =
+                                       read_table<Table>(read_subtable(value, name), value.place, name, keys);
+                                 });
+}
+
 /// Loads of the kinds that some keys ask for, with nothing in them yet.
 std::vector<AppliedLoad> empty_loads(const ConfigSection& input) {
   std::vector<AppliedLoad> result = {{.load = Traction{}},
                                      {.load = Pressure{}},
                                      {.load = Force{}},
+                                     {.load = Bearing{}},
+                                     {.load = Remote{}},
+                                     {.load = Hydrostatic{}},
                                      {.load = BodyForce{.patches = {.place = input.place}}},
-                                     {.load = Gravity{.patches = {.place = input.place}}}};
+                                     {.load = Gravity{.patches = {.place = input.place}}},
+                                     {.load = Acceleration{.patches = {.place = input.place}}},
+                                     {.load = Rotating{.patches = {.place = input.place}}},
+                                     {.load = Temperature{.patches = {.place = input.place}}}};
   std::erase_if(result, [&](const AppliedLoad& load) { return !input.table.find(kind_name(load)); });
   return result;
 }
@@ -64,17 +83,35 @@ const Keys<AppliedLoad>& load_keys() {
                     }),
       load_vector_key<Force>("force", dim::force,
                              "Total force, spread evenly over the area of all faces of this load."),
-      patches_key<L>("The patches that body_force or gravity acts in.", loaded_patches),
+      load_vector_key<Bearing>("bearing", dim::force,
+                               "Total force of a pin in a bore, or of a housing on a shaft, across its axis: "
+                               "a pressure that falls "
+                               "with the cosine from where the force points to nothing at a quarter turn."),
+      load_table_key<Remote>("remote", remote_keys(),
+                             "A force and a moment at a point that need not be on the part, carried to the "
+                             "faces, which may deform."),
+      load_table_key<Hydrostatic>("hydrostatic", hydrostatic_keys(), "The pressure of a liquid at rest."),
+      patches_key<L>("The patches that body_force, gravity, acceleration, rotation or temperature acts in.",
+                     loaded_patches),
       load_vector_key<BodyForce>("body_force", dim::force_per_volume, "Force per volume."),
       load_vector_key<Gravity>("gravity", dim::acceleration,
                                "Acceleration of gravity; the materials need a density."),
+      load_vector_key<Acceleration>("acceleration", dim::acceleration,
+                                    "Acceleration of the part, which its mass resists: the same as a gravity "
+                                    "the other way; the materials need a density."),
+      load_table_key<Rotating>("rotation", rotation_keys(),
+                               "Steady rotation: centrifugal forces; the materials need a density."),
+      load_table_key<Temperature>("temperature", temperature_keys(),
+                                  "A change of temperature; the materials need an expansion. Stresses are "
+                                  "those of the strain without the thermal one."),
   };
   return keys;
 }
 
 AppliedLoad read_load(const ConfigSection& input, std::size_t index) {
   constexpr const char* one_kind =
-      "[[load]] needs exactly one of traction, pressure, force, body_force, gravity";
+      "[[load]] needs exactly one of traction, pressure, force, bearing, remote, hydrostatic, body_force, "
+      "gravity, acceleration, rotation, temperature";
   const std::vector<AppliedLoad> kinds = empty_loads(input);
   if (kinds.size() > 1) throw error_at(input.place, one_kind);
   AppliedLoad result = read_table<AppliedLoad>(input.table, input.place, "[[load]]", load_keys(),

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <utility>
+
 #include "app/study/selection_keys.hpp"
 #include "app/study/standard_materials.hpp"
 #include "geometry/base/nearest_name.hpp"
@@ -58,7 +60,7 @@ iga::Material read_constants(const MaterialKeys& keys, const Place& place) {
   const std::string name = keys.name.value_or("");
   try {
     if (engineering) return iga::isotropic(*keys.young, *keys.poisson, density, name);
-    const iga::Material material{keys.lame->lambda, keys.lame->mu, density, name};
+    const iga::Material material{keys.lame->lambda, keys.lame->mu, density, name, 0};
     iga::validate(material);
     return material;
   } catch (const Error& error) {
@@ -94,15 +96,20 @@ const Keys<MaterialKeys>& material_keys() {
       table_key<MaterialKeys, LameKeys>("lame", &MaterialKeys::lame, lame_keys,
                                         "Lame parameters, in place of young and poisson."),
       quantity_key<MaterialKeys>("density", &MaterialKeys::density, dim::density, positive,
-                                 "Mass per volume; needed by gravity unless the table has it."),
+                                 "Mass per volume; needed by gravity, acceleration and rotation unless the "
+                                 "table has it."),
+      quantity_key<MaterialKeys>("expansion", &MaterialKeys::expansion, dim::expansion, any_number,
+                                 "Linear thermal expansion, \"12e-6 1/K\" for steel; needed by "
+                                 "temperature."),
   };
   return keys;
 }
 
 MaterialInput read_material(const ConfigSection& input) {
   const auto keys = read_table<MaterialKeys>(input.table, input.place, "[[material]]", material_keys());
-  return {keys.patches.value_or(PatchSelection{{}, {}, input.place}), read_constants(keys, input.place),
-          input.place};
+  iga::Material material = read_constants(keys, input.place);
+  if (keys.expansion) material.expansion = *keys.expansion;
+  return {keys.patches.value_or(PatchSelection{{}, {}, input.place}), std::move(material), input.place};
 }
 
 }  // namespace isopatch::app

@@ -6,6 +6,7 @@
 #include "app/study/attachment_keys.hpp"
 #include "app/study/generated_models.hpp"
 #include "app/study/load_keys.hpp"
+#include "app/study/load_tables.hpp"
 #include "app/study/material_keys.hpp"
 #include "app/study/model_keys.hpp"
 #include "app/study/parameterization_keys.hpp"
@@ -14,6 +15,7 @@
 #include "app/study/selection_keys.hpp"
 #include "app/study/study_keys.hpp"
 #include "app/study/support_keys.hpp"
+#include "app/study/support_tables.hpp"
 #include "geometry/base/nearest_name.hpp"
 
 namespace isopatch::app {
@@ -105,12 +107,30 @@ std::vector<SectionText> study_sections() {
        texts(material_keys())},
       {"material.lame", "[[material]] lame = { ... }", "Lame parameters.", texts(lame_keys())},
       {"support", "[[support]]",
-       "One of `displacement` (and or `displacement_gradient`), `symmetry`, `roller`. Where supports meet, "
-       "all of them apply.",
+       "One of `displacement` (and or `displacement_gradient`), `symmetry`, `roller`, `cylindrical`, "
+       "`elastic`, `free_body`. Where supports meet, all of them apply.",
        texts(support_keys())},
+      {"support.cylindrical", "[[support]] cylindrical = { ... }",
+       "Radial or tangential alone is held by springs ten thousand times as stiff as the part, at as many "
+       "points "
+       "as the faces have functions; all else exactly.",
+       texts(cylindrical_keys())},
+      {"support.elastic", "[[support]] elastic = { ... }",
+       "Stiffness per area, or of all faces together; what is given of both adds up.", texts(elastic_keys())},
       {"load", "[[load]]",
-       "One of `traction`, `pressure`, `force` on faces, or one of `body_force`, `gravity` in patches.",
+       "One of `traction`, `pressure`, `force`, `bearing`, `remote`, `hydrostatic` on faces, or one of "
+       "`body_force`, `gravity`, `acceleration`, `rotation`, `temperature` in patches.",
        texts(load_keys())},
+      {"load.remote", "[[load]] remote = { ... }",
+       "A force and a moment, by the tractions t(x) = a + b x (x - c) that have them, the least in the mean "
+       "square: faces deform as they like.",
+       texts(remote_keys())},
+      {"load.hydrostatic", "[[load]] hydrostatic = { ... }",
+       "A liquid: density times gravity times depth below its surface.", texts(hydrostatic_keys())},
+      {"load.rotation", "[[load]] rotation = { ... }", "A steady rotation about an axis.",
+       texts(rotation_keys())},
+      {"load.temperature", "[[load]] temperature = { ... }",
+       "A change of temperature, even or linear in the place.", texts(temperature_keys())},
       {"where", "where = { ... } of supports and loads",
        "Faces chosen by geometry, because patch numbers mean little where a program made the patches. All "
        "conditions given "

@@ -4,9 +4,12 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "app/study/selection_keys.hpp"
+#include "app/study/support_tables.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -42,14 +45,36 @@ FaceSelection& held_faces(SupportInput& support, const ConfigValue&) {
 
 /// The condition that a key belongs to.
 template <class Condition>
-Condition& condition_of(SupportInput& support, const ConfigValue& value, const char* complaint) {
+Condition& condition_of(SupportInput& support, const ConfigValue& value, const std::string& complaint) {
   if (auto* condition = std::get_if<Condition>(&support.condition)) return *condition;
   throw error_at(value.place, complaint);
 }
 
 HeldDisplacement& displacement_of(SupportInput& support, const ConfigValue& value) {
   return condition_of<HeldDisplacement>(
-      support, value, "[[support]] has both a displacement and symmetry or roller; write two supports");
+      support, value,
+      fmt::format("[[support]] has both a displacement and {}; write two supports", kind_name(support)));
+}
+
+template <class Condition>
+Key<SupportInput> support_table_key(const std::string& name, const Keys<Condition>& keys,
+                                    std::string meaning) {
+  return custom_key<SupportInput>(
+      name, "table, see below", std::move(meaning),
+      [name, &keys](SupportInput& target, const ConfigValue& value) {
+        condition_of<Condition>(
+            target, value,
+            fmt::format("[[support]] has both {} and {}; write two supports", kind_name(target), name)) =
+            read_table<Condition>(read_subtable(value, name), value.place, name, keys);
+      });
+}
+
+std::vector<Eigen::Vector3d> read_points(const ConfigValue& value) {
+  std::vector<Eigen::Vector3d> result;
+  for (const ConfigValue& item : read_array(value, "points"))
+    result.push_back(read_vector(item, "points", dim::length));
+  if (result.empty()) throw error_at(value.place, "points is empty: give at least one, as [[0, 0, 0]]");
+  return result;
 }
 
 bool is_set(const ConfigTable& table, const char* key) {
@@ -61,6 +86,9 @@ bool is_set(const ConfigTable& table, const char* key) {
 SupportInput empty_support(const ConfigTable& table) {
   if (is_set(table, "symmetry")) return {.condition = Symmetry{}};
   if (is_set(table, "roller")) return {.condition = Roller{}};
+  if (is_set(table, "free_body")) return {.condition = FreeBody{}};
+  if (table.find("cylindrical")) return {.condition = Cylindrical{}};
+  if (table.find("elastic")) return {.condition = Elastic{}};
   return {.condition = HeldDisplacement{}};
 }
 
@@ -68,7 +96,36 @@ void require_condition(const SupportInput& support, const ConfigSection& input) 
   if (!std::holds_alternative<HeldDisplacement>(support.condition)) return;
   if (input.table.find("displacement") || input.table.find("displacement_gradient")) return;
   throw error_at(input.place,
-                 "[[support]] needs displacement, displacement_gradient, symmetry = true or roller = true");
+                 "[[support]] needs displacement, displacement_gradient, symmetry = true, roller = true, "
+                 "cylindrical, elastic or free_body = true");
+}
+
+// What a support holds: faces, points, or the body.
+void require_place(const SupportInput& support, const ConfigSection& input) {
+  const bool has_faces = !support.selection.faces.empty() || support.selection.where;
+  const auto* held = std::get_if<HeldDisplacement>(&support.condition);
+  const bool has_points = held && !held->points.empty();
+  const bool is_free = std::holds_alternative<FreeBody>(support.condition);
+  if (is_free && has_faces)
+    throw error_at(input.place,
+                   "[[support]] free_body holds bodies by points that it chooses itself; leave out faces and "
+                   "where");
+  if (has_points && (has_faces || held->edges))
+    throw error_at(input.place, "[[support]] has points beside faces, where or edges; write two supports");
+  if (!has_faces && !has_points && !is_free)
+    throw error_at(input.place, "[[support]] needs faces, where or points: what is held?");
+  const auto* springs = std::get_if<Elastic>(&support.condition);
+  if (springs && *springs == Elastic{})
+    throw error_at(input.place,
+                   "[[support]] elastic needs a stiffness above 0: normal, tangential, "
+                   "total_normal or total_tangential");
+  const auto* about = std::get_if<Cylindrical>(&support.condition);
+  if (about && about->point.has_value() != about->axis.has_value())
+    throw error_at(input.place, "[[support]] cylindrical needs both point and axis, or neither");
+  if (about && !about->radial && !about->tangential && !about->axial)
+    throw error_at(input.place,
+                   "[[support]] cylindrical holds nothing: all of radial, tangential and axial "
+                   "are free");
 }
 
 }  // namespace
@@ -91,6 +148,17 @@ const Keys<SupportInput>& support_keys() {
                 "give displacement components")
                 .edges =
                 read_table<FaceConditions>(read_subtable(value, "edges"), value.place, "edges", edges_keys());
+          }),
+      custom_key<S>(
+          "points", "array of points, each 3 of length (m)",
+          "Holds, instead of faces, corners of patches at these places. Where a point takes a force, "
+          "displacements and stresses grow without limit as elements become small.",
+          [](S& target, const ConfigValue& value) {
+            condition_of<HeldDisplacement>(
+                target, value,
+                "[[support]] has points: all but displacement needs faces, because a point has no "
+                "normal; give displacement components")
+                .points = read_points(value);
           }),
       custom_key<S>("displacement", "3 of length (m) or \"free\"",
                     "Prescribed displacement; \"free\" leaves a component free.",
@@ -119,6 +187,17 @@ const Keys<SupportInput>& support_keys() {
                           .normal_displacement = read_quantity(value, "normal_displacement", dim::length);
                     })
           .with_default("0"),
+      support_table_key<Cylindrical>("cylindrical", cylindrical_keys(),
+                                     "Faces about an axis are held along some of the directions of cylinder "
+                                     "coordinates: a pin in a bore, a bearing on a shaft."),
+      support_table_key<Elastic>("elastic", elastic_keys(),
+                                 "Springs between the faces and what does not move: a bed, a rubber mount."),
+      custom_key<S>("free_body", "true or false",
+                    "Whether each body is held by as many single conditions, at corners of patches, as other "
+                    "supports leave motions, six without any: loads that balance feel nothing of them, and "
+                    "what does not balance is reported as the reaction.",
+                    [](S&, const ConfigValue& value) { read_flag(value, "free_body"); })
+          .with_default("false"),
   };
   return keys;
 }
@@ -128,8 +207,7 @@ SupportInput read_support(const ConfigSection& input, std::size_t index) {
                                                  empty_support(input.table));
   require_condition(result, input);
   result.selection.place = input.place;
-  if (result.selection.faces.empty() && !result.selection.where)
-    throw error_at(input.place, "[[support]] needs faces or where: which faces are held?");
+  require_place(result, input);
   result.name = fmt::format("support {}{}", index + 1, result.key.empty() ? "" : " (" + result.key + ")");
   if (result.key.empty()) result.key = result.name;
   return result;

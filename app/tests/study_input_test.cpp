@@ -74,9 +74,9 @@ TEST(StudyInput, ALoadIsOneOfAClosedSetWithWhereItActs) {
 
 TEST(StudyInput, AKeyThatDoesNotBelongToTheLoadIsRefusedWhereItStands) {
   EXPECT_EQ(refusal_of("[[load]]\nfaces = [\"x_max\"]\ngravity = [0, 0, 1]\n"),
-            "folder/study.toml:4:9: [[load]]: body_force and gravity act in patches, not on faces");
+            "folder/study.toml:4:9: [[load]]: gravity acts in patches, not on faces; use patches");
   EXPECT_EQ(refusal_of("[[load]]\nfaces = [\"x_max\"]\npressure = 1\npatches = [0]\n"),
-            "folder/study.toml:6:11: [[load]]: only body_force and gravity take patches; use faces");
+            "folder/study.toml:6:11: [[load]]: pressure acts on faces, not in patches; use faces");
   EXPECT_THAT(refusal_of("[[load]]\nfaces = [\"x_max\"]\npressure = 1\ntraction = [1, 0, 0]\n"),
               HasSubstr("needs exactly one of traction"));
   EXPECT_THAT(refusal_of("[[load]]\npressure = 1\n"), HasSubstr("which faces are loaded?"));

@@ -141,13 +141,15 @@ std::string words_of(const ModelInput& model) {
 
 std::string words_of(const MaterialInput& input) {
   const iga::Material& m = input.material;
-  return fmt::format("material patches{}\nlambda {:.6g}\nmu {:.6g}\ndensity {:g}\ncalled {}\n",
-                     words_of(input.patches), m.lambda, m.mu, m.density, m.name);
+  return fmt::format(
+      "material patches{}\nlambda {:.6g}\nmu {:.6g}\ndensity {:g}\nexpansion {:g}\ncalled {}\n",
+      words_of(input.patches), m.lambda, m.mu, m.density, m.expansion, m.name);
 }
 
 std::string words_of(const HeldDisplacement& held) {
   std::string text;
   if (held.edges) text += words_of(*held.edges, "support edges");
+  for (const Eigen::Vector3d& point : held.points) text += fmt::format("held point {}\n", words_of(point));
   for (const auto& value : held.displacement.value)
     text += value ? fmt::format("held {:g}\n", *value) : "free\n";
   return text + fmt::format("gradient {:g}\n", fmt::join(held.displacement.gradient.reshaped(), " "));
@@ -159,6 +161,21 @@ std::string words_of(const Symmetry&) {
 
 std::string words_of(const Roller& roller) {
   return fmt::format("support moves {:g}\n", roller.normal_displacement);
+}
+
+std::string words_of(const Cylindrical& about) {
+  return fmt::format("about radial {} tangential {} axial {}\nabout {}\nabout axis {}\n", about.radial,
+                     about.tangential, about.axial, about.point ? words_of(*about.point) : "own",
+                     about.axis ? words_of(*about.axis) : "own");
+}
+
+std::string words_of(const Elastic& springs) {
+  return fmt::format("springs {:g} and {:g}, in all {:g} and {:g}\n", springs.normal, springs.tangential,
+                     springs.total_normal, springs.total_tangential);
+}
+
+std::string words_of(const FreeBody&) {
+  return "";
 }
 
 std::string words_of(const SupportInput& input) {
@@ -173,6 +190,25 @@ std::string value_text(const Eigen::Vector3d& vector) {
 
 std::string value_text(double pressure) {
   return fmt::format("{:g}", pressure);
+}
+
+std::string value_text(const iga::RemoteForce& remote) {
+  return fmt::format("force {} moment {} at {}", words_of(remote.force), words_of(remote.moment),
+                     remote.point ? words_of(*remote.point) : "centroid");
+}
+
+std::string value_text(const iga::Liquid& liquid) {
+  return fmt::format("of {:g} from {} to {}", liquid.density, words_of(liquid.surface),
+                     words_of(liquid.gravity));
+}
+
+std::string value_text(const iga::TemperatureChange& t) {
+  return fmt::format("by {:g} and {} from {}", t.change, words_of(t.gradient), words_of(t.point));
+}
+
+std::string value_text(const iga::Rotation& rotation) {
+  return fmt::format("with {:g} about {} along {}", rotation.speed, words_of(rotation.point),
+                     words_of(rotation.axis));
 }
 
 std::string words_of(const AppliedLoad& input) {

@@ -74,10 +74,11 @@ TEST(Units, MeasureMemoryInPowersOf1000And1024) {
 }
 
 TEST(Units, AreListedOnceEach) {
-  EXPECT_EQ(known_units(),
-            "m g s N Pa J W with the prefixes n u m c d k M G; t bar in ft lb lbf psi ksi Msi rad deg %; of "
-            "memory B "
-            "kB MB GB TB KiB MiB GiB TiB");
+  EXPECT_EQ(
+      known_units(),
+      "m g s N Pa J W with the prefixes n u m c d k M G; t bar in ft lb lbf psi ksi Msi rad deg K rpm %; of "
+      "memory B "
+      "kB MB GB TB KiB MiB GiB TiB");
   EXPECT_THAT(unit_refusal("20 furlong"), HasSubstr(known_units()));
 }
 

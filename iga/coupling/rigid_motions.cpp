@@ -8,16 +8,10 @@
 
 #include "geometry/base/dense_matrices.hpp"
 #include "geometry/base/error.hpp"
-#include "geometry/measures.hpp"
+#include "iga/coupling/free_motions.hpp"
 
 namespace isopatch::iga {
 namespace {
-
-using Vector6 = Eigen::Matrix<double, 6, 1>;
-
-/// Of the part's size: thinner patches are none (`Tolerance::same_point`), and places of CAD files are no
-/// better.
-constexpr double least_arm = 2e-7;
 
 std::string text(const Eigen::Vector3d& v) {
   const auto clean = [](double x) { return std::abs(x) < 5e-7 ? 0.0 : x; };
@@ -82,56 +76,30 @@ std::vector<std::string> described(const Eigen::MatrixXd& null_space, const Eige
 
 }  // namespace
 
-std::vector<FreeBody> free_bodies(const Discretization& d, const GlobalNodes& global,
+std::vector<FreeBody> free_bodies(const ElasticityProblem& problem, const GlobalNodes& global,
                                   const std::vector<SupportFrame>& frames) {
   std::vector<FreeBody> result;
-  for (const std::vector<PatchId>& body : d.model.bodies()) {
-    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-    for (const PatchId patch : body)
-      centre += d.patches[static_cast<std::size_t>(patch.value)].control_points().rowwise().mean() /
-                double(body.size());
-    Eigen::AlignedBox3d extent;
-    for (const PatchId patch : body) extent.extend(geometry::box(d.model.patch(patch)));
-    const double size = extent.diagonal().norm();
-    Eigen::Matrix<double, 6, 6> gram = Eigen::Matrix<double, 6, 6>::Zero();
-    for (const PatchId patch : body) {
-      const auto p = static_cast<std::size_t>(patch.value);
-      for (int i = 0; i < d.patches[p].size(); ++i) {
-        const SupportFrame& frame =
-            frames[static_cast<std::size_t>(global.global_of[static_cast<std::size_t>(d.first_node[p] + i)])];
-        const Eigen::Vector3d arm = (d.patches[p].control_points().col(i) - centre) / size;
-        for (int k = frame.free; k < 3; ++k) {
-          Vector6 row;
-          row << frame.axes.col(k), arm.cross(frame.axes.col(k));
-          gram += row * row.transpose();
-        }
-      }
-    }
-    const SymmetricEigen eigen = symmetric_eigen(gram);
-    // A support that holds a motion only by round-off is none. The edge of a thin sheet holds it by half its
-    // thickness, of which these are the squares.
-    const double threshold = least_arm * least_arm * std::max(eigen.values[5], 1e-300);
-    Eigen::Index free = 0;
-    while (free < 6 && eigen.values[free] <= threshold) ++free;
-    if (free > 0) result.push_back({body, described(eigen.vectors.leftCols(free), centre, size)});
-  }
+  for (const FreeMotions& body : free_motions(problem, global, frames))
+    result.push_back({body.patches, described(body.motions, body.centre, body.size)});
   return result;
 }
 
-void require_supported(const Discretization& d, const GlobalNodes& global,
+void require_supported(const ElasticityProblem& problem, const GlobalNodes& global,
                        const std::vector<SupportFrame>& frames) {
-  const std::vector<FreeBody> bodies = free_bodies(d, global, frames);
+  const std::vector<FreeBody> bodies = free_bodies(problem, global, frames);
   if (bodies.empty()) return;
   std::string message = "the supports leave rigid motions:";
   for (const FreeBody& body : bodies) {
     std::vector<int> patches;
     for (const PatchId patch : body.patches) patches.push_back(patch.value);
-    const bool all = static_cast<int>(patches.size()) == d.patch_count();
+    const bool all = static_cast<int>(patches.size()) == problem.discretization.patch_count();
     message += fmt::format("\n  {} can still move: {}",
                            all ? "the part" : fmt::format("the body of patches {}", fmt::join(patches, ", ")),
                            fmt::join(body.motions, "; "));
   }
-  message += "\nadd supports (a face clamped in all components holds a body)";
+  message +=
+      "\nadd supports (a face clamped in all components holds a body; free_body "
+      "= true holds one whose loads balance)";
   if (bodies.size() > 1) message += ", or check whether the bodies should share interfaces";
   throw Error(ErrorCode::free_body, message);
 }

@@ -16,11 +16,11 @@ struct FreeBody {
 
 /// Bodies whose supports leave rigid motions. Empty if the problem is well posed.
 /// @cost  O(nodes)
-std::vector<FreeBody> free_bodies(const Discretization& discretization, const GlobalNodes& global,
+std::vector<FreeBody> free_bodies(const ElasticityProblem& problem, const GlobalNodes& global,
                                   const std::vector<SupportFrame>& frames);
 
 /// @throws Error free_body naming patches and motions if `free_bodies` finds any
-void require_supported(const Discretization& discretization, const GlobalNodes& global,
+void require_supported(const ElasticityProblem& problem, const GlobalNodes& global,
                        const std::vector<SupportFrame>& frames);
 
 }  // namespace isopatch::iga

@@ -9,6 +9,8 @@
 #include "geometry/base/dense_matrices.hpp"
 #include "geometry/base/error.hpp"
 #include "geometry/measures.hpp"
+#include "iga/coupling/free_body_support.hpp"
+#include "iga/problem/springs.hpp"
 
 namespace isopatch::iga {
 namespace {
@@ -116,10 +118,32 @@ Eigen::Vector3d control_point(const Discretization& d, int node) {
   return d.patches[patch].control_points().col(node - d.first_node[patch]);
 }
 
+// Along the directions of cylinder coordinates at a control point, but for those that springs hold.
+std::vector<Condition> conditions_about(const CylindricalSupport& about, const std::string& name,
+                                        const Eigen::Vector3d& place) {
+  const Eigen::Vector3d axis = about.axis.normalized();
+  const Eigen::Vector3d arm = place - about.point;
+  const Eigen::Vector3d radial = arm - axis * axis.dot(arm);
+  if (!(radial.norm() > 1e-9 * arm.norm()))
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("'{}': a control point at {} lies on the axis, where nothing is radial; choose "
+                            "faces around the axis, or give another axis",
+                            name, point_text(place)));
+  std::vector<Condition> result;
+  if (!is_sprung(about) && about.radial) {
+    result.push_back({radial.normalized(), 0, least_uncertainty});
+    result.push_back({axis.cross(radial).normalized(), 0, least_uncertainty});
+  }
+  if (about.axial) result.push_back({axis, 0, least_uncertainty});
+  return result;
+}
+
 std::vector<Condition> conditions_at(const Support& support, const Eigen::Vector3d& place,
                                      const PlaneNormal& plane_of_face) {
   if (const auto* plane = std::get_if<PlaneSupport>(&support.condition))
     return {{plane_of_face.normal, plane->normal_displacement, plane_of_face.uncertainty}};
+  if (const auto* about = std::get_if<CylindricalSupport>(&support.condition))
+    return conditions_about(*about, support.name, place);
   const auto& prescribed = std::get<PrescribedDisplacement>(support.condition);
   std::vector<Condition> result;
   for (int d = 0; d < 3; ++d)
@@ -145,6 +169,28 @@ void hold(const std::vector<int>& points, PatchId patch, int support, const Plan
   }
 }
 
+void require_faces_alone(const Support& support) {
+  if (std::holds_alternative<PrescribedDisplacement>(support.condition) ||
+      (support.edges.empty() && support.corners.empty()))
+    return;
+  throw Error(
+      ErrorCode::invalid_argument,
+      fmt::format("'{}': a symmetry plane, a roller, a cylindrical or an elastic support needs faces, "
+                  "an edge or a point has no normal; give displacement components instead",
+                  support.name));
+}
+
+void require_patches(const Support& support, const Discretization& d) {
+  const auto require = [&](PatchId patch) {
+    if (patch.value < 0 || patch.value >= d.patch_count())
+      throw Error(ErrorCode::invalid_argument,
+                  fmt::format("'{}': there is no patch {}, the model has patches 0 to {}", support.name,
+                              patch.value, d.patch_count() - 1));
+  };
+  for (const SupportedEdge& held : support.edges) require(held.patch);
+  for (const PatchCorner& corner : support.corners) require(corner.patch);
+}
+
 }  // namespace
 
 std::vector<SupportFrame> support_frames(const ElasticityProblem& problem, const GlobalNodes& global) {
@@ -155,26 +201,27 @@ std::vector<SupportFrame> support_frames(const ElasticityProblem& problem, const
   for (std::size_t s = 0; s < problem.supports.size(); ++s) {
     const Support& support = problem.supports[s];
     const bool plane = std::holds_alternative<PlaneSupport>(support.condition);
+    require_faces_alone(support);
+    require_patches(support, d);
     for (const PatchFace face : support.faces) {
       if (std::find(boundary.begin(), boundary.end(), face) == boundary.end())
         throw Error(ErrorCode::invalid_argument,
                     fmt::format("'{}': face {} is not on the boundary of the model", support.name,
                                 d.model.label(face)));
+      if (std::holds_alternative<ElasticSupport>(support.condition)) continue;
       hold(geometry::face_control_points(sizes(face.patch), face.side), face.patch, static_cast<int>(s),
            plane ? plane_normal(d.model, face, support.name) : PlaneNormal{}, problem, global, frames);
     }
-    for (const SupportedEdge& held : support.edges) {
-      if (plane || held.patch.value < 0 || held.patch.value >= d.patch_count())
-        throw Error(ErrorCode::invalid_argument,
-                    plane
-                        ? fmt::format("'{}': a symmetry plane or a roller needs faces, an edge has no normal",
-                                      support.name)
-                        : fmt::format("'{}': there is no patch {}, the model has patches 0 to {}",
-                                      support.name, held.patch.value, d.patch_count() - 1));
+    for (const SupportedEdge& held : support.edges)
       hold(geometry::edge_control_points(sizes(held.patch), held.edge), held.patch, static_cast<int>(s), {},
            problem, global, frames);
-    }
+    for (const PatchCorner& corner : support.corners)
+      hold({control_point_of(sizes(corner.patch), corner)}, corner.patch, static_cast<int>(s), {}, problem,
+           global, frames);
   }
+  for (std::size_t s = 0; s < problem.supports.size(); ++s)
+    if (std::holds_alternative<FreeBodySupport>(problem.supports[s].condition))
+      hold_free_bodies(problem, static_cast<int>(s), global, frames);
   return frames;
 }
 

@@ -1,33 +1,17 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <array>
 #include <vector>
 
-#include "geometry/base/angle.hpp"
 #include "iga/coupling/global_nodes.hpp"
+#include "iga/coupling/support_frame.hpp"
 #include "iga/problem/problem.hpp"
 
 namespace isopatch::iga {
 
-/// The displacements that supports leave to a global node: u = prescribed + sum over k < free of q_k
-/// axes.col(k).
-struct SupportFrame {
-  Eigen::Matrix3d axes =
-      Eigen::Matrix3d::Identity();  ///< orthonormal columns: the free directions, then the fixed ones
-  int free = 3;                     ///< number of free directions
-  Eigen::Vector3d prescribed = Eigen::Vector3d::Zero();  ///< m, without component along the free directions
-  /// Per fixed column: the unit direction along which its support acts; the columns are these, orthogonalized
-  /// from the last one down.
-  std::array<Eigen::Vector3d, 3> direction = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
-                                              Eigen::Vector3d::Zero()};
-  Angle uncertainty = {};                     ///< of the directions
-  std::array<int, 3> support = {-1, -1, -1};  ///< per column: the support that fixes it, or -1
-};
-
-/// One frame per global node.
-/// @throws Error invalid_argument  a plane support on a face that is not plane or on an edge, a face that is
-/// not on the boundary, an edge of a patch that does not exist
+/// One frame per global node. Elastic supports leave them as they are; those of free bodies come last.
+/// @throws Error invalid_argument  a plane support on a face that is not plane, a support that needs faces on
+/// an edge or a corner, a cylindrical one whose faces touch its axis, a face that is not on the boundary, an
+/// edge or a corner of a patch that does not exist
 /// @throws Error conflict          supports that prescribe different displacements for one point, naming both
 std::vector<SupportFrame> support_frames(const ElasticityProblem& problem, const GlobalNodes& global);
 

@@ -24,8 +24,9 @@ void require_unfolded(const Discretization& discretization, int points) {
 void require_well_posed(const ElasticityProblem& problem, int points) {
   const Discretization& discretization = problem.discretization;
   for (const Material& material : problem.materials) validate(material);
+  thermal_strains(problem.temperatures, problem.materials);
   const GlobalNodes global = global_nodes(discretization);
-  require_supported(discretization, global, support_frames(problem, global));
+  require_supported(problem, global, support_frames(problem, global));
   load_vector(problem, points);
   require_unfolded(discretization, points);
 }

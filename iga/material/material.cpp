@@ -22,7 +22,7 @@ Material isotropic(double young, double poisson, double density, std::string nam
     throw Error(ErrorCode::invalid_argument,
                 fmt::format("Poisson's ratio is {}; it must lie between -1 and 0.5", poisson));
   Material material{young * poisson / ((1 + poisson) * (1 - 2 * poisson)), young / (2 * (1 + poisson)),
-                    density, std::move(name)};
+                    density, std::move(name), 0};
   validate(material);
   return material;
 }
@@ -43,7 +43,8 @@ void validate(const Material& m) {
   const auto reject = [&](const std::string& what) {
     throw Error(ErrorCode::invalid_argument, fmt::format("material '{}': {}", m.name, what));
   };
-  if (!std::isfinite(m.lambda) || !std::isfinite(m.mu) || !std::isfinite(m.density))
+  if (!std::isfinite(m.lambda) || !std::isfinite(m.mu) || !std::isfinite(m.density) ||
+      !std::isfinite(m.expansion))
     reject("a value is not finite");
   if (!(m.mu > 0)) reject(fmt::format("mu is {} Pa; it must be positive", m.mu));
   if (!(3 * m.lambda + 2 * m.mu > 0))

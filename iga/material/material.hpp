@@ -7,10 +7,11 @@ namespace isopatch::iga {
 
 /// Isotropic linear elastic material: stress = 2 mu strain + lambda tr(strain) I.
 struct Material {
-  double lambda = 0;   ///< first Lame parameter, Pa; above -2/3 mu
-  double mu = 0;       ///< shear modulus, Pa; positive
-  double density = 0;  ///< kg/m^3; needed by gravity only
-  std::string name;    ///< for reports; may be empty
+  double lambda = 0;     ///< first Lame parameter, Pa; above -2/3 mu
+  double mu = 0;         ///< shear modulus, Pa; positive
+  double density = 0;    ///< kg/m^3; needed by gravity, acceleration and rotation only
+  std::string name;      ///< for reports; may be empty
+  double expansion = 0;  ///< thermal, linear, 1/K; needed by temperatures only
   bool operator==(const Material&) const = default;
 };
 

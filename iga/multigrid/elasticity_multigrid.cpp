@@ -36,10 +36,11 @@ std::vector<PatchSpace> with_fewest_points(std::vector<PatchSpace> spaces) {
 
 // The coarsest level's matrix, the same on every process, which has all rows there.
 solvers::LinearOperator coarse_inverse(const Level& level, const std::vector<Material>& materials,
-                                       int points) {
+                                       const std::vector<SprungFace>& elastic, int points) {
   const RowNumbering numbering{level.global_of, level.rows.global_rows()};
   solvers::SymmetricBlockMatrix stiffness =
       assemble_stiffness(level.spaces, whole_patches(level.spaces), materials, numbering, points);
+  SupportStiffness(level.spaces, whole_patches(level.spaces), elastic).add_to(stiffness, numbering);
   apply_supports(stiffness, level.free, solvers::SharedRows(stiffness.block_rows()));
   return solvers::cholmod_inverse(std::move(stiffness));
 }
@@ -84,6 +85,11 @@ ElasticityMultigrid::ElasticityMultigrid(const ElasticityProblem& problem, const
     levels.push_back(&state_->coarser.emplace_back(*coarser_level(
         model, *levels.back(), finest, frames, everywhere(distribution, finest.spaces.size()), processes)));
   }
+  // On coarser levels holds are integrated: seen from there the points of the finest level are everywhere,
+  // and points of their own would let coarse functions do what the finest level forbids.
+  const std::vector<SprungFace> of_finest = sprung_faces(problem);
+  std::vector<SprungFace> of_coarser = of_finest;
+  for (SprungFace& face : of_coarser) face.is_hold = false;
   std::vector<solvers::MultigridLevel> described;
   for (std::size_t l = 0; l < levels.size(); ++l) {
     const Level& level = *levels[l];
@@ -98,7 +104,7 @@ ElasticityMultigrid::ElasticityMultigrid(const ElasticityProblem& problem, const
     if (l == 0 && !product) state_->smoothed_spaces = with_fewest_points(level.spaces);
     const LevelOperator& stiffness =
         state_->operators.emplace_back(level, l == 0 && !product ? state_->smoothed_spaces : level.spaces,
-                                       problem.materials, options.points);
+                                       problem.materials, options.points, l == 0 ? of_finest : of_coarser);
     const FastDiagonalization& smoother =
         state_->smoothers.emplace_back(model, level, problem.materials, stiffness.diagonal());
     made.product =
@@ -107,7 +113,9 @@ ElasticityMultigrid::ElasticityMultigrid(const ElasticityProblem& problem, const
     progress("multigrid", static_cast<double>(l + 1) / static_cast<double>(levels.size()));
   }
   state_->multigrid = std::make_unique<solvers::Multigrid>(
-      std::move(described), coarse_inverse(*levels.back(), problem.materials, options.points),
+      std::move(described),
+      coarse_inverse(*levels.back(), problem.materials, levels.size() == 1 ? of_finest : of_coarser,
+                     options.points),
       options.smoothing);
 }
 

@@ -87,6 +87,7 @@ struct PlaneFields::State {
         patch(index),
         volume(all.patches[static_cast<std::size_t>(index)]),
         material(all.materials[static_cast<std::size_t>(index)]),
+        thermal(all.thermal_strain(static_cast<std::size_t>(index))),
         sums(volume, all.displacement[static_cast<std::size_t>(index)],
              {grid_line(volume.knots(0), parameters[0]), grid_line(volume.knots(1), parameters[1]),
               grid_line(volume.knots(2), parameters[2])}),
@@ -136,7 +137,7 @@ struct PlaneFields::State {
     const Matrix3d gradient = node.gradient / std::max(1, node.usable);
     const Matrix3d strain =
         node.usable > 0 ? Matrix3d(0.5 * (gradient + gradient.transpose())) : strain_inside(parameter);
-    const Matrix3d stress = stress_of_gradient(strain, material);
+    const Matrix3d stress = stress_of_gradient(strain, material, thermal.at(out.points.col(at)));
     out.strain.col(at) = six(strain);
     out.stress.col(at) = six(stress);
     out.von_mises[at] = von_mises(stress);
@@ -182,6 +183,7 @@ struct PlaneFields::State {
   int patch;
   const NurbsVolume& volume;
   const Material& material;
+  ThermalStrain thermal;
   GridSums sums;
   double typical;
   std::vector<Scratch> rows;

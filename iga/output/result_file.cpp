@@ -39,6 +39,7 @@ void write_materials(Hdf5Writer& file, const std::vector<Material>& of_patches) 
     file.write(group + "/lambda", materials[m].lambda);
     file.write(group + "/mu", materials[m].mu);
     file.write(group + "/density", materials[m].density);
+    file.write(group + "/expansion", materials[m].expansion);
   }
   file.write("/patches/material", numbers);
 }
@@ -53,7 +54,8 @@ void read_materials(const Hdf5Reader& file, std::vector<Material>& of_patches) {
   for (std::int64_t m = 0; m <= most; ++m) {
     const std::string group = material_group(static_cast<std::size_t>(m));
     materials.push_back({file.number(group + "/lambda"), file.number(group + "/mu"),
-                         file.number(group + "/density"), file.text(group + "/name")});
+                         file.number(group + "/density"), file.text(group + "/name"),
+                         file.contains(group + "/expansion") ? file.number(group + "/expansion") : 0.0});
   }
   for (const std::int64_t number : numbers) of_patches.push_back(materials[static_cast<std::size_t>(number)]);
 }
@@ -64,6 +66,11 @@ void write_field(Hdf5Writer& file, const ElasticField& field) {
   for (const Eigen::Matrix3Xd& of_patch : field.displacement) displacement.add(of_patch);
   displacement.write(file, "/patches/displacement", 3);
   write_materials(file, field.materials);
+  if (field.thermal.empty()) return;
+  Eigen::MatrixXd strains(4, static_cast<Eigen::Index>(field.thermal.size()));
+  for (std::size_t p = 0; p < field.thermal.size(); ++p)
+    strains.col(static_cast<Eigen::Index>(p)) << field.thermal[p].at_origin, field.thermal[p].gradient;
+  file.write("/patches/thermal_strain", strains);
 }
 
 void read_field(const Hdf5Reader& file, ElasticField& field) {
@@ -76,6 +83,14 @@ void read_field(const Hdf5Reader& file, ElasticField& field) {
   if (field.materials.size() != field.patches.size())
     throw Error(ErrorCode::invalid_argument, fmt::format("/patches/material has {} numbers for {} patches",
                                                          field.materials.size(), field.patches.size()));
+  if (!file.contains("/patches/thermal_strain")) return;
+  const Eigen::MatrixXd strains = file.matrix("/patches/thermal_strain", 4);
+  for (Eigen::Index p = 0; p < strains.cols(); ++p)
+    field.thermal.push_back({strains(0, p), strains.col(p).tail<3>()});
+  if (field.thermal.size() != field.patches.size())
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("/patches/thermal_strain has {} columns for {} patches", field.thermal.size(),
+                            field.patches.size()));
 }
 
 }  // namespace

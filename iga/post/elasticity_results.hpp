@@ -31,10 +31,14 @@ struct ElasticityResults {
   Extremum max_strain;        ///< Frobenius norm of the strain; at the Gauss points that are not left out
   UnresolvedEnergy unresolved;
   std::vector<std::string> idle_loads;  ///< surface loads that act where supports take them all
-  double internal_energy = 0;           ///< half the integral of stress : strain, J
+  double internal_energy = 0;           ///< half the integral of stress : elastic strain, J
+  double support_energy = 0;            ///< in the springs of elastic supports, J
+  double thermal_work = 0;  ///< minus half the integral of stress : thermal strain, J; with external_work the
+                            ///< energy of part and supports
   double external_work = 0;  ///< half the work of loads and of reactions on prescribed displacements, J
   std::vector<Reaction> reactions;                       ///< one per support
   Eigen::Vector3d total_load = Eigen::Vector3d::Zero();  ///< N
+  double load_size = 0;  ///< sum of the lengths of all nodal loads, N: what an imbalance is held against
 };
 
 struct PhaseTime {

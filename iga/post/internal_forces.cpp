@@ -34,6 +34,7 @@ struct Largest {
 struct ElementForces {
   std::vector<double> forces;  // three of each function
   double energy = 0;
+  double thermal_work = 0;
   Largest von_mises, strain;
   std::int64_t folded = 0;
   Largest worst = {-2, 0, Eigen::Vector3d::Zero()};  // minus the scaled Jacobian
@@ -42,12 +43,13 @@ struct ElementForces {
 
 class PatchForces {
  public:
-  PatchForces(const Discretization& d, int patch, const Material& material,
+  PatchForces(const Discretization& d, int patch, const Material& material, const ThermalStrain& thermal,
               const Eigen::Matrix3Xd& displacement, const GaussPoints& points)
       : d_(d),
         index_(patch),
         patch_(d.patches[static_cast<std::size_t>(patch)]),
         material_(material),
+        thermal_(thermal),
         displacement_(displacement.data() + 3 * d.first_node[static_cast<std::size_t>(patch)]),
         tensors_(patch_, gauss_rules(points)),
         modes_(points, {patch_.degree(0), patch_.degree(1), patch_.degree(2)}) {}
@@ -58,7 +60,7 @@ class PatchForces {
     gather(tensors_, element, patch_, displacement_, scratch.fields.coefficients);
     tensors_.gradients(element, scratch.fields);
     for (auto& at : scratch.test.at) at.resize(static_cast<std::size_t>(tensors_.point_count()));
-    out.energy = 0;
+    out.energy = out.thermal_work = 0;
     out.von_mises = out.strain = {};
     out.folded = 0;
     out.worst = {-2, 0, Eigen::Vector3d::Zero()};
@@ -89,9 +91,12 @@ class PatchForces {
                     tensors_.parameter(element, point));
     const Eigen::Matrix3d inverse = place.derivatives.inverse();
     const Eigen::Matrix3d gradient = rational_point(scratch.fields, q, 4).derivatives * inverse;
-    const Eigen::Matrix3d sigma = stress_of_gradient(gradient, material_);
+    const double thermal = thermal_.at(place.value);
+    const Eigen::Matrix3d sigma = stress_of_gradient(gradient, material_, thermal);
     const double measure = weight * jacobian;
-    out.energy += 0.5 * measure * sigma.cwiseProduct(gradient).sum();
+    const double thermal_work = -0.5 * measure * sigma.trace() * thermal;
+    out.energy += 0.5 * measure * sigma.cwiseProduct(gradient).sum() + thermal_work;
+    out.thermal_work += thermal_work;
     const auto& [value, du, dv, dw] = scratch.fields.at;
     const double denominator = 1 / value[q][3];
     const Eigen::Matrix3d on_cube = (measure * denominator) * sigma * inverse.transpose();
@@ -118,6 +123,7 @@ class PatchForces {
   int index_;
   const geometry::NurbsVolume& patch_;
   const Material& material_;
+  ThermalStrain thermal_;
   const double* displacement_;
   ElementTensors tensors_;
   HighestModes modes_;
@@ -139,7 +145,8 @@ ElementRange elements_of(const Discretization& d, const PatchLayers& part) {
 
 InternalForces internal_forces(const Discretization& d, const std::vector<Material>& materials,
                                const Eigen::Matrix3Xd& displacement, const std::vector<PatchLayers>& parts,
-                               int points, const Progress& progress) {
+                               int points, const Progress& progress,
+                               const std::vector<ThermalStrain>& thermal) {
   InternalForces result;
   result.forces = Eigen::Matrix3Xd::Zero(3, d.node_count());
   result.max_von_mises.value = result.max_strain.value = -1;
@@ -148,7 +155,8 @@ InternalForces internal_forces(const Discretization& d, const std::vector<Materi
   for (const PatchLayers& part : parts) {
     const int p = part.patch;
     const auto patch = static_cast<std::size_t>(p);
-    const PatchForces of_patch(d, p, materials[patch], displacement, d.points_of(p, points));
+    const PatchForces of_patch(d, p, materials[patch], thermal.empty() ? ThermalStrain{} : thermal[patch],
+                               displacement, d.points_of(p, points));
     double* const forces = result.forces.data() + 3 * d.first_node[patch];
     const ElementRange range = elements_of(d, part);
     in_batches<Scratch, ElementForces>(
@@ -159,6 +167,7 @@ InternalForces internal_forces(const Discretization& d, const std::vector<Materi
         [&](std::int64_t first, std::span<const ElementForces> elements) {
           for (const ElementForces& element : elements) {
             result.energy += element.energy;
+            result.thermal_work += element.thermal_work;
             of_patch.tensors().for_each_function(range.first + first, [&](Eigen::Index a, Eigen::Index i) {
               Eigen::Map<Eigen::Vector3d>(forces + 3 * i) +=
                   Eigen::Map<const Eigen::Vector3d>(&element.forces[static_cast<std::size_t>(3 * a)]);
@@ -188,10 +197,18 @@ InternalForces internal_forces(const Discretization& d, const std::vector<Materi
                          progress);
 }
 
+Eigen::Matrix3Xd thermal_forces(const Discretization& d, const std::vector<Material>& materials,
+                                const std::vector<ThermalStrain>& thermal,
+                                const std::vector<PatchLayers>& parts, int points) {
+  const Eigen::Matrix3Xd still = Eigen::Matrix3Xd::Zero(3, d.node_count());
+  return -internal_forces(d, materials, still, parts, points, {}, thermal).forces;
+}
+
 InternalForces summed(InternalForces share, const solvers::Processes& processes) {
   if (processes.count() == 1) return share;
   processes.sum(Eigen::Map<Eigen::VectorXd>(share.forces.data(), share.forces.size()));
   share.energy = processes.sum(share.energy);
+  share.thermal_work = processes.sum(share.thermal_work);
   share.max_von_mises = largest(share.max_von_mises, processes);
   share.max_strain = largest(share.max_strain, processes);
   share.left_out = summed(share.left_out, processes);

@@ -2,22 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <utility>
 
 #include "geometry/base/error.hpp"
 #include "iga/material/internal/point_fields.hpp"
+#include "iga/problem/internal/face_quadrature.hpp"
 #include "iga/spaces/internal/element_batches.hpp"
 #include "iga/spaces/internal/element_tensors.hpp"
 
 namespace isopatch::iga {
 
 using geometry::PatchFace;
-
-// Areas are not polynomial and faces are cheap: with these points a force spread over a rational face adds up
-// to itself.
-constexpr int extra_face_points = 6;
 
 SurfaceLoad constant_traction(std::string name, std::vector<PatchFace> faces,
                               const Eigen::Vector3d& traction) {
@@ -65,43 +61,24 @@ std::vector<VolumeLoad> gravity(const std::string& name, const std::vector<Patch
 Eigen::Matrix3Xd face_load(
     const geometry::NurbsVolume& patch, geometry::Side side,
     const std::function<Eigen::Vector3d(const Eigen::Vector3d&, const Eigen::Vector3d&)>& traction) {
-  const geometry::NurbsSurface surface = geometry::face_surface(patch, side);
-  // Of a right-handed patch, the second direction is the one whose two tangents, in increasing order, turn
-  // inwards.
-  const double outward = (geometry::is_high(side) ? 1 : -1) * (geometry::direction(side) == 1 ? -1 : 1);
-  std::array<DirectionTable, 2> tables;
-  for (int d = 0; d < 2; ++d)
-    tables[static_cast<std::size_t>(d)] =
-        direction_table(surface.knots(d), geometry::gauss_legendre(surface.degree(d) + extra_face_points));
+  const FaceQuadrature quadrature(patch, side);
+  const geometry::NurbsSurface& surface = quadrature.surface();
   Eigen::Matrix3Xd load = Eigen::Matrix3Xd::Zero(3, surface.size());
-  for (const auto& v : tables[1].elements) {
-    for (const auto& u : tables[0].elements) {
-      for (Eigen::Index qv = 0; qv < v.nodes.size(); ++qv) {
-        for (Eigen::Index qu = 0; qu < u.nodes.size(); ++qu) {
-          const geometry::Parameter<2> parameter(u.nodes[qu], v.nodes[qv]);
-          const auto jacobian = surface.jacobian(parameter);
-          const Eigen::Vector3d area =
-              outward * Eigen::Vector3d(jacobian.col(0)).cross(Eigen::Vector3d(jacobian.col(1)));
-          const double measure = area.norm();
-          if (!(measure > 0)) continue;  // a collapsed edge carries nothing
-          const Eigen::Vector3d weighted =
-              u.weights[qu] * v.weights[qv] * measure * traction(surface.point(parameter), area / measure);
-          double total = 0;
-          for (Eigen::Index j = 0; j < v.values.cols(); ++j)
-            for (Eigen::Index i = 0; i < u.values.cols(); ++i)
-              total += u.values(qu, i) * v.values(qv, j) *
-                       surface.weights()[u.first + i + surface.size(0) * (v.first + j)];
-          for (Eigen::Index j = 0; j < v.values.cols(); ++j) {
-            for (Eigen::Index i = 0; i < u.values.cols(); ++i) {
-              const Eigen::Index index = u.first + i + surface.size(0) * (v.first + j);
-              load.col(index) +=
-                  weighted * (u.values(qu, i) * v.values(qv, j) * surface.weights()[index] / total);
-            }
-          }
-        }
+  quadrature.for_each([&](const FacePoint& point, const DirectionTable::Element& u, Eigen::Index qu,
+                          const DirectionTable::Element& v, Eigen::Index qv) {
+    const Eigen::Vector3d weighted = point.area * traction(point.place, point.normal);
+    double total = 0;
+    for (Eigen::Index j = 0; j < v.values.cols(); ++j)
+      for (Eigen::Index i = 0; i < u.values.cols(); ++i)
+        total += u.values(qu, i) * v.values(qv, j) *
+                 surface.weights()[u.first + i + surface.size(0) * (v.first + j)];
+    for (Eigen::Index j = 0; j < v.values.cols(); ++j) {
+      for (Eigen::Index i = 0; i < u.values.cols(); ++i) {
+        const Eigen::Index index = u.first + i + surface.size(0) * (v.first + j);
+        load.col(index) += weighted * (u.values(qu, i) * v.values(qv, j) * surface.weights()[index] / total);
       }
     }
-  }
+  });
   return load;
 }
 
@@ -170,10 +147,9 @@ class PatchWeight {
   ElementTensors tensors_;
 };
 
-void add_volume_load(const ElasticityProblem& problem, const VolumeLoad& volume_load, int points,
+void add_volume_load(const Discretization& d, const VolumeLoad& volume_load, int points,
                      Eigen::Matrix3Xd& load) {
   constexpr std::int64_t elements_per_batch = 8192;
-  const Discretization& d = problem.discretization;
   for (const PatchId patch : volume_load.patches) {
     if (patch.value < 0 || patch.value >= d.patch_count())
       throw Error(ErrorCode::invalid_argument, fmt::format("'{}': there is no patch {}; the model has {}",
@@ -201,8 +177,14 @@ Eigen::Matrix3Xd load_vector(const ElasticityProblem& problem, int points) {
   Eigen::Matrix3Xd load = Eigen::Matrix3Xd::Zero(3, problem.discretization.node_count());
   for (const SurfaceLoad& surface_load : problem.surface_loads) add_surface_load(problem, surface_load, load);
   for (const VolumeLoad& volume_load : problem.volume_loads)
-    add_volume_load(problem, volume_load, points, load);
+    add_volume_load(problem.discretization, volume_load, points, load);
   return load;
+}
+
+Eigen::Vector3d total_force(const VolumeLoad& load, const Discretization& discretization, int points) {
+  Eigen::Matrix3Xd at_nodes = Eigen::Matrix3Xd::Zero(3, discretization.node_count());
+  add_volume_load(discretization, load, points, at_nodes);
+  return at_nodes.rowwise().sum();
 }
 
 }  // namespace isopatch::iga

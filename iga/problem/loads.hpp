@@ -14,6 +14,9 @@ namespace isopatch::iga {
 ///                                 is not finite at a point
 Eigen::Matrix3Xd load_vector(const ElasticityProblem& problem, int points = 0);
 
+/// The force of a volume load, integrated as the load vector is. N
+Eigen::Vector3d total_force(const VolumeLoad& load, const Discretization& discretization, int points = 0);
+
 /// Integral of a function of place and outward normal over one face of a patch against its trace functions.
 /// @return  (3, control points of the face), in the order of geometry::face_control_points
 Eigen::Matrix3Xd face_load(

@@ -11,6 +11,8 @@
 #include "geometry/collapse.hpp"
 #include "geometry/patch_face.hpp"
 #include "iga/material/material.hpp"
+#include "iga/problem/corners.hpp"
+#include "iga/problem/thermal_load.hpp"
 #include "iga/spaces/discretization.hpp"
 
 namespace isopatch::iga {
@@ -27,6 +29,29 @@ struct PlaneSupport {
   double normal_displacement = 0;  ///< m, along the outward normal
 };
 
+/// Faces about an axis that are held along the directions of cylinder coordinates: no displacement along
+/// those that are true. Radial or tangential alone is held by springs ten thousand times as stiff as the
+/// part, at as many points as the faces have functions (`sprung_faces`); all else exactly.
+struct CylindricalSupport {
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< on the axis, m
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< of any length
+  bool radial = true;
+  bool tangential = false;
+  bool axial = false;
+};
+
+/// Springs between faces and what does not move, N/m^3: force per area and displacement.
+struct ElasticSupport {
+  double normal = 0;      ///< against displacement across the faces, both ways
+  double tangential = 0;  ///< against displacement along them
+  bool operator==(const ElasticSupport&) const = default;
+};
+
+/// Holds the rigid motions that all other supports leave to each body, by as many single conditions at
+/// corners of patches: loads that balance find no resistance in them, and what does not balance is its
+/// reaction.
+struct FreeBodySupport {};
+
 /// One edge of one patch, where a support holds a line.
 struct SupportedEdge {
   PatchId patch;
@@ -34,15 +59,18 @@ struct SupportedEdge {
   auto operator<=>(const SupportedEdge&) const = default;
 };
 
-/// A support: prescribed displacements on faces or edges. Where supports meet, all of them apply.
+/// A support: prescribed displacements, or springs, on faces, edges or corners. Where supports meet, all of
+/// them apply.
 struct Support {
   std::string name;  ///< for messages and reports: "support 1 (clamped bore)"
   std::vector<geometry::PatchFace> faces;
-  std::variant<PrescribedDisplacement, PlaneSupport> condition;
-  /// Lines that are held, of any edges of patches, besides the faces; not by a PlaneSupport. In three
-  /// dimensions a line gives way without limit as elements become small, so displacements and energy have no
-  /// limit, while stresses away from the line have.
+  std::variant<PrescribedDisplacement, PlaneSupport, CylindricalSupport, ElasticSupport, FreeBodySupport>
+      condition;
+  /// Lines that are held, of any edges of patches, besides the faces; by a PrescribedDisplacement alone. In
+  /// three dimensions a line gives way without limit as elements become small, so displacements and energy
+  /// have no limit, while stresses away from the line have.
   std::vector<SupportedEdge> edges = {};
+  std::vector<PatchCorner> corners = {};  ///< points that are held, with the same reservation as edges
 };
 
 /// Traction on boundary faces as a function of place and outward unit normal, Pa.
@@ -78,6 +106,7 @@ struct ElasticityProblem {
   std::vector<Support> supports;
   std::vector<SurfaceLoad> surface_loads;
   std::vector<VolumeLoad> volume_loads;
+  std::vector<TemperatureLoad> temperatures = {};
 };
 
 }  // namespace isopatch::iga

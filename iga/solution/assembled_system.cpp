@@ -4,6 +4,7 @@
 
 #include "geometry/base/stopwatch.hpp"
 #include "iga/assembly/assembly.hpp"
+#include "iga/assembly/support_stiffness.hpp"
 #include "iga/distribution/shared_multipliers.hpp"
 
 namespace isopatch::iga {
@@ -52,6 +53,8 @@ AssembledSystem assembled_system(const CoupledProblem& coupled, const Progress& 
   system.rows = local.rows;
   system.stiffness = assemble_stiffness(coupled.spaces, coupled.parts, coupled.problem->materials,
                                         local.numbering, coupled.points, progress);
+  SupportStiffness(coupled.spaces, coupled.parts, sprung_faces(*coupled.problem))
+      .add_to(system.stiffness, local.numbering);
   system.load = local.rows.part(load_of_rows(coupled.load, result.numbering));
   apply_supports(system, frames_of(local.rows, result.frame_of_row));
   if (coupled.coupling == Coupling::lagrange) {

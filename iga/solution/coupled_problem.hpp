@@ -24,7 +24,9 @@ struct CoupledProblem {
   GlobalNodes global;
   std::vector<SupportFrame> frames;  ///< one per global node
   std::vector<MultiplierRow> multipliers;
-  Eigen::Matrix3Xd load;  ///< per node, (3, nodes), N
+  Eigen::Matrix3Xd load;               ///< per node, those of temperatures included, (3, nodes), N
+  std::vector<ThermalStrain> thermal;  ///< one per patch, or none
+  Eigen::Matrix3Xd thermal_load;       ///< share of `load` that temperatures cause; empty without
   std::vector<PatchSpace> spaces;
   Distribution distribution;
   std::vector<PatchLayers> parts;  ///< what this process integrates

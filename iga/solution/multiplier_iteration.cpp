@@ -15,7 +15,8 @@ DiscreteSolution solve_with_multipliers(const CoupledProblem& coupled, const sol
   Stopwatch watch;
   const Level level =
       finest_level(coupled.spaces, coupled.global, coupled.frames, coupled.distribution, coupled.processes);
-  const LevelOperator stiffness(level, coupled.problem->materials, coupled.points);
+  const LevelOperator stiffness(level, coupled.problem->materials, coupled.points,
+                                sprung_faces(*coupled.problem));
   const ElasticityMultigrid multigrid(*coupled.problem, level, coupled.frames, coupled.distribution,
                                       coupled.processes, {}, {options.multigrid, coupled.points}, progress);
   const SaddlePoint saddle(coupled, level, multigrid, stiffness.diagonal());

@@ -53,6 +53,7 @@ SaddlePoint::SaddlePoint(const CoupledProblem& coupled, const Level& level,
       level_(&level),
       multigrid_(&multigrid),
       stiffness_(level.spaces, level.parts, coupled.problem->materials, coupled.points),
+      springs_(level.spaces, level.parts, sprung_faces(*coupled.problem)),
       rows_(saddle_rows(coupled, level)) {
   // Jumps cost some hundred times what they cost in a node's own stiffness: what is continuous hardly feels
   // them, and all eigenvalues of jumps and multipliers are near (1 +- sqrt 5) / 2. More would save
@@ -100,13 +101,19 @@ VectorXd SaddlePoint::along_axes(const Eigen::Matrix3Xd& forces) const {
   return result;
 }
 
+Eigen::Matrix3Xd SaddlePoint::forces_of(const Eigen::Matrix3Xd& displacement) const {
+  Eigen::Matrix3Xd forces = stiffness_.apply(displacement);
+  springs_.add_forces(displacement, forces);
+  return forces;
+}
+
 VectorXd SaddlePoint::product(const VectorXd& z) const {
   Eigen::Matrix3Xd u = Eigen::Matrix3Xd::Zero(3, static_cast<Index>(coupled_->global.global_of.size()));
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const SupportFrame& f = *nodes_[i].frame;
     u.col(nodes_[i].node) = f.axes.leftCols(f.free) * z.segment(3 * static_cast<Index>(i), f.free);
   }
-  VectorXd result = along_axes(stiffness_.apply(u));
+  VectorXd result = along_axes(forces_of(u));
   for (const TiedNodes& tied : tied_) {
     const double g = tied.jump_stiffness;
     const Eigen::Vector3d mean = mean_of(tied.nodes, z);
@@ -164,7 +171,7 @@ VectorXd SaddlePoint::load() const {
     result.segment(3 * static_cast<Index>(i), frame->free) =
         frame->axes.leftCols(frame->free).transpose() * coupled_->load.col(node);
   }
-  return result - along_axes(stiffness_.apply(prescribed));
+  return result - along_axes(forces_of(prescribed));
 }
 
 Eigen::Matrix3Xd SaddlePoint::displacement(const VectorXd& z) const {

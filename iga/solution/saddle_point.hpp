@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "iga/assembly/support_stiffness.hpp"
 #include "iga/multigrid/elasticity_multigrid.hpp"
 #include "iga/operator/stiffness_operator.hpp"
 #include "iga/solution/coupled_problem.hpp"
@@ -59,11 +60,13 @@ class SaddlePoint {
   };
   void add_tie_inverse(const TiedNodes& tied, const Eigen::VectorXd& in, Eigen::VectorXd& out) const;
   Eigen::VectorXd along_axes(const Eigen::Matrix3Xd& forces) const;
+  Eigen::Matrix3Xd forces_of(const Eigen::Matrix3Xd& displacement) const;
 
   const CoupledProblem* coupled_;
   const Level* level_;
   const ElasticityMultigrid* multigrid_;
   StiffnessOperator stiffness_;
+  SupportStiffness springs_;
   solvers::SharedRows rows_;
   std::vector<int> first_tie_;  // per global node, row of the whole system
   std::vector<Node> nodes_;     // of the first local rows

@@ -9,6 +9,7 @@
 #include "geometry/base/stopwatch.hpp"
 #include "iga/coupling/idle_loads.hpp"
 #include "iga/coupling/rigid_motions.hpp"
+#include "iga/post/elastic_reactions.hpp"
 #include "iga/post/face_stresses.hpp"
 #include "iga/post/internal_forces.hpp"
 #include "iga/post/results.hpp"
@@ -78,9 +79,9 @@ PlannedSolution solved(const CoupledProblem& coupled, const solvers::SolverOptio
 }
 
 // Prescribed displacements do work through the reactions, free ones through the loads. J
-double external_work(const CoupledProblem& coupled, const Eigen::Matrix3Xd& displacement,
-                     const Eigen::Matrix3Xd& unbalanced) {
-  double work = coupled.load.cwiseProduct(displacement).sum();
+double external_work(const CoupledProblem& coupled, const Eigen::Matrix3Xd& load,
+                     const Eigen::Matrix3Xd& displacement, const Eigen::Matrix3Xd& unbalanced) {
+  double work = load.cwiseProduct(displacement).sum();
   for (Eigen::Index node = 0; node < displacement.cols(); ++node)
     work += unbalanced.col(node).dot(coupled.frame_of(static_cast<int>(node)).prescribed);
   return 0.5 * work;
@@ -90,11 +91,16 @@ double external_work(const CoupledProblem& coupled, const Eigen::Matrix3Xd& disp
 void add_results(const CoupledProblem& coupled, const DiscreteSolution& discrete,
                  ElasticitySolution& solution, const Progress& progress) {
   const ElasticityProblem& problem = *coupled.problem;
-  const InternalForces internal =
-      summed(internal_forces(problem.discretization, problem.materials, discrete.displacement, coupled.parts,
-                             coupled.points, progress),
-             coupled.processes);
-  const Eigen::Matrix3Xd unbalanced = internal.forces - coupled.load;
+  ElasticReactions springs = elastic_reactions(problem, discrete.displacement, coupled.spaces, coupled.parts);
+  InternalForces share = internal_forces(problem.discretization, problem.materials, discrete.displacement,
+                                         coupled.parts, coupled.points, progress, coupled.thermal);
+  share.forces += springs.forces;
+  const InternalForces internal = summed(std::move(share), coupled.processes);
+  springs = summed(std::move(springs), coupled.processes);
+  // The internal forces are those of stresses, of which thermal strains cause none.
+  const Eigen::Matrix3Xd load =
+      coupled.thermal.empty() ? coupled.load : Eigen::Matrix3Xd(coupled.load - coupled.thermal_load);
+  const Eigen::Matrix3Xd unbalanced = internal.forces - load;
   solution.multipliers = multipliers_in_space(
       coupled, discrete.multipliers.size() == static_cast<Eigen::Index>(coupled.multipliers.size())
                    ? discrete.multipliers
@@ -109,19 +115,29 @@ void add_results(const CoupledProblem& coupled, const DiscreteSolution& discrete
   results.idle_loads = idle_loads(problem, coupled.global, coupled.frames);
   results.internal_energy = internal.energy;
   results.reactions = support_reactions(problem, coupled.global, coupled.frames, unbalanced);
-  results.total_load = coupled.load.rowwise().sum();
-  results.external_work = external_work(coupled, discrete.displacement, unbalanced);
+  for (std::size_t s = 0; s < results.reactions.size(); ++s) {
+    results.reactions[s].force += springs.reactions[s].force;
+    results.reactions[s].moment += springs.reactions[s].moment;
+  }
+  results.support_energy = springs.energy;
+  results.load_size = coupled.load.colwise().norm().sum();
+  results.total_load = load.rowwise().sum();
+  results.thermal_work = internal.thermal_work;
+  results.external_work = external_work(coupled, load, discrete.displacement, unbalanced);
 }
 
 // What a method that stands in for another one gives must hold by itself: the energy of the stresses is the
 // work.
 void require_balance(const ElasticityResults& results, const solvers::SolveReport& report) {
   constexpr double most = 1e-6;
-  const double scale = std::max(std::abs(results.internal_energy), std::abs(results.external_work));
-  if (std::abs(results.internal_energy - results.external_work) <= most * scale) return;
+  const double stored = results.internal_energy + results.support_energy;
+  const double work = results.external_work + results.thermal_work;
+  const double scale =
+      std::max({std::abs(stored), std::abs(results.external_work), std::abs(results.thermal_work)});
+  if (std::abs(stored - work) <= most * scale) return;
   throw Error(ErrorCode::not_converged,
               fmt::format("{}; but the energy of its stresses is {:.6g} J and the work of the loads {:.6g} J",
-                          report.reason, results.internal_energy, results.external_work));
+                          report.reason, stored, work));
 }
 
 }  // namespace
@@ -133,7 +149,7 @@ ElasticitySolution solve_elasticity(const ElasticityProblem& problem, const Elas
   Stopwatch watch;
   const auto coupled =
       coupled_problem(problem, options.coupling, options.quadrature_points, options.processes);
-  require_supported(problem.discretization, coupled.global, coupled.frames);
+  require_supported(problem, coupled.global, coupled.frames);
   solution.size = problem_size(coupled);
   solution.timings.push_back({"coupling and loads", watch.lap()});
 
@@ -149,6 +165,7 @@ ElasticitySolution solve_elasticity(const ElasticityProblem& problem, const Elas
                 "the displacements are not finite numbers: the equations have no solution; look at the "
                 "supports and at the materials' constants");
   solution.field = field_of(problem, discrete.displacement);
+  solution.field.thermal = coupled.thermal;
   add_results(coupled, discrete, solution, progress);
   if (!planned.is_first) require_balance(solution.results, discrete.report);
   solution.timings.push_back({"results", watch.lap()});

@@ -123,7 +123,8 @@ FieldValues evaluate(const ElasticField& field, int patch, const Parameter<3>& p
     gradient = displacement.jacobian * place.jacobian.inverse();
   }
   values.strain = 0.5 * (gradient + gradient.transpose());
-  values.stress = stress(values.strain, field.materials[p]);
+  const double thermal = field.thermal_strain(p).at(values.place);
+  values.stress = stress(values.strain - thermal * Eigen::Matrix3d::Identity(), field.materials[p]);
   values.von_mises = von_mises(values.stress);
   return values;
 }

@@ -5,6 +5,7 @@
 
 #include "geometry/splines/nurbs.hpp"
 #include "iga/material/material.hpp"
+#include "iga/material/thermal_strain.hpp"
 
 namespace isopatch::iga {
 
@@ -13,13 +14,19 @@ struct ElasticField {
   std::vector<geometry::NurbsVolume> patches;  ///< geometry in the solution space
   std::vector<Eigen::Matrix3Xd> displacement;  ///< coefficients per patch, (3, control points), m
   std::vector<Material> materials;             ///< one per patch
+  std::vector<ThermalStrain> thermal = {};     ///< one per patch, or none at all
+
+  /// Of a patch, as a strain of 0 where there is none.
+  ThermalStrain thermal_strain(std::size_t patch) const {
+    return thermal.empty() ? ThermalStrain{} : thermal[patch];
+  }
 };
 
 /// All values at one point.
 struct FieldValues {
   Eigen::Vector3d place;         ///< m
   Eigen::Vector3d displacement;  ///< m
-  Eigen::Matrix3d strain;        ///< small strain
+  Eigen::Matrix3d strain;        ///< small strain, the thermal one included
   Eigen::Matrix3d stress;        ///< Pa
   double von_mises = 0;          ///< Pa
   double jacobian = 0;           ///< det J, m^3 per parameter^3

@@ -89,7 +89,7 @@ TEST(EdgeSupport, RefusesAPlaneAndAPatchThatIsNotThere) {
     return "accepted";
   };
   EXPECT_THAT(refusal({"guide", {}, PlaneSupport{}, {{PatchId(0), {}}}}),
-              ::testing::HasSubstr("'guide': a symmetry plane or a roller needs faces"));
+              ::testing::HasSubstr("an edge or a point has no normal"));
   EXPECT_THAT(refusal({"hold", {}, PrescribedDisplacement{}, {{PatchId(8), {}}}}),
               ::testing::HasSubstr("'hold': there is no patch 8"));
 }

@@ -78,7 +78,7 @@ Phases measure(const std::string& path, const std::vector<std::string>& override
   const auto global = phase("global nodes", [&] { return iga::global_nodes(d); });
   phase.dofs = 3.0 * global.count();
   const auto frames = phase("support frames", [&] { return iga::support_frames(problem, global); });
-  phase("rigid motions", [&] { return iga::free_bodies(d, global, frames); });
+  phase("rigid motions", [&] { return iga::free_bodies(problem, global, frames); });
   const auto load = phase("surface loads", [&] { return iga::load_vector(problem); });
   {
     iga::ElasticityProblem heavy{d, problem.materials, {}, {}, {}};

@@ -30,7 +30,16 @@ RationalPoint rational_point(const TensorBuffers<C>& buffers, std::size_t point,
   return result;
 }
 
-/// Stress (Pa) of a displacement gradient.
+/// Stress (Pa) of a displacement gradient, of which a thermal strain along all axes causes none.
+inline Eigen::Matrix3d stress_of_gradient(const Eigen::Matrix3d& gradient, const Material& material,
+                                          double thermal) {
+  Eigen::Matrix3d result = material.mu * (gradient + gradient.transpose());
+  result.diagonal().array() +=
+      material.lambda * gradient.trace() - (3 * material.lambda + 2 * material.mu) * thermal;
+  return result;
+}
+
+/// Stress (Pa) of a displacement gradient. Von Mises stresses are the same with a thermal strain.
 inline Eigen::Matrix3d stress_of_gradient(const Eigen::Matrix3d& gradient, const Material& material) {
   Eigen::Matrix3d result = material.mu * (gradient + gradient.transpose());
   result.diagonal().array() += material.lambda * gradient.trace();

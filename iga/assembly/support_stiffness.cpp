@@ -1,0 +1,193 @@
+#include "iga/assembly/support_stiffness.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <unordered_map>
+
+#include "geometry/base/error.hpp"
+#include "geometry/quadrature.hpp"
+#include "geometry/splines/basis.hpp"
+#include "iga/spaces/element_tables.hpp"
+
+namespace isopatch::iga {
+namespace {
+
+using Element = DirectionTable::Element;
+
+constexpr int extra_points = 6;
+
+// One element for each function, with its Greville point alone and the share of the line that is the
+// function's.
+DirectionTable greville_table(const geometry::KnotVector& knots) {
+  const int degree = knots.degree();
+  const std::vector<double> points = knots.greville();
+  DirectionTable table;
+  for (int i = 0; i < knots.size(); ++i) {
+    const double point = std::clamp(points[static_cast<std::size_t>(i)], knots.first(), knots.last());
+    const int span = knots.span(point);
+    Element element;
+    element.first = span - degree;
+    element.nodes = Eigen::VectorXd::Constant(1, point);
+    element.weights = Eigen::VectorXd::Constant(1, (knots.knots()[static_cast<std::size_t>(i + degree + 1)] -
+                                                    knots.knots()[static_cast<std::size_t>(i)]) /
+                                                       (degree + 1));
+    const Eigen::MatrixXd at = geometry::basis_on_span(knots, span, point, 1);
+    element.values = at.row(0);
+    element.derivatives = at.row(1);
+    table.elements.push_back(std::move(element));
+  }
+  return table;
+}
+
+// Those of a table's elements that have a point in the layers of a part.
+void keep_layers(DirectionTable& table, const geometry::KnotVector& knots, const PatchLayers& part) {
+  const std::vector<double> breaks = knots.breaks();
+  std::erase_if(table.elements, [&](const Element& element) {
+    const auto behind = std::upper_bound(breaks.begin(), breaks.end(), element.nodes[0]) - breaks.begin();
+    const int layer = std::min(static_cast<int>(behind) - 1, knots.element_count() - 1);
+    return layer < part.first_layer || layer >= part.last_layer;
+  });
+}
+
+// The functions and the geometry of one face of a patch, and the elements of it that a part has.
+class FaceOfPart {
+ public:
+  FaceOfPart(const PatchSpace& space, const PatchLayers& part, const SprungFace& sprung)
+      : space_(space),
+        sprung_(sprung),
+        surface_(geometry::face_surface(*space.geometry, sprung.face.side)),
+        nodes_(geometry::face_control_points(space.sizes(), sprung.face.side)) {
+    const geometry::Side side = sprung.face.side;
+    const auto directions = geometry::tangents(side);
+    for (std::size_t d = 0; d < 2; ++d) {
+      const geometry::KnotVector& knots = space.knots[static_cast<std::size_t>(directions[d])];
+      tables_[d] = sprung.is_hold
+                       ? greville_table(knots)
+                       : direction_table(knots, geometry::gauss_legendre(knots.degree() + extra_points));
+      counts_[d] = knots.size();
+    }
+    // Direction 3 is that in which patches are cut: across the face, or its second one.
+    if (geometry::direction(side) == 2) {
+      const int last = space.knots[2].element_count();
+      const bool is_there =
+          geometry::is_high(side) ? part.last_layer == last : part.first_layer == 0 && part.last_layer > 0;
+      if (!is_there || part.first_layer == part.last_layer) tables_[1].elements.clear();
+    } else {
+      keep_layers(tables_[1], space.knots[2], part);
+    }
+  }
+
+  // Calls visit(nodes of the element's functions, matrix of their products, ...) element by element.
+  template <class Visit>
+  void for_each_element(Visit visit) const {
+    for (const Element& v : tables_[1].elements)
+      for (const Element& u : tables_[0].elements) element(u, v, visit);
+  }
+
+ private:
+  template <class Visit>
+  void element(const Element& u, const Element& v, Visit visit) const {
+    const auto along_u = static_cast<std::size_t>(u.values.cols());
+    const auto count = along_u * static_cast<std::size_t>(v.values.cols());
+    std::vector<int> nodes(count);
+    std::vector<double> weights(count, 1.0);
+    for (std::size_t a = 0; a < count; ++a) {
+      const auto i = static_cast<int>(a % along_u), j = static_cast<int>(a / along_u);
+      nodes[a] = nodes_[static_cast<std::size_t>(u.first + i + counts_[0] * (v.first + j))];
+      if (space_.is_rational()) weights[a] = space_.weights[nodes[a]];
+    }
+    std::vector<Eigen::Matrix3d> sums(count * count, Eigen::Matrix3d::Zero());
+    std::vector<double> values(count);
+    for (Eigen::Index qv = 0; qv < v.nodes.size(); ++qv)
+      for (Eigen::Index qu = 0; qu < u.nodes.size(); ++qu) {
+        const geometry::Parameter<2> parameter(u.nodes[qu], v.nodes[qv]);
+        const auto jacobian = surface_.jacobian(parameter);
+        const Eigen::Vector3d area = Eigen::Vector3d(jacobian.col(0)).cross(Eigen::Vector3d(jacobian.col(1)));
+        const double measure = area.norm();
+        if (!(measure > 0)) continue;  // a collapsed edge rests on nothing
+        const Eigen::Matrix3d springs = u.weights[qu] * v.weights[qv] * measure *
+                                        sprung_.stiffness(surface_.point(parameter), area / measure);
+        double denominator = 0;
+        for (std::size_t a = 0; a < count; ++a) {
+          values[a] = weights[a] * u.values(qu, static_cast<Eigen::Index>(a % along_u)) *
+                      v.values(qv, static_cast<Eigen::Index>(a / along_u));
+          denominator += values[a];
+        }
+        for (double& value : values) value /= denominator;
+        for (std::size_t a = 0; a < count; ++a)
+          for (std::size_t b = a; b < count; ++b) sums[a * count + b] += values[a] * values[b] * springs;
+      }
+    for (std::size_t a = 0; a < count; ++a)
+      for (std::size_t b = a; b < count; ++b) visit(nodes[a], nodes[b], sums[a * count + b]);
+  }
+
+  const PatchSpace& space_;
+  const SprungFace& sprung_;
+  geometry::NurbsSurface surface_;
+  std::vector<int> nodes_;
+  std::array<DirectionTable, 2> tables_;
+  std::array<int, 2> counts_ = {0, 0};
+};
+
+using Entry = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
+Eigen::Map<Entry> entry(solvers::SymmetricBlockMatrix& matrix, int row, int column) {
+  const auto begin = matrix.columns.begin() + matrix.row_start[static_cast<std::size_t>(row)];
+  const auto end = matrix.columns.begin() + matrix.row_start[static_cast<std::size_t>(row) + 1];
+  const auto found = std::lower_bound(begin, end, column);
+  if (found == end || *found != column)
+    throw Error(ErrorCode::internal, "an elastic support couples nodes that share no element");
+  return Eigen::Map<Entry>(&matrix.values[static_cast<std::size_t>(9 * (found - matrix.columns.begin()))]);
+}
+
+}  // namespace
+
+SupportStiffness::SupportStiffness(const std::vector<PatchSpace>& spaces,
+                                   const std::vector<PatchLayers>& parts,
+                                   const std::vector<SprungFace>& faces) {
+  if (faces.empty()) return;
+  std::vector<int> first_node = {0};
+  for (const PatchSpace& space : spaces) first_node.push_back(first_node.back() + space.size());
+  std::unordered_map<std::int64_t, std::size_t> place;
+  for (const PatchLayers& part : parts) {
+    const auto p = static_cast<std::size_t>(part.patch);
+    for (const SprungFace& sprung : faces) {
+      if (sprung.face.patch.value != part.patch) continue;
+      FaceOfPart(spaces[p], part, sprung).for_each_element([&](int a, int b, const Eigen::Matrix3d& value) {
+        const int first = first_node[p] + std::min(a, b), second = first_node[p] + std::max(a, b);
+        const std::int64_t key = std::int64_t{first} * first_node.back() + second;
+        const auto [at, is_new] = place.try_emplace(key, blocks_.size());
+        if (is_new) blocks_.push_back({first, second, Eigen::Matrix3d::Zero()});
+        blocks_[at->second].value += value;
+      });
+    }
+  }
+  std::sort(blocks_.begin(), blocks_.end(), [](const Block& a, const Block& b) {
+    return a.first != b.first ? a.first < b.first : a.second < b.second;
+  });
+}
+
+void SupportStiffness::add_forces(const Eigen::Matrix3Xd& displacement, Eigen::Matrix3Xd& forces) const {
+  for (const Block& block : blocks_) {
+    forces.col(block.first) += block.value * displacement.col(block.second);
+    if (block.first != block.second) forces.col(block.second) += block.value * displacement.col(block.first);
+  }
+}
+
+void SupportStiffness::add_diagonal(std::vector<Eigen::Matrix3d>& of_nodes) const {
+  for (const Block& block : blocks_)
+    if (block.first == block.second) of_nodes[static_cast<std::size_t>(block.first)] += block.value;
+}
+
+void SupportStiffness::add_to(solvers::SymmetricBlockMatrix& matrix, const RowNumbering& numbering) const {
+  for (const Block& block : blocks_) {
+    const int first = numbering.row_of_node[static_cast<std::size_t>(block.first)];
+    const int second = numbering.row_of_node[static_cast<std::size_t>(block.second)];
+    const double copies = first == second && block.first != block.second ? 2 : 1;
+    entry(matrix, std::min(first, second), std::max(first, second)) += copies * block.value;
+  }
+}
+
+}  // namespace isopatch::iga
