@@ -8,11 +8,18 @@
 
 namespace isopatch::iga {
 
+/// What is estimated of the error in each element of a patch, first direction fastest.
+struct ElementErrors {
+  Eigen::VectorXd energy;  ///< of the error, J
+  Eigen::VectorXd stress;  ///< von Mises stress of the error, root mean square over the element, Pa
+};
+
 /// A displacement on patches with their materials: all that post-processing needs.
 struct ElasticField {
   std::vector<geometry::NurbsVolume> patches;  ///< geometry in the solution space
   std::vector<Eigen::Matrix3Xd> displacement;  ///< coefficients per patch, (3, control points), m
   std::vector<Material> materials;             ///< one per patch
+  std::vector<ElementErrors> errors = {};      ///< one per patch, or none where they are not estimated
 };
 
 /// All values at one point.
