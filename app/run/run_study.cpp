@@ -2,6 +2,7 @@
 
 #include "app/base/provenance.hpp"
 #include "app/problem/plausibility.hpp"
+#include "app/run/estimate_error.hpp"
 #include "geometry/base/stopwatch.hpp"
 
 namespace isopatch::app {
@@ -15,6 +16,7 @@ StudyRun run_study(const Study& study, const Progress& progress) {
   for (const LocatedProbe& probe : run.built.probes)
     run.probes.push_back({probe.name, probe.patch, model.to_input(PatchId(probe.patch), probe.parameter),
                           iga::evaluate(run.solution.field, probe.patch, probe.parameter)});
+  if (study.output.error_estimate) estimate_error(study, run, progress);
   for (Warning& warning : result_warnings(run.built, run.solution))
     run.built.warnings.push_back(std::move(warning));
   run.peak_bytes = study.options.processes.sum(peak_memory_bytes());

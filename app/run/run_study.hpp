@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,16 @@ struct ProbeValues {
   int patch = 0;
   geometry::Parameter<3> parameter;  ///< in the input's naming
   iga::FieldValues values;
+  std::optional<Eigen::Matrix3d> stress_error = {};  ///< estimated, Pa
+};
+
+/// What is estimated of the error of the discretization; of elements it is in the solution's field.
+struct RunError {
+  double energy = 0;                                        ///< J
+  double relative = 0;                                      ///< in the energy norm
+  Eigen::Matrix3d stress_at_max = Eigen::Matrix3d::Zero();  ///< of the error, where the largest von Mises
+                                                            ///< stress is, Pa
+  int iterations = 0;
 };
 
 /// A study's solution with all that was known on the way.
@@ -25,6 +36,8 @@ struct StudyRun {
   std::vector<iga::PhaseTime> timings;  ///< of all phases so far, s
   std::int64_t peak_bytes =
       0;  ///< most memory that all processes held until the end of these phases, added up
+  std::optional<RunError> error = {};  ///< if it was asked for and could be estimated
+  std::string error_missing = {};      ///< why there is none though it was asked for
 };
 
 /// Builds and solves a study. Nothing is written.
