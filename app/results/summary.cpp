@@ -12,7 +12,9 @@
 #include "app/problem/resolution_warning.hpp"
 #include "app/problem/selection.hpp"
 #include "app/results/internal/json_regions.hpp"
+#include "app/results/internal/levels_json.hpp"
 #include "app/results/internal/parameterization_json.hpp"
+#include "app/results/level_report.hpp"
 #include "iga/material/material.hpp"
 
 namespace isopatch::app {
@@ -155,6 +157,7 @@ Json error_json(const StudyRun& run) {
   return {{"energy_norm", run.error->relative},
           {"energy", run.error->energy},
           {"max_von_mises", iga::von_mises(run.error->stress_at_max)},
+          {"singular", run.error->singular ? Json(*run.error->singular) : Json(nullptr)},
           {"iterations", run.error->iterations}};
 }
 
@@ -272,6 +275,8 @@ std::string von_mises_text(const StudyRun& run, double size) {
                                    run.error ? std::optional(run.error->stress_at_max) : std::nullopt,
                                    results.max_von_mises.value),
                   place_with_unit(results.max_von_mises.place, size));
+  if (run.error && run.error->singular)
+    text += fmt::format("    grows           with refinement: it is at {}\n", *run.error->singular);
   const iga::LeftOut& left_out = results.left_out;
   if (left_out.folded > 0)
     text += fmt::format(
@@ -322,6 +327,10 @@ std::string summary_json(const Study& study, const StudyRun& run) {
       {"timings", timings_json(run)},
       {"parallel", {{"processes", study.options.processes.count()}, {"threads", omp_get_max_threads()}}},
       {"memory", {{"peak_bytes", run.peak_bytes}}}};
+  if (!run.levels.empty()) {
+    json["levels"] = levels_json(run.levels);
+    json["convergence"] = convergence_json(run.levels);
+  }
   if (run.built.parameterization)
     json["parameterization"] = parameterization_json(*run.built.parameterization);
   return file_text(json);
@@ -349,7 +358,7 @@ std::string summary_text(const Study& study, const StudyRun& run) {
   text += von_mises_text(run, model.size());
   text += fmt::format("  internal energy   {}\n", with_unit(results.internal_energy, "J"));
   text += error_text(run);
-  text += reactions_text(run) + probes_text(run);
+  text += reactions_text(run) + probes_text(run) + run_levels_text(run.levels);
   text += fmt::format("  time, memory      {}, {}{}\n", seconds_text(total), bytes_text(run.peak_bytes),
                       study.options.processes.count() == 1
                           ? ""

@@ -5,9 +5,13 @@
 #include "geometry/base/error.hpp"
 #include "geometry/base/stopwatch.hpp"
 #include "iga/estimate/error_estimate.hpp"
+#include "iga/estimate/singular_places.hpp"
 
 namespace isopatch::app {
 namespace {
+
+// A stress that is off by less than this share is no sign of one without a limit, wherever it is.
+constexpr double least_singular_error = 0.05;
 
 // The largest von Mises stress first, if it is anywhere, then the probes.
 std::vector<iga::PatchPlace> places_of(const StudyRun& run) {
@@ -19,11 +23,17 @@ std::vector<iga::PatchPlace> places_of(const StudyRun& run) {
 }
 
 void add_estimate(const Study& study, StudyRun& run, const Progress& progress) {
+  const std::vector<iga::PatchPlace> places = places_of(run);
   iga::ErrorEstimate estimate =
-      iga::estimate_error(run.built.problem, run.solution.field, places_of(run), study.options, progress);
+      iga::estimate_error(run.built.problem, run.solution.field, places, study.options, progress);
   run.error = RunError{estimate.energy, estimate.relative, Eigen::Matrix3d::Zero(), estimate.iterations};
   auto stress = estimate.stress_at.begin();
-  if (run.solution.results.max_von_mises.patch >= 0) run.error->stress_at_max = *stress++;
+  const iga::Extremum& most = run.solution.results.max_von_mises;
+  if (most.patch >= 0) {
+    run.error->stress_at_max = *stress++;
+    if (iga::von_mises(run.error->stress_at_max) > least_singular_error * most.value)
+      run.error->singular = iga::singular_places(run.built.problem, places).front();
+  }
   for (ProbeValues& probe : run.probes) probe.stress_error = *stress++;
   run.solution.field.errors = std::move(estimate.elements);
 }

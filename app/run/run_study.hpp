@@ -26,6 +26,19 @@ struct RunError {
   Eigen::Matrix3d stress_at_max = Eigen::Matrix3d::Zero();  ///< of the error, where the largest von Mises
                                                             ///< stress is, Pa
   int iterations = 0;
+  /// Why the largest von Mises stress grows with refinement: "a re-entrant edge of 270 degrees"; or nothing.
+  std::optional<std::string> singular = {};
+};
+
+/// A run's figures on one of several refinements.
+struct RunLevel {
+  int refine = 0;                    ///< of the study's discretization
+  std::int64_t unknowns = 0;         ///< before supports are fixed, multipliers included
+  double internal_energy = 0;        ///< J
+  double max_displacement = 0;       ///< m
+  double max_von_mises = 0;          ///< Pa
+  std::optional<double> error = {};  ///< estimated, in the energy norm, relative
+  double seconds = 0;                ///< of all phases
 };
 
 /// A study's solution with all that was known on the way.
@@ -38,6 +51,7 @@ struct StudyRun {
       0;  ///< most memory that all processes held until the end of these phases, added up
   std::optional<RunError> error = {};  ///< if it was asked for and could be estimated
   std::string error_missing = {};      ///< why there is none though it was asked for
+  std::vector<RunLevel> levels = {};   ///< of a run on several, this one the last
 };
 
 /// Builds and solves a study. Nothing is written.

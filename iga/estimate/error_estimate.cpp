@@ -16,8 +16,8 @@ namespace isopatch::iga {
 namespace {
 
 // An iteration that adds less than this share of the energy found before is the last one.
-constexpr double enough = 0.03;
-constexpr int most_iterations = 12;
+constexpr double least_gain = 0.03;
+constexpr int most_corrections = 12;
 // Measured on patches of degree 2 to 4, with what the operator and the smoother keep.
 constexpr double bytes_per_raised_node = 550;
 
@@ -93,8 +93,8 @@ Correction correction_of(Eigen::VectorXd residual, const Level& level, const Lev
   Eigen::VectorXd smoothed = smoother.apply(residual);
   Eigen::VectorXd direction = smoothed;
   double square = level.rows.dot(residual, smoothed);
-  while (square > 0 && result.iterations < most_iterations) {
-    progress("estimating the error", static_cast<double>(result.iterations) / most_iterations);
+  while (square > 0 && result.iterations < most_corrections) {
+    progress("estimating the error", static_cast<double>(result.iterations) / most_corrections);
     const Eigen::VectorXd forces = stiffness.apply(direction);
     const double curvature = level.rows.dot(direction, forces);
     if (!(curvature > 0)) break;  // a motion without energy
@@ -104,7 +104,7 @@ Correction correction_of(Eigen::VectorXd residual, const Level& level, const Lev
     const double gained = 0.5 * length * square;
     result.energy += gained;
     ++result.iterations;
-    if (gained <= enough * result.energy) break;
+    if (gained <= least_gain * result.energy) break;
     smoothed = smoother.apply(residual);
     const double next = level.rows.dot(residual, smoothed);
     direction = smoothed + next / square * direction;
