@@ -200,6 +200,12 @@ Json probes_json(const StudyRun& run) {
                       {"displacement", to_json(probe.values.displacement)},
                       {"stress", symmetric_to_json(probe.values.stress)},
                       {"von_mises", probe.values.von_mises}});
+    for (const ProbeSide& side : probe.sides)
+      result.back()["sides"].push_back({{"patch", side.patch},
+                                        {"parameter", to_json(Eigen::Vector3d(side.parameter))},
+                                        {"material", side.material},
+                                        {"stress", symmetric_to_json(side.values.stress)},
+                                        {"von_mises", side.values.von_mises}});
     if (probe.stress_error) result.back()["von_mises_error"] = iga::von_mises(*probe.stress_error);
   }
   return result;

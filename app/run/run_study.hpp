@@ -10,6 +10,14 @@
 
 namespace isopatch::app {
 
+/// Values on another side of an interface of materials at which a probe lies.
+struct ProbeSide {
+  int patch = 0;
+  geometry::Parameter<3> parameter;  ///< in the input's naming
+  std::string material;              ///< its name
+  iga::FieldValues values;
+};
+
 /// Values at a probe.
 struct ProbeValues {
   std::string name;
@@ -17,6 +25,7 @@ struct ProbeValues {
   geometry::Parameter<3> parameter;  ///< in the input's naming
   iga::FieldValues values;
   std::optional<Eigen::Matrix3d> stress_error = {};  ///< estimated, Pa
+  std::vector<ProbeSide> sides = {};                 ///< one for each other material that meets there
 };
 
 /// What is estimated of the error of the discretization; of elements it is in the solution's field.

@@ -54,4 +54,10 @@ struct Location {
 /// @cost    eight points per element and a few Newton iterations in each patch whose box is near
 Location locate(const ElasticField& field, const Eigen::Vector3d& place);
 
+/// The same for each material that meets there, whose stresses differ: first what `locate` finds, then one
+/// patch of every other material that comes within a distance of the point.
+/// @param within  m
+/// @cost    that of `locate`, twice where materials differ
+std::vector<Location> locate_sides(const ElasticField& field, const Eigen::Vector3d& place, double within);
+
 }  // namespace isopatch::iga
