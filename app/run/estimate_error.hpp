@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/run/run_study.hpp"
+#include "app/run/study_run.hpp"
 #include "app/study/study.hpp"
 #include "geometry/base/progress.hpp"
 
