@@ -8,6 +8,7 @@
 #include "app/base/engineering_units.hpp"
 #include "app/base/internal/json_values.hpp"
 #include "app/base/place_text.hpp"
+#include "app/results/place_values.hpp"
 #include "app/results/stored_results.hpp"
 #include "geometry/base/error.hpp"
 
@@ -17,7 +18,10 @@ namespace {
 constexpr const char* probe_examples = R"(Examples:
   isopatch probe results/results.h5 --point 0.1,0,0.02
   isopatch probe results/results.h5 --point '100 mm,0,20 mm' --json
-  isopatch probe results/results.h5 --patch 3 --parameter .5,.5,1)";
+  isopatch probe results/results.h5 --patch 3 --parameter .5,.5,1
+  isopatch probe results/results.h5 --line 0,0,0 '100 mm,0,0' --count 201 > along_x.csv
+  isopatch probe results/results.h5 --places points.csv > values.csv     a point X,Y,Z a line
+CSV is in SI units, with one row for each material that meets at a place.)";
 
 std::string values_text(const StoredValues& found) {
   const iga::FieldValues& v = found.values;
@@ -49,10 +53,21 @@ std::string values_json(const StoredValues& found) {
 }  // namespace
 
 ExitCode probe_command(const ProbeCommand& command, const Console& console) {
+  const bool many = !command.line.empty() || command.places.has_value();
+  if (many) {
+    if (!command.point.empty() || command.patch || command.json || (!command.line.empty() && command.places))
+      throw Error(ErrorCode::invalid_argument,
+                  "--line and --places print CSV and go with none of the other options but --count");
+    console.out << places_csv(iga::read_result(command.results),
+                              command.places ? read_places(*command.places)
+                                             : line_places(parse_point(command.line.at(0)),
+                                                           parse_point(command.line.at(1)), command.count));
+    return ExitCode::ok;
+  }
   if (command.point.empty() == !command.patch.has_value() ||
       command.patch.has_value() == command.parameter.empty())
     throw Error(ErrorCode::invalid_argument,
-                "give either --point X,Y,Z, or --patch N with --parameter A,B,C");
+                "give either --point X,Y,Z, or --patch N with --parameter A,B,C, or --line, or --places");
   StoredProbe where;
   if (!command.point.empty()) where.point = parse_point(command.point);
   where.patch = command.patch;
@@ -71,6 +86,14 @@ void add_probe_command(CLI::App& app, CommandLine& line) {
   probe.add_option("--point", command->point, "A place X,Y,Z in m, or with units")->type_name("X,Y,Z");
   probe.add_option("--patch", command->patch, "A patch, from 0")->type_name("N");
   probe.add_option("--parameter", command->parameter, "A parameter of that patch")->type_name("A,B,C");
+  probe.add_option("--line", command->line, "Two places: values between them, ends included, as CSV")
+      ->expected(2)
+      ->type_name("X,Y,Z X,Y,Z");
+  probe.add_option("--count", command->count, "Places on the line (default: 101)")
+      ->check(CLI::Range(2, 1000000))
+      ->type_name("N");
+  probe.add_option("--places", command->places, "A file with a place X,Y,Z a line: values there as CSV")
+      ->type_name("FILE");
   probe.add_flag("--json", command->json, "JSON instead of text");
 }
 

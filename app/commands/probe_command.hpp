@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/base/exit_code.hpp"
 #include "app/commands/command_line.hpp"
@@ -16,8 +17,11 @@ struct ProbeCommand {
   std::optional<int> patch;
   std::string parameter;  ///< ".5,.5,1"
   bool json = false;
+  std::vector<std::string> line;                ///< both ends, as points; empty: none
+  int count = 101;                              ///< of places on the line
+  std::optional<std::filesystem::path> places;  ///< a list of points
 };
-/// Values at a point or a parameter of stored results.
+/// Values at a point or a parameter of stored results, or at many as CSV.
 ExitCode probe_command(const ProbeCommand& command, const Console& console);
 
 void add_probe_command(CLI::App& app, CommandLine& line);

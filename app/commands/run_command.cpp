@@ -10,7 +10,7 @@
 #include "app/commands/write_results.hpp"
 #include "app/reports/cutting_page.hpp"
 #include "app/results/summary.hpp"
-#include "app/run/run_study.hpp"
+#include "app/run/run_levels.hpp"
 #include "app/solids/fault_page.hpp"
 #include "geometry/brep/solid_error.hpp"
 #include "segmentation/decomposition/cutting_error.hpp"
@@ -22,6 +22,7 @@ constexpr const char* run_examples = R"(Examples:
   isopatch run study.toml
   isopatch run study.toml --output /tmp/fine --set discretization.refine=2
   isopatch run study.toml --set load.0.traction='["20 MPa", 0, 0]' --set coupling.method=lagrange
+  isopatch run study.toml --levels 3                 how energy, stresses and errors converge
   mpiexec -n 4 isopatch run study.toml               the same figures from four processes
   srun --mpi=pmix -n 4 -c 8 isopatch run study.toml  with Slurm, 8 threads each
   isopatch run study.toml --quiet && jq .results.internal_energy results/summary.json
@@ -29,11 +30,17 @@ Writes report.html (open it in a browser), summary.json, results.vtm and others 
 results.h5 (isopatch report, probe, fields, info).
 Files appear whole or not at all, and only after everything has been computed.)";
 
+/// What `isopatch run` takes.
+struct RunOptions {
+  StudyCommand study;
+  int levels = 1;
+};
+
 // Of solids that cannot be made patches the report shows what is wrong. What an earlier run found stays: its
 // own report can be made again.
-StudyRun solved(const Study& study, const Progress& progress) {
+StudyRun solved(const Study& study, int levels, const Progress& progress) {
   try {
-    return run_study(study, progress);
+    return levels > 1 ? run_levels(study, levels, progress) : run_study(study, progress);
   } catch (const geometry::SolidError& error) {
     const auto* solids = std::get_if<BlocksInput>(&study.model.source);
     if (!study.options.processes.is_first() || !study.output.report || !solids) throw;
@@ -48,11 +55,11 @@ StudyRun solved(const Study& study, const Progress& progress) {
 
 }  // namespace
 
-ExitCode run_command(const StudyCommand& command, const Console& console) {
+ExitCode run_command(const StudyCommand& command, const Console& console, int levels) {
   const Study study = study_of(command);
   const auto folder = taken_folder(study);
   ProgressDisplay display(console);
-  StudyRun run = solved(study, display.progress());
+  StudyRun run = solved(study, levels, display.progress());
   if (!command.processes.is_first()) return ExitCode::ok;
   const std::vector<std::string> files = write_results(study, run, display.progress());
   display.clear();
@@ -65,14 +72,18 @@ ExitCode run_command(const StudyCommand& command, const Console& console) {
 }
 
 void add_run_command(CLI::App& app, CommandLine& line) {
-  const auto command = std::make_shared<StudyCommand>();
-  add_study_options(
-      add_spread_command(app, line, "run", "Solves a study and writes its results", run_examples,
-                         [command](const Console& console, const solvers::Processes& processes) {
-                           command->processes = processes;
-                           return run_command(*command, console);
-                         }),
-      *command);
+  const auto options = std::make_shared<RunOptions>();
+  CLI::App& run = add_spread_command(app, line, "run", "Solves a study and writes its results", run_examples,
+                                     [options](const Console& console, const solvers::Processes& processes) {
+                                       options->study.processes = processes;
+                                       return run_command(options->study, console, options->levels);
+                                     });
+  add_study_options(run, options->study);
+  run.add_option(
+         "--levels", options->levels,
+         "Solves at discretization.refine, one more, ...: N levels; the results are those of the finest")
+      ->check(CLI::Range(1, 11))
+      ->type_name("N");
 }
 
 }  // namespace isopatch::app

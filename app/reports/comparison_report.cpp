@@ -7,6 +7,7 @@
 #include "app/base/engineering_units.hpp"
 #include "app/base/internal/json_values.hpp"
 #include "app/base/provenance.hpp"
+#include "app/run/extrapolation.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -200,13 +201,10 @@ std::string disagreement_text(const CouplingComparison& comparison) {
 std::optional<double> extrapolated_energy(const std::vector<CouplingComparison>& levels) {
   const std::size_t n = levels.size();
   if (n < 3 || levels[n - 3].degree != levels[n - 1].degree) return std::nullopt;
-  const auto energy = [&](std::size_t i) { return levels[i].elimination.results.internal_energy; };
-  const double before = energy(n - 2) - energy(n - 3);
-  const double last = energy(n - 1) - energy(n - 2);
-  const double shrinks = last / before;
-  // Changes as small as the solvers' errors, or that grow, have no limit that could be told.
-  if (!(shrinks > 0 && shrinks < 0.9) || std::abs(last) < 1e-8 * std::abs(energy(n - 1))) return std::nullopt;
-  return energy(n - 1) + last * shrinks / (1 - shrinks);
+  std::vector<double> energies;
+  for (const CouplingComparison& level : levels)
+    energies.push_back(level.elimination.results.internal_energy);
+  return extrapolated(energies);
 }
 
 }  // namespace isopatch::app

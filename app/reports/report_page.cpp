@@ -7,6 +7,7 @@
 
 #include "app/base/provenance.hpp"
 #include "app/plots/residual_plot.hpp"
+#include "app/reports/convergence_plot.hpp"
 #include "app/reports/parameterization_scene.hpp"
 #include "app/reports/report_scene.hpp"
 
@@ -31,6 +32,8 @@ Page report_page(const ReportContent& content) {
     page.title = content.summary->title;
     page.summary_json = content.summary_json;
     page.plots = plots_of(content.summary->solver);
+    if (const auto plot = convergence_plot(content.summary->levels))
+      page.plots.push_back({"", to_svg(*plot)});
   }
   page.scene = report_scene(content.field, content.model, content.summary.value_or(RunSummary{}));
   if (content.solids)

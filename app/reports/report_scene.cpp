@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/base/engineering_units.hpp"
+#include "geometry/base/larger.hpp"
 #include "iga/post/stress_points.hpp"
 
 namespace isopatch::app {
@@ -65,6 +66,49 @@ std::vector<SceneField> fields_of(const iga::PartSamples& samples, std::optional
   return {u, mises, quality};
 }
 
+// The estimated error of the element that each sample lies in: of samples between elements the larger one.
+Eigen::RowVectorXd errors_at(const iga::PatchSamples& samples, const geometry::NurbsVolume& patch,
+                             const Eigen::VectorXd& of_elements) {
+  std::array<std::vector<std::array<Eigen::Index, 2>>, 3> elements;  // before and behind each parameter
+  for (std::size_t d = 0; d < 3; ++d) {
+    const std::vector<double> breaks = patch.knots()[d].breaks();
+    const auto last = static_cast<Eigen::Index>(breaks.size()) - 2;
+    const double nearly = 1e-9 * patch.knots()[d].length();
+    const auto element = [&](double t) {
+      const auto after = std::upper_bound(breaks.begin(), breaks.end(), t) - breaks.begin();
+      return std::clamp<Eigen::Index>(after - 1, 0, last);
+    };
+    for (const double t : samples.parameters[d])
+      elements[d].push_back({element(t - nearly), element(t + nearly)});
+  }
+  const Eigen::Index m = patch.knots(0).element_count(), n = patch.knots(1).element_count();
+  Eigen::RowVectorXd result(samples.points.cols());
+  Eigen::Index at = 0;
+  for (const auto& w : elements[2])
+    for (const auto& v : elements[1])
+      for (const auto& u : elements[0]) {
+        double largest = 0;
+        for (const Eigen::Index k : w)
+          for (const Eigen::Index j : v)
+            for (const Eigen::Index i : u) largest = larger(largest, of_elements[i + m * (j + n * k)]);
+        result[at++] = largest;
+      }
+  return result;
+}
+
+void add_errors(const iga::ElasticField& field, const iga::PartSamples& samples,
+                std::vector<SceneField>& fields) {
+  if (field.errors.empty()) return;
+  SceneField error{"stress_error", "Stress error", {}, "", {}};
+  double most = 0;
+  for (std::size_t p = 0; p < field.patches.size(); ++p) {
+    error.values.emplace_back(errors_at(samples.patches[p], field.patches[p], field.errors[p].stress));
+    most = larger(most, error.values.back().maxCoeff<Eigen::PropagateNaN>());
+  }
+  error.unit = display_unit(most, "Pa");
+  fields.push_back(std::move(error));
+}
+
 std::vector<SceneRegion> scene_regions(const std::vector<SummarizedRegion>& regions) {
   std::vector<SceneRegion> result;
   for (const SummarizedRegion& region : regions)
@@ -105,6 +149,7 @@ Scene report_scene(const iga::ElasticField& field, const geometry::MultiPatch& m
   scene.patches = patches_of(model, scene.samples);
   scene.length = model_length_unit(model.size());
   scene.fields = fields_of(scene.samples, summary.largest_von_mises());
+  add_errors(field, scene.samples, scene.fields);
   scene.supports = scene_regions(summary.supports);
   scene.loads = scene_regions(summary.loads);
   scene.markers = markers_of(field, model, summary);

@@ -85,6 +85,20 @@ std::vector<Warning> stored_warnings(const Json& texts, const Json& places) {
   return result;
 }
 
+std::vector<RunLevel> stored_levels(const Json& levels) {
+  std::vector<RunLevel> result;
+  if (!levels.is_array()) return result;
+  for (const Json& level : levels)
+    result.push_back({.refine = static_cast<int>(number_at(level, "/refine").value_or(0)),
+                      .unknowns = static_cast<std::int64_t>(number_at(level, "/dofs").value_or(0)),
+                      .internal_energy = number_at(level, "/internal_energy").value_or(0),
+                      .max_displacement = number_at(level, "/max_displacement").value_or(0),
+                      .max_von_mises = number_at(level, "/max_von_mises").value_or(0),
+                      .error = number_at(level, "/energy_norm_error"),
+                      .seconds = number_at(level, "/seconds").value_or(0)});
+  return result;
+}
+
 SummarizedSolver stored_solver(const Json& solver) {
   SummarizedSolver result{text_at(solver, "/method"), number_at(solver, "/tolerance").value_or(0),
                           static_cast<int>(number_at(solver, "/levels").value_or(0))};
@@ -117,6 +131,7 @@ std::optional<RunSummary> read_summary(const std::string& text) {
   summary.probes = stored_probes(at(json, "/probes"));
   summary.warnings = stored_warnings(at(json, "/warnings"), at(json, "/warning_places"));
   summary.solver = stored_solver(at(json, "/solver"));
+  summary.levels = stored_levels(at(json, "/levels"));
   return summary;
 }
 

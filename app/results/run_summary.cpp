@@ -41,6 +41,7 @@ RunSummary summarized(const Study& study, const StudyRun& run) {
   const solvers::SolveReport& solver = run.solution.solver;
   summary.solver = {std::string(solvers::name(solver.method)), study.options.solver.tolerance, solver.levels,
                     solver.residual_history};
+  summary.levels = run.levels;
   return summary;
 }
 

@@ -55,6 +55,7 @@ struct RunSummary {
   std::vector<SummarizedPlace> probes;
   std::vector<Warning> warnings;
   SummarizedSolver solver;
+  std::vector<RunLevel> levels = {};  ///< of a run on several
 
   /// The largest von Mises stress that anything shown may have, if it is known.
   std::optional<double> largest_von_mises() const { return faces_searched ? max_von_mises : std::nullopt; }

@@ -5,13 +5,16 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "app/base/engineering_units.hpp"
 #include "app/base/provenance.hpp"
 #include "app/problem/resolution_warning.hpp"
 #include "app/problem/selection.hpp"
 #include "app/results/internal/json_regions.hpp"
+#include "app/results/internal/levels_json.hpp"
 #include "app/results/internal/parameterization_json.hpp"
+#include "app/results/level_report.hpp"
 #include "iga/material/material.hpp"
 
 namespace isopatch::app {
@@ -149,6 +152,15 @@ Json reactions_json(const StudyRun& run) {
   return reactions;
 }
 
+Json error_json(const StudyRun& run) {
+  if (!run.error) return run.error_missing.empty() ? Json(nullptr) : Json{{"missing", run.error_missing}};
+  return {{"energy_norm", run.error->relative},
+          {"energy", run.error->energy},
+          {"max_von_mises", iga::von_mises(run.error->stress_at_max)},
+          {"singular", run.error->singular ? Json(*run.error->singular) : Json(nullptr)},
+          {"iterations", run.error->iterations}};
+}
+
 Json results_json(const StudyRun& run) {
   const iga::ElasticityResults& results = run.solution.results;
   const auto& model = run.built.problem.discretization.model;
@@ -175,13 +187,14 @@ Json results_json(const StudyRun& run) {
           {"max_strain", results.max_strain.value},
           {"max_strain_at", at(results.max_strain)},
           {"unresolved_energy_share", unresolved_share(results)},
+          {"discretization_error", error_json(run)},
           {"total_load", to_json(results.total_load)},
           {"reactions", reactions_json(run)}};
 }
 
 Json probes_json(const StudyRun& run) {
   Json result = Json::array();
-  for (const ProbeValues& probe : run.probes)
+  for (const ProbeValues& probe : run.probes) {
     result.push_back({{"name", probe.name},
                       {"patch", probe.patch},
                       {"parameter", to_json(Eigen::Vector3d(probe.parameter))},
@@ -189,6 +202,14 @@ Json probes_json(const StudyRun& run) {
                       {"displacement", to_json(probe.values.displacement)},
                       {"stress", symmetric_to_json(probe.values.stress)},
                       {"von_mises", probe.values.von_mises}});
+    for (const ProbeSide& side : probe.sides)
+      result.back()["sides"].push_back({{"patch", side.patch},
+                                        {"parameter", to_json(Eigen::Vector3d(side.parameter))},
+                                        {"material", side.material},
+                                        {"stress", symmetric_to_json(side.values.stress)},
+                                        {"von_mises", side.values.von_mises}});
+    if (probe.stress_error) result.back()["von_mises_error"] = iga::von_mises(*probe.stress_error);
+  }
   return result;
 }
 
@@ -225,6 +246,24 @@ std::string reactions_text(const StudyRun& run) {
   return text;
 }
 
+// "12.34 MPa +- 0.5": the uncertainty in the unit of the value.
+std::string with_uncertainty(double value, const std::optional<Eigen::Matrix3d>& stress_error, double scale) {
+  const std::string text = with_unit(without_round_off(value, scale), "Pa");
+  if (!stress_error) return text;
+  const double error = without_round_off(iga::von_mises(*stress_error), scale);
+  return fmt::format("{} +- {:.2g}", text, error / unit_for(value, "Pa").factor);
+}
+
+std::string error_text(const StudyRun& run) {
+  if (!run.error)
+    return run.error_missing.empty()
+               ? ""
+               : fmt::format("  discretization    its error is not estimated: {}\n", run.error_missing);
+  // The norm is the root of the energy: 1 % of it is 0.01 % of the energy.
+  return fmt::format("  discretization    error about {:.2g} % in the energy norm, {:.2g} % of the energy\n",
+                     100 * run.error->relative, 100 * run.error->relative * run.error->relative);
+}
+
 std::string probes_text(const StudyRun& run) {
   const iga::ElasticityResults& results = run.solution.results;
   std::string text;
@@ -232,14 +271,20 @@ std::string probes_text(const StudyRun& run) {
     text += fmt::format(
         "  {:<17} displacement {}, von Mises {}\n", probe.name,
         vector_with_unit(without_round_off(probe.values.displacement, results.max_displacement.value), "m"),
-        with_unit(without_round_off(probe.values.von_mises, results.max_von_mises.value), "Pa"));
+        with_uncertainty(probe.values.von_mises, probe.stress_error, results.max_von_mises.value));
   return text;
 }
 
-std::string von_mises_text(const iga::ElasticityResults& results, double size) {
-  std::string text = fmt::format("  max von Mises     {} at {} (of Gauss points and faces)\n",
-                                 with_unit(results.max_von_mises.value, "Pa"),
-                                 place_with_unit(results.max_von_mises.place, size));
+std::string von_mises_text(const StudyRun& run, double size) {
+  const iga::ElasticityResults& results = run.solution.results;
+  std::string text =
+      fmt::format("  max von Mises     {} at {} (of Gauss points and faces)\n",
+                  with_uncertainty(results.max_von_mises.value,
+                                   run.error ? std::optional(run.error->stress_at_max) : std::nullopt,
+                                   results.max_von_mises.value),
+                  place_with_unit(results.max_von_mises.place, size));
+  if (run.error && run.error->singular)
+    text += fmt::format("    grows           with refinement: it is at {}\n", *run.error->singular);
   const iga::LeftOut& left_out = results.left_out;
   if (left_out.folded > 0)
     text += fmt::format(
@@ -290,6 +335,10 @@ std::string summary_json(const Study& study, const StudyRun& run) {
       {"timings", timings_json(run)},
       {"parallel", {{"processes", study.options.processes.count()}, {"threads", omp_get_max_threads()}}},
       {"memory", {{"peak_bytes", run.peak_bytes}}}};
+  if (!run.levels.empty()) {
+    json["levels"] = levels_json(run.levels);
+    json["convergence"] = convergence_json(run.levels);
+  }
   if (run.built.parameterization)
     json["parameterization"] = parameterization_json(*run.built.parameterization);
   return file_text(json);
@@ -314,9 +363,10 @@ std::string summary_text(const Study& study, const StudyRun& run) {
   text += solver_text(run.solution.solver);
   text += fmt::format("  max displacement  {} at {}\n", with_unit(results.max_displacement.value, "m"),
                       place_with_unit(results.max_displacement.place, model.size()));
-  text += von_mises_text(results, model.size());
+  text += von_mises_text(run, model.size());
   text += fmt::format("  internal energy   {}\n", with_unit(results.internal_energy, "J"));
-  text += reactions_text(run) + probes_text(run);
+  text += error_text(run);
+  text += reactions_text(run) + probes_text(run) + run_levels_text(run.levels);
   text += fmt::format("  time, memory      {}, {}{}\n", seconds_text(total), bytes_text(run.peak_bytes),
                       study.options.processes.count() == 1
                           ? ""

@@ -1,31 +1,10 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "app/problem/build_problem.hpp"
+#include "app/run/study_run.hpp"
+#include "app/study/study.hpp"
 #include "geometry/base/progress.hpp"
-#include "iga/solution/solve_elasticity.hpp"
 
 namespace isopatch::app {
-
-/// Values at a probe.
-struct ProbeValues {
-  std::string name;
-  int patch = 0;
-  geometry::Parameter<3> parameter;  ///< in the input's naming
-  iga::FieldValues values;
-};
-
-/// A study's solution with all that was known on the way.
-struct StudyRun {
-  BuiltProblem built;
-  iga::ElasticitySolution solution;
-  std::vector<ProbeValues> probes;
-  std::vector<iga::PhaseTime> timings;  ///< of all phases so far, s
-  std::int64_t peak_bytes =
-      0;  ///< most memory that all processes held until the end of these phases, added up
-};
 
 /// Builds and solves a study. Nothing is written.
 /// @throws Error as build_problem and solve_elasticity do

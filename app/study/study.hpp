@@ -60,6 +60,7 @@ struct OutputInput {
   FieldOptions field_options;
   bool hdf5 = true;
   bool report = true;
+  bool error_estimate = true;
   bool operator==(const OutputInput&) const = default;
 };
 

@@ -347,7 +347,8 @@ std::vector<ShownSection> sections_of_the_problem() {
             {"exact", "exact = false", "exact false"},
             {"precision", "precision = \"single\"", "precision 2"},
             {"hdf5", "hdf5 = false", "hdf5 false"},
-            {"report", "report = false", "report false"}}}};
+            {"report", "report = false", "report false"},
+            {"error_estimate", "error_estimate = false", "error estimate false"}}}};
 }
 
 std::vector<ShownSection> all_sections() {

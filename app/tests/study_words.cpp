@@ -239,9 +239,10 @@ std::string words_of(const iga::ElasticityOptions& o) {
 }
 
 std::string words_of(const OutputInput& o) {
-  return fmt::format("directory {}\nfields {}\npieces {}\nexact {}\nprecision {}\nhdf5 {}\nreport {}\n",
-                     o.directory.string(), o.fields, o.field_options.pieces, o.field_options.exact,
-                     static_cast<int>(o.field_options.precision), o.hdf5, o.report);
+  return fmt::format(
+      "directory {}\nfields {}\npieces {}\nexact {}\nprecision {}\nhdf5 {}\nreport {}\nerror estimate {}\n",
+      o.directory.string(), o.fields, o.field_options.pieces, o.field_options.exact,
+      static_cast<int>(o.field_options.precision), o.hdf5, o.report, o.error_estimate);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <vtkHigherOrderHexahedron.h>
 
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <pugixml.hpp>
 #include <set>
@@ -111,6 +112,7 @@ struct VtuFile::State {
   VtuCell cell;
   std::vector<VtuGrid> grids;
   std::vector<VtuLabel> labels;
+  std::vector<VtuCellField> cell_fields;
   PlacedByteSink sink;
   std::int64_t point_count = 0, cell_count = 0, corner_count = 0;
   std::vector<Array> arrays;  // points first, then the fields
@@ -241,6 +243,18 @@ struct VtuFile::State {
     }
   }
 
+  void write_cell_fields() {
+    for (const VtuCellField& field : cell_fields) {
+      Array& array = named(field.name);
+      for (std::size_t g = 0; g < grids.size(); ++g)
+        for (std::int64_t c = 0; c < grids[g].cell_count(); ++c) {
+          const float value = field.value(g, c);
+          if (!std::isfinite(value)) reject(fmt::format("'{}' has a value that is not finite", field.name));
+          append(array, value);
+        }
+    }
+  }
+
   void write_degrees() {
     Array& array = named("HigherOrderDegrees");
     for (const VtuGrid& grid : grids)
@@ -250,7 +264,8 @@ struct VtuFile::State {
 };
 
 VtuFile::VtuFile(VtuCell cell, std::vector<VtuGrid> grids, std::vector<VtuField> fields,
-                 std::vector<VtuLabel> labels, PlacedByteSink sink, Precision places)
+                 std::vector<VtuLabel> labels, PlacedByteSink sink, Precision places,
+                 std::vector<VtuCellField> cell_fields)
     : state_(std::make_unique<State>()) {
   State& s = *state_;
   if (grids.empty()) reject("no grid");
@@ -260,6 +275,7 @@ VtuFile::VtuFile(VtuCell cell, std::vector<VtuGrid> grids, std::vector<VtuField>
     if (!names.insert(name).second) reject(fmt::format("the field name '{}' is taken", name));
   };
   for (const VtuField& field : fields) take(field.name);
+  for (const VtuCellField& field : cell_fields) take(field.name);
   for (const VtuLabel& label : labels) {
     take(label.name);
     if (label.of_grid.size() != grids.size())
@@ -275,11 +291,13 @@ VtuFile::VtuFile(VtuCell cell, std::vector<VtuGrid> grids, std::vector<VtuField>
   s.cell = cell;
   s.grids = std::move(grids);
   s.labels = std::move(labels);
+  s.cell_fields = std::move(cell_fields);
   s.sink = std::move(sink);
   s.add("Points", "Points", real(places), 3, s.point_count);
   for (const VtuField& field : fields)
     s.add("PointData", field.name, real(field.precision), field.components, s.point_count);
   for (const VtuLabel& label : s.labels) s.add("CellData", label.name, "Int32", 1, s.cell_count);
+  for (const VtuCellField& field : s.cell_fields) s.add("CellData", field.name, "Float32", 1, s.cell_count);
   if (cell == VtuCell::bezier_hexahedron) s.add("CellData", "HigherOrderDegrees", "Float64", 3, s.cell_count);
   const bool small = std::max(s.point_count, s.corner_count) <= std::numeric_limits<std::int32_t>::max();
   s.add("Cells", "connectivity", small ? "Int32" : "Int64", 1, s.corner_count);
@@ -309,6 +327,7 @@ void VtuFile::finish() {
   else
     s.write_cells<std::int64_t>();
   s.write_labels();
+  s.write_cell_fields();
   if (s.cell == VtuCell::bezier_hexahedron) s.write_degrees();
   for (Array& array : s.arrays) s.flush(array);
   s.sink(s.end, "\n  </AppendedData>\n</VTKFile>\n");

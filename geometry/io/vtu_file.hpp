@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -41,6 +42,13 @@ struct VtuLabel {
   std::vector<int> of_grid;
 };
 
+/// A number for each cell, in single precision.
+struct VtuCellField {
+  std::string name;
+  /// The grid, and its cell, first direction fastest. Must be finite.
+  std::function<float(std::size_t grid, std::int64_t cell)> value;
+};
+
 /// An unstructured grid file (.vtu) of tensor grids, for VTK and ParaView 5.9 or later, whose numbers come
 /// in any order, so that no more than a part of them is ever in memory.
 ///
@@ -55,7 +63,8 @@ class VtuFile {
   /// @throws Error invalid_argument  no grid; a grid whose cells do not fit its points; a name that is empty
   ///   or used twice; a label without a value for each grid
   VtuFile(VtuCell cell, std::vector<VtuGrid> grids, std::vector<VtuField> fields,
-          std::vector<VtuLabel> labels, PlacedByteSink sink, Precision places = Precision::full);
+          std::vector<VtuLabel> labels, PlacedByteSink sink, Precision places = Precision::full,
+          std::vector<VtuCellField> cell_fields = {});
   ~VtuFile();
   VtuFile(VtuFile&&) = delete;
 

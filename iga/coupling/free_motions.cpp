@@ -1,6 +1,5 @@
 #include "iga/coupling/free_motions.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 
@@ -46,11 +45,10 @@ void hold_by_springs(const FreeMotions& body, const ElasticityProblem& problem, 
     if (!is_of_body(sprung.face)) continue;
     for (const FacePoint& point : face_points(problem.discretization.model.patches(), {sprung.face})) {
       // Soft springs hold as well as stiff ones.
-      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> springs(
-          sprung.stiffness(point.place, point.normal));
+      const PrincipalAxes springs = principal_axes(sprung.stiffness(point.place, point.normal));
       for (int k = 0; k < 3; ++k)
-        if (springs.eigenvalues()[k] > 1e-12 * springs.eigenvalues()[2])
-          hold(body, point.place, springs.eigenvectors().col(k), gram);
+        if (springs.values[k] > 1e-12 * springs.values[2])
+          hold(body, point.place, springs.axes.col(k), gram);
     }
   }
 }

@@ -7,6 +7,7 @@
 #include "geometry/base/dense_matrices.hpp"
 #include "geometry/splines/basis.hpp"
 #include "iga/output/hexahedra_output.hpp"
+#include "iga/output/internal/error_cells.hpp"
 #include "iga/output/internal/grid_sums.hpp"
 #include "iga/output/output_grid.hpp"
 #include "iga/output/plane_fields.hpp"
@@ -171,9 +172,11 @@ void write_bezier_cells(const ElasticField& field, const std::vector<int>& patch
                         const geometry::PlacedByteSink& sink, geometry::Precision precision) {
   const std::vector<int> all = material_numbers(field);
   std::vector<geometry::VtuGrid> grids;
+  std::vector<geometry::GridParameters<3>> elements;
   std::vector<int> materials;
   std::vector<std::int64_t> first = {0};
   for (const int p : patches) {
+    elements.push_back(element_grid(field.patches[static_cast<std::size_t>(p)]));
     grids.push_back(vtu_grid(field.patches[static_cast<std::size_t>(p)]));
     first.push_back(first.back() + grids.back().point_count());
     materials.push_back(all[static_cast<std::size_t>(p)]);
@@ -181,7 +184,7 @@ void write_bezier_cells(const ElasticField& field, const std::vector<int>& patch
   geometry::VtuFile file(
       geometry::VtuCell::bezier_hexahedron, grids,
       {{"RationalWeights", 1, precision}, {"displacement", 3, precision}, {"stress", 6, precision}},
-      {{"patch", patches}, {"material", materials}}, sink, precision);
+      {{"patch", patches}, {"material", materials}}, sink, precision, error_cells(field, patches, elements));
   for_each_plane<NetPlane>(
       first, [&](std::size_t i, const auto& take) { PatchCells(field, patches[i]).for_each(first[i], take); },
       [&](const NetPlane& plane, std::int64_t at) {

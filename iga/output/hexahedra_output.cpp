@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/io/vtu_file.hpp"
+#include "iga/output/internal/error_cells.hpp"
 #include "iga/spaces/internal/patch_batches.hpp"
 
 namespace isopatch::iga {
@@ -88,15 +89,18 @@ HexahedraOutput::HexahedraOutput(const ElasticField& field, const geometry::Mult
 BorrowedStress HexahedraOutput::write(const std::vector<int>& patches,
                                       const geometry::PlacedByteSink& sink) const {
   std::vector<geometry::VtuGrid> grids;
+  std::vector<geometry::GridParameters<3>> parameters;
   std::vector<int> materials;
   std::vector<std::int64_t> first = {0};
   for (const int p : patches) {
-    grids.push_back(vtu_grid(grids_[static_cast<std::size_t>(p)]));
+    parameters.push_back(grids_[static_cast<std::size_t>(p)]);
+    grids.push_back(vtu_grid(parameters.back()));
     materials.push_back(materials_[static_cast<std::size_t>(p)]);
     first.push_back(first.back() + grids.back().point_count());
   }
   geometry::VtuFile file(geometry::VtuCell::hexahedron, grids, fields,
-                         {{"patch", patches}, {"material", materials}}, sink);
+                         {{"patch", patches}, {"material", materials}}, sink, geometry::Precision::full,
+                         error_cells(field_, patches, parameters));
   BorrowedStress borrowed;
   for_each_plane<FieldPlane>(
       first,

@@ -60,12 +60,40 @@ void read_materials(const Hdf5Reader& file, std::vector<Material>& of_patches) {
   for (const std::int64_t number : numbers) of_patches.push_back(materials[static_cast<std::size_t>(number)]);
 }
 
+// Files of runs without an estimate, or from before there was one, have none.
+constexpr const char* errors_group = "/patches/errors";
+
+void write_errors(Hdf5Writer& file, const std::vector<ElementErrors>& errors) {
+  if (errors.empty()) return;
+  geometry::PackedNumbers energy, stress;
+  for (const ElementErrors& of_patch : errors) {
+    energy.add(of_patch.energy);
+    stress.add(of_patch.stress);
+  }
+  energy.write(file, std::string(errors_group) + "/energy", 1);
+  stress.write(file, std::string(errors_group) + "/stress", 1);
+}
+
+void read_errors(const Hdf5Reader& file, ElasticField& field) {
+  if (!file.contains(errors_group)) return;
+  geometry::UnpackedNumbers energy(file, std::string(errors_group) + "/energy", 1);
+  geometry::UnpackedNumbers stress(file, std::string(errors_group) + "/stress", 1);
+  for (const NurbsVolume& patch : field.patches) {
+    const Eigen::Index count = Eigen::Index{patch.knots(0).element_count()} * patch.knots(1).element_count() *
+                               patch.knots(2).element_count();
+    field.errors.push_back({energy.take(count).transpose(), stress.take(count).transpose()});
+  }
+  energy.require_end();
+  stress.require_end();
+}
+
 void write_field(Hdf5Writer& file, const ElasticField& field) {
   geometry::write_volumes(file, "/patches", field.patches);
   geometry::PackedNumbers displacement;
   for (const Eigen::Matrix3Xd& of_patch : field.displacement) displacement.add(of_patch);
   displacement.write(file, "/patches/displacement", 3);
   write_materials(file, field.materials);
+  write_errors(file, field.errors);
   if (field.thermal.empty()) return;
   Eigen::MatrixXd strains(4, static_cast<Eigen::Index>(field.thermal.size()));
   for (std::size_t p = 0; p < field.thermal.size(); ++p)
@@ -80,6 +108,7 @@ void read_field(const Hdf5Reader& file, ElasticField& field) {
     field.displacement.emplace_back(displacement.take(patch.size()));
   displacement.require_end();
   read_materials(file, field.materials);
+  read_errors(file, field);
   if (field.materials.size() != field.patches.size())
     throw Error(ErrorCode::invalid_argument, fmt::format("/patches/material has {} numbers for {} patches",
                                                          field.materials.size(), field.patches.size()));

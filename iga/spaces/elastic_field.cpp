@@ -99,6 +99,27 @@ Location closest(const NurbsVolume& patch, int index, const Eigen::Vector3d& pla
   return best;
 }
 
+// The nearest of a grid of points with two per element starts the iteration.
+Location closest(const NurbsVolume& patch, int index, const Eigen::Vector3d& place) {
+  Parameter<3> start = patch.low();
+  std::array<std::vector<double>, 3> grid;
+  for (int d = 0; d < 3; ++d) {
+    const std::vector<double> breaks = patch.knots(d).breaks();
+    for (std::size_t e = 0; e + 1 < breaks.size(); ++e)
+      for (const double share : {0.25, 0.75})
+        grid[static_cast<std::size_t>(d)].push_back(breaks[e] + share * (breaks[e + 1] - breaks[e]));
+  }
+  const Eigen::Matrix3Xd points = geometry::points_on_grid(patch, grid);
+  Eigen::Index nearest = 0;
+  (points.colwise() - place).colwise().squaredNorm().minCoeff(&nearest);
+  for (std::size_t d = 0; d < 3; ++d) {
+    const auto count = static_cast<Eigen::Index>(grid[d].size());
+    start[static_cast<int>(d)] = grid[d][static_cast<std::size_t>(nearest % count)];
+    nearest /= count;
+  }
+  return closest(patch, index, place, start);
+}
+
 }  // namespace
 
 double von_mises(const Eigen::Matrix3d& stress) {
@@ -135,27 +156,26 @@ Location locate(const ElasticField& field, const Eigen::Vector3d& place) {
   for (std::size_t p = 0; p < field.patches.size(); ++p) {
     const NurbsVolume& patch = field.patches[p];
     if (geometry::box(patch).exteriorDistance(place) > best.distance) continue;
-    // The nearest of a grid of points with two per element starts the iteration.
-    Parameter<3> start = patch.low();
-    std::array<std::vector<double>, 3> grid;
-    for (int d = 0; d < 3; ++d) {
-      const std::vector<double> breaks = patch.knots(d).breaks();
-      for (std::size_t e = 0; e + 1 < breaks.size(); ++e)
-        for (const double share : {0.25, 0.75})
-          grid[static_cast<std::size_t>(d)].push_back(breaks[e] + share * (breaks[e + 1] - breaks[e]));
-    }
-    const Eigen::Matrix3Xd points = geometry::points_on_grid(patch, grid);
-    Eigen::Index nearest = 0;
-    (points.colwise() - place).colwise().squaredNorm().minCoeff(&nearest);
-    for (std::size_t d = 0; d < 3; ++d) {
-      const auto count = static_cast<Eigen::Index>(grid[d].size());
-      start[static_cast<int>(d)] = grid[d][static_cast<std::size_t>(nearest % count)];
-      nearest /= count;
-    }
-    const Location found = closest(patch, static_cast<int>(p), place, start);
+    const Location found = closest(patch, static_cast<int>(p), place);
     if (found.distance < best.distance) best = found;
   }
   return best;
+}
+
+std::vector<Location> locate_sides(const ElasticField& field, const Eigen::Vector3d& place, double within) {
+  std::vector<Location> result = {locate(field, place)};
+  const auto is_new = [&](const Material& material) {
+    return std::none_of(result.begin(), result.end(), [&](const Location& other) {
+      return field.materials[static_cast<std::size_t>(other.patch)] == material;
+    });
+  };
+  for (std::size_t p = 0; p < field.patches.size(); ++p) {
+    if (!is_new(field.materials[p]) || geometry::box(field.patches[p]).exteriorDistance(place) > within)
+      continue;
+    const Location found = closest(field.patches[p], static_cast<int>(p), place);
+    if (found.distance <= within) result.push_back(found);
+  }
+  return result;
 }
 
 }  // namespace isopatch::iga

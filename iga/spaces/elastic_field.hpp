@@ -9,6 +9,12 @@
 
 namespace isopatch::iga {
 
+/// What is estimated of the error in each element of a patch, first direction fastest.
+struct ElementErrors {
+  Eigen::VectorXd energy;  ///< of the error, J
+  Eigen::VectorXd stress;  ///< von Mises stress of the error, root mean square over the element, Pa
+};
+
 /// A displacement on patches with their materials: all that post-processing needs.
 struct ElasticField {
   std::vector<geometry::NurbsVolume> patches;  ///< geometry in the solution space
@@ -20,6 +26,7 @@ struct ElasticField {
   ThermalStrain thermal_strain(std::size_t patch) const {
     return thermal.empty() ? ThermalStrain{} : thermal[patch];
   }
+  std::vector<ElementErrors> errors = {};      ///< one per patch, or none where they are not estimated
 };
 
 /// All values at one point.
@@ -53,5 +60,11 @@ struct Location {
 /// @return  distance is 0 up to round-off for points inside; callers decide what distance is too far
 /// @cost    eight points per element and a few Newton iterations in each patch whose box is near
 Location locate(const ElasticField& field, const Eigen::Vector3d& place);
+
+/// The same for each material that meets there, whose stresses differ: first what `locate` finds, then one
+/// patch of every other material that comes within a distance of the point.
+/// @param within  m
+/// @cost    that of `locate`, twice where materials differ
+std::vector<Location> locate_sides(const ElasticField& field, const Eigen::Vector3d& place, double within);
 
 }  // namespace isopatch::iga

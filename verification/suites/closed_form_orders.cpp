@@ -19,6 +19,7 @@
 #include "segmentation/parameterization/parameterize.hpp"
 #include "verification/suites/classic_fields.hpp"
 #include "verification/suites/known_problem.hpp"
+#include "verification/suites/known_problems.hpp"
 #include "verification/suites/model_cases.hpp"
 
 namespace isopatch::verification {
@@ -33,9 +34,11 @@ void add_planes(iga::ElasticityProblem& problem, const std::vector<std::string>&
     problem.supports.push_back({plane, faces_of(problem.discretization.model, plane), iga::PlaneSupport{}});
 }
 
+}  // namespace
+
 // Lame's cylinder, a = 1, b = 2, p = 10, E = 1000, nu = 0.3. Around and along the axis the solution lies in
 // the space; one element goes around, whose rational maps 8 points integrate below the finest error.
-KnownProblem cylinder() {
+KnownProblem pressed_tube() {
   const iga::Material material = iga::isotropic(1000, 0.3);
   const MultiPatch model =
       geometry::connect(geometry::cylinder_model({.radial_patches = 2, .patches_around = 2}));
@@ -52,6 +55,8 @@ KnownProblem cylinder() {
           },
           8};
 }
+
+namespace {
 
 /// The solid that a patch fills, its faces called as the model's boundaries are.
 geometry::BrepFile tube_part(const MultiPatch& model, PatchId patch) {
@@ -122,8 +127,10 @@ geometry::PatchSet graded(geometry::PatchSet set, int direction, int degree, int
   return set;
 }
 
+}  // namespace
+
 // A quarter of the plate, 4 hole radii wide and high; exact tractions where it is cut from the infinite one.
-KnownProblem plate(const iga::Material& material) {
+KnownProblem plate_with_hole(const iga::Material& material) {
   const ExactSolution exact = pulled_plate_with_hole(material, 1);
   return {"plate with a hole", ReferenceKind::closed_form, "Kirsch", exact, [=](int degree, int elements) {
             const MultiPatch model = geometry::connect(
@@ -139,7 +146,7 @@ KnownProblem plate(const iga::Material& material) {
 }
 
 // An octant 1 < r < 4; exact tractions on r = 4.
-KnownProblem cavity(const iga::Material& material) {
+KnownProblem body_with_cavity(const iga::Material& material) {
   const ExactSolution exact = pulled_body_with_cavity(material, 1);
   return {"spherical cavity", ReferenceKind::closed_form, "Goodier", exact, [=](int degree, int elements) {
             const MultiPatch model = geometry::connect(graded(
@@ -154,6 +161,8 @@ KnownProblem cavity(const iga::Material& material) {
           }};
 }
 
+namespace {
+
 iga::FieldValues at(const iga::ElasticitySolution& solution, const Vector3d& place) {
   const iga::Location location = iga::locate(solution.field, place);
   return iga::evaluate(solution.field, location.patch, location.parameter);
@@ -161,7 +170,7 @@ iga::FieldValues at(const iga::ElasticitySolution& solution, const Vector3d& pla
 
 TEST(ClosedForms, ThickCylinderOrders) {
   for (const Coupling coupling : iga::all_couplings)
-    for (const int degree : {1, 2, 3}) expect_orders(cylinder(), {degree, {8, 16, 32, 64}, coupling});
+    for (const int degree : {1, 2, 3}) expect_orders(pressed_tube(), {degree, {8, 16, 32, 64}, coupling});
 }
 
 TEST(ClosedForms, ThickCylinderFromSolidsOrders) {
@@ -172,7 +181,7 @@ void expect_plate_orders(int degree, Coupling coupling) {
   const std::vector<int> elements = degree == 2   ? std::vector{12, 16, 24, 32}
                                     : degree == 3 ? std::vector{8, 12, 16, 24}
                                                   : std::vector{12, 16, 20, 24};
-  expect_orders(plate(iga::isotropic(1000, 0.3)), {degree, elements, coupling});
+  expect_orders(plate_with_hole(iga::isotropic(1000, 0.3)), {degree, elements, coupling});
 }
 
 TEST(ClosedForms, KirschPlateOrders) {
@@ -185,7 +194,7 @@ TEST(FullClosedForms, KirschPlateOrders) {
 }
 
 TEST(ClosedForms, KirschPlate) {
-  const KnownProblem problem = plate(iga::isotropic(1000, 0.3));
+  const KnownProblem problem = plate_with_hole(iga::isotropic(1000, 0.3));
   const iga::ElasticitySolution s = iga::solve_elasticity(problem.posed(4, 8));
   const iga::FieldValues top = at(s, {0, 1, 0});
   const iga::FieldValues side = at(s, {1, 0, 0});
@@ -201,7 +210,7 @@ TEST(ClosedForms, KirschPlate) {
 
 void expect_cavity(int degree, int elements, double of_displacement, double of_energy, double of_stress) {
   const iga::ElasticitySolution s =
-      iga::solve_elasticity(cavity(iga::isotropic(1000, 0.3)).posed(degree, elements));
+      iga::solve_elasticity(body_with_cavity(iga::isotropic(1000, 0.3)).posed(degree, elements));
   const iga::FieldValues pole = at(s, {0, 0, 1});
   const iga::FieldValues equator = at(s, {1, 0, 0});
   const auto claim = [&](const std::string& what, const char* unit, double reference, double value,
@@ -226,7 +235,7 @@ TEST(ClosedForms, SphericalCavity) {
 // The sphere is of degree 4.
 TEST(FullClosedForms, SphericalCavityOrders) {
   for (const Coupling coupling : iga::all_couplings)
-    expect_orders(cavity(iga::isotropic(1000, 0.3)), {4, {5, 6, 7, 8}, coupling, true});
+    expect_orders(body_with_cavity(iga::isotropic(1000, 0.3)), {4, {5, 6, 7, 8}, coupling, true});
 }
 
 }  // namespace

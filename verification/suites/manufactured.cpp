@@ -8,6 +8,7 @@
 #include "geometry/models/box.hpp"
 #include "geometry/models/cylinder.hpp"
 #include "verification/suites/known_problem.hpp"
+#include "verification/suites/known_problems.hpp"
 #include "verification/suites/model_cases.hpp"
 #include "verification/suites/wave.hpp"
 
@@ -56,6 +57,8 @@ double curvature(int degree) {
   return degree == 1 ? 0 : 0.2;
 }
 
+}  // namespace
+
 KnownProblem one_patch(int degree) {
   return manufactured(
       "one distorted patch",
@@ -101,6 +104,8 @@ KnownProblem wedge() {
                     {"bottom", {{PatchId(0), geometry::Side::front}}}};
   return manufactured("a wedge with a collapsed face", geometry::connect(set), {"x_max", "bottom"});
 }
+
+namespace {
 
 // One patch has nothing to tie: multipliers must change nothing.
 TEST(Manufactured, OnePatch) {

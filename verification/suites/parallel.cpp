@@ -42,6 +42,7 @@ void expect_same(const std::string& of, const ClaimStudy& study, const Tolerance
     ASSERT_EQ(several.threads, launch.threads);
     claim("energy", "J", alone.energy, several.energy);
     claim("largest displacement", "m", alone.max_displacement, several.max_displacement);
+    claim("estimated energy of the error", "J", alone.error_energy, several.error_energy);
     claim("difference of the displacement anywhere", "", 0,
           coefficient_difference(alone.field, several.field));
   }

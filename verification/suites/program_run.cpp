@@ -113,8 +113,10 @@ ProgramRun run_program(const ClaimStudy& study, const Launch& launch) {
   const auto summary = nlohmann::json::parse(read_file(folder.path() / "summary.json"));
   return {iga::read_result(folder.path() / "results.h5").field,
           summary["results"]["internal_energy"].get<double>(),
-          summary["results"]["max_displacement"].get<double>(), summary["parallel"]["processes"].get<int>(),
-          summary["parallel"]["threads"].get<int>()};
+          summary["results"]["max_displacement"].get<double>(),
+          summary["parallel"]["processes"].get<int>(),
+          summary["parallel"]["threads"].get<int>(),
+          summary["results"]["discretization_error"]["energy"].get<double>()};
 }
 
 }  // namespace isopatch::verification

@@ -23,6 +23,7 @@ struct ProgramRun {
   double max_displacement = 0;  ///< m
   int processes = 0;            ///< that solved together, as the summary says
   int threads = 0;
+  double error_energy = 0;  ///< estimated energy of the discretization's error, J
 };
 
 /// Why no processes can be started on this machine; empty if they can.

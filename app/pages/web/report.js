@@ -37,11 +37,18 @@ globalThis.isopatch = globalThis.isopatch || {};
       ["largest von Mises stress", [isopatch.withUnit(results.max_von_mises, "Pa"), at(scene, results.max_von_mises_point),
                                     ` (${results.max_von_mises_sampled})`]],
       ["internal energy", isopatch.withUnit(results.internal_energy, "J")]];
+    const error = results.discretization_error;
+    if (error) rows.push(["discretization error", Number.isFinite(error.energy_norm)
+      ? `about ${isopatch.general(100 * error.energy_norm, 2)} % in the energy norm, ${isopatch.general(100 * error.energy_norm ** 2, 2)} % of the energy; `
+        + `largest von Mises stress \u00b1 ${isopatch.withUnit(error.max_von_mises, "Pa")}`
+      : `not estimated: ${error.missing}`]);
+    if (error && error.singular) rows.push(["", `the largest von Mises stress grows with refinement: it is at ${error.singular}`]);
     if (Number.isFinite(results.external_work)) rows.push(["work of the loads", isopatch.withUnit(results.external_work, "J")]);
     for (const probe of summary.probes || []) {
       const moved = probe.displacement.map((x) => isopatch.withoutRoundOff(x, scale));
       const stress = isopatch.withoutRoundOff(probe.von_mises, results.max_von_mises);
-      rows.push([probe.name, [`displacement ${isopatch.vectorWithUnit(moved, "m")}, von Mises ${isopatch.withUnit(stress, "Pa")}`,
+      rows.push([probe.name, [`displacement ${isopatch.vectorWithUnit(moved, "m")}, von Mises ${isopatch.withUnit(stress, "Pa")}`
+                                + (Number.isFinite(probe.von_mises_error) ? ` \u00b1 ${isopatch.withUnit(probe.von_mises_error, "Pa")}` : ""),
                               at(scene, probe.point)]]);
     }
     return rows;
@@ -53,11 +60,19 @@ globalThis.isopatch = globalThis.isopatch || {};
     const model = [...modelRows(summary.model), ...spaceRows(summary.discretization, summary.coupling)];
     const materials = (summary.materials || []).map((m) => [m.name, isopatch.withUnit(m.young, "Pa"), isopatch.general(m.poisson, 4),
                                                             m.density > 0 ? isopatch.general(m.density, 4) + " kg/m^3" : "not given", counts(m.patches.length)]);
+    const levels = (summary.levels || []).map((level) => [counts(level.refine), counts(level.dofs), isopatch.withUnit(level.max_displacement, "m"),
+      isopatch.withUnit(level.max_von_mises, "Pa"), isopatch.withUnit(level.internal_energy, "J"),
+      Number.isFinite(level.energy_norm_error) ? isopatch.general(100 * level.energy_norm_error, 2) + " %" : "not estimated"]);
+    const convergence = summary.convergence || {};
+    if (levels.length) results.push(["limit of the energy", Number.isFinite(convergence.extrapolated_energy)
+      ? isopatch.withUnit(convergence.extrapolated_energy, "J") + " (extrapolated)" : "none can be told: fewer than three levels, or changes that do not shrink evenly"]);
+    if (convergence.max_von_mises_grows) results.push(["largest von Mises stress", "grows with refinement: at a sharp corner or edge it has no limit"]);
     if (results.length + model.length === 0) return null;
     const part = (title, head, rows, id) => (rows.length === 0 ? null : element(
       "figure", {id}, element("figcaption", {}, title), isopatch.table(head, rows)));
     return isopatch.section("Figures", element("div", {class: "figures"},
       part("Results", null, results, "results"), part("Model", null, model),
+      part("Levels", ["refine", "unknowns", "largest displacement", "largest von Mises stress", "energy", "error in the energy norm"], levels),
       part("Materials", ["material", "Young's modulus", "Poisson's ratio", "density", "patches"], materials)));
   }
 

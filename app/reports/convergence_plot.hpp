@@ -1,0 +1,14 @@
+#pragma once
+
+#include <optional>
+
+#include "app/plots/line_plot.hpp"
+#include "app/results/run_summary.hpp"
+
+namespace isopatch::app {
+
+/// The error in the energy norm over the unknowns of a run's levels: as estimated, and by the extrapolated
+/// energy where there is one. Nothing with fewer than two levels.
+std::optional<LinePlot> convergence_plot(const std::vector<RunLevel>& levels);
+
+}  // namespace isopatch::app

@@ -1,0 +1,16 @@
+#pragma once
+
+// For .cpp files of this folder only: third-party types stay out of the headers that others include.
+
+#include <vector>
+
+#include "app/base/internal/json_values.hpp"
+#include "app/run/run_study.hpp"
+
+namespace isopatch::app {
+
+/// Keys `levels` and `convergence` of summary.json; defined in level_report.cpp.
+Json levels_json(const std::vector<RunLevel>& levels);
+Json convergence_json(const std::vector<RunLevel>& levels);
+
+}  // namespace isopatch::app

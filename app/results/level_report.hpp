@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "app/results/run_summary.hpp"
+#include "app/run/run_study.hpp"
+
+namespace isopatch::app {
+
+/// The table of a run's levels for the terminal, with the limit of the energy or that there is none, and
+/// whether the largest stress has one; nothing for a run of one level.
+std::string run_levels_text(const std::vector<RunLevel>& levels);
+
+}  // namespace isopatch::app

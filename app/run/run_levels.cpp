@@ -1,0 +1,64 @@
+#include "app/run/run_levels.hpp"
+
+#include <fmt/format.h>
+
+#include <new>
+#include <optional>
+
+#include "app/run/compare_levels.hpp"
+#include "geometry/base/error.hpp"
+
+namespace isopatch::app {
+namespace {
+
+RunLevel level_of(const StudyRun& run, int refine) {
+  const iga::ElasticityResults& results = run.solution.results;
+  RunLevel level{.refine = refine,
+                 .unknowns = run.solution.size.dofs,
+                 .internal_energy = results.internal_energy,
+                 .max_displacement = results.max_displacement.value,
+                 .max_von_mises = results.max_von_mises.value};
+  if (run.error) level.error = run.error->relative;
+  for (const iga::PhaseTime& time : run.timings) level.seconds += time.seconds;
+  return level;
+}
+
+// One level, or nothing and the reason if there is no memory for it.
+std::optional<StudyRun> run_if_it_fits(const Study& study, std::string& reason, const Progress& progress) {
+  try {
+    return run_study(study, progress);
+  } catch (const std::bad_alloc&) {
+    reason = "out of memory";
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::out_of_memory) throw;
+    reason = error.what();
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+StudyRun run_levels(const Study& study, int count, const Progress& progress) {
+  std::vector<RunLevel> levels;
+  std::optional<StudyRun> finest;
+  for (const iga::DiscretizationOptions& discretization : level_discretizations(study, {.count = count})) {
+    Study level = study;
+    level.discretization = discretization;
+    const bool may_fail = finest && study.options.processes.count() == 1;
+    std::string reason;
+    std::optional<StudyRun> run =
+        may_fail ? run_if_it_fits(level, reason, progress) : std::optional(run_study(level, progress));
+    if (!run) {
+      finest->built.warnings.push_back(
+          {fmt::format("no memory for refine = {}; the results are those of the level before: {}",
+                       discretization.refine, reason)});
+      break;
+    }
+    levels.push_back(level_of(*run, discretization.refine));
+    finest = std::move(run);
+  }
+  if (levels.size() > 1 || count > 1) finest->levels = std::move(levels);
+  return std::move(*finest);
+}
+
+}  // namespace isopatch::app

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/problem/build_problem.hpp"
+#include "iga/solution/solve_elasticity.hpp"
+
+namespace isopatch::app {
+
+/// Values on another side of an interface of materials at which a probe lies.
+struct ProbeSide {
+  int patch = 0;
+  geometry::Parameter<3> parameter;  ///< in the input's naming
+  std::string material;              ///< its name
+  iga::FieldValues values;
+};
+
+/// Values at a probe.
+struct ProbeValues {
+  std::string name;
+  int patch = 0;
+  geometry::Parameter<3> parameter;  ///< in the input's naming
+  iga::FieldValues values;
+  std::optional<Eigen::Matrix3d> stress_error = {};  ///< estimated, Pa
+  std::vector<ProbeSide> sides = {};                 ///< one for each other material that meets there
+};
+
+/// What is estimated of the error of the discretization; of elements it is in the solution's field.
+struct RunError {
+  double energy = 0;                                        ///< J
+  double relative = 0;                                      ///< in the energy norm
+  Eigen::Matrix3d stress_at_max = Eigen::Matrix3d::Zero();  ///< of the error, where the largest von Mises
+                                                            ///< stress is, Pa
+  int iterations = 0;
+  /// Why the largest von Mises stress grows with refinement: "a re-entrant edge of 270 degrees"; or nothing.
+  std::optional<std::string> singular = {};
+};
+
+/// A run's figures on one of several refinements.
+struct RunLevel {
+  int refine = 0;                    ///< of the study's discretization
+  std::int64_t unknowns = 0;         ///< before supports are fixed, multipliers included
+  double internal_energy = 0;        ///< J
+  double max_displacement = 0;       ///< m
+  double max_von_mises = 0;          ///< Pa
+  std::optional<double> error = {};  ///< estimated, in the energy norm, relative
+  double seconds = 0;                ///< of all phases
+};
+
+/// A study's solution with all that was known on the way.
+struct StudyRun {
+  BuiltProblem built;
+  iga::ElasticitySolution solution;
+  std::vector<ProbeValues> probes;
+  std::vector<iga::PhaseTime> timings;  ///< of all phases so far, s
+  std::int64_t peak_bytes =
+      0;  ///< most memory that all processes held until the end of these phases, added up
+  std::optional<RunError> error = {};  ///< if it was asked for and could be estimated
+  std::string error_missing = {};      ///< why there is none though it was asked for
+  std::vector<RunLevel> levels = {};   ///< of a run on several, this one the last
+};
+
+}  // namespace isopatch::app

@@ -1,0 +1,162 @@
+// What a run says of its own accuracy, and how values at many places come out.
+
+#include "app/run/extrapolation.hpp"
+#include "app/tests/program_fixture.hpp"
+
+namespace isopatch::app {
+namespace {
+
+TEST(Extrapolation, FindsTheLimitOfChangesThatShrink) {
+  EXPECT_NEAR(extrapolated({9, 10 - 0.25, 10 - 0.0625}).value(), 10, 1e-12);
+  EXPECT_FALSE(extrapolated({9, 9.75}));
+  EXPECT_FALSE(extrapolated({9, 9.1, 9.3}));
+  EXPECT_FALSE(extrapolated({9, 9.1, 9}));
+}
+
+TEST(Extrapolation, TellsGrowthFromConvergence) {
+  EXPECT_TRUE(grows({18, 23, 31}));
+  EXPECT_FALSE(grows({18, 23, 24}));
+  EXPECT_FALSE(grows({18, 23}));
+  EXPECT_FALSE(grows({31, 23, 18}));
+  EXPECT_FALSE(grows({18, 18.1, 18.2}));  // by half a percent
+}
+
+// An L-bracket: its re-entrant edge has stress without a limit.
+const std::string bracket = R"([model]
+generate = "bracket"
+[discretization]
+degree = 2
+refine = 1
+[[material]]
+young = "200 GPa"
+poisson = 0.3
+[[support]]
+faces = ["y_max"]
+displacement = [0, 0, 0]
+[[load]]
+faces = ["x_max"]
+traction = [0, "-1 MPa", 0]
+[[probe]]
+name = "leg"
+point = [1.6, 0.3, 0.5]
+)";
+
+class Accuracy : public Program {
+ protected:
+  json summary() const { return json::parse(read_file(results() / "summary.json")); }
+};
+
+TEST_F(Accuracy, OfARunIsSaidEverywhere) {
+  ASSERT_EQ(run_text(bracket), 0) << err_;
+  const json error = summary()["results"]["discretization_error"];
+  EXPECT_GT(error["energy_norm"], 0.05);
+  EXPECT_LT(error["energy_norm"], 0.5);
+  const double share = error["energy"].get<double>() / summary()["results"]["internal_energy"].get<double>();
+  // The norm is relative to the solution's with the error's own energy.
+  const double norm = error["energy_norm"];
+  EXPECT_NEAR(norm * norm, share / (1 + share), 1e-6 * share);
+  EXPECT_GT(summary()["probes"][0]["von_mises_error"], 0);
+  EXPECT_EQ(error["singular"], "a re-entrant edge of 270 degrees");
+  EXPECT_THAT(out_, HasSubstr("% in the energy norm"));
+  EXPECT_THAT(out_, HasSubstr("with refinement: it is at a re-entrant edge of 270 degrees"));
+  EXPECT_THAT(read_file(results() / "report.html"), HasSubstr("\"stress_error\""));
+  EXPECT_THAT(read_file(results() / "fields" / "patch_000.vtu"), HasSubstr("Name=\"error_energy\""));
+}
+
+// The elements' errors come back from the file.
+TEST_F(Accuracy, IsKeptWithTheResults) {
+  ASSERT_EQ(run_text(bracket), 0) << err_;
+  const std::string first = read_file(results() / "fields" / "patch_001.vtu");
+  const std::string again = (folder_ / "again").string();
+  ASSERT_EQ(run({"fields", (results() / "results.h5").string(), "-o", again}), 0) << err_;
+  EXPECT_EQ(read_file(folder_ / "again" / "fields" / "patch_001.vtu"), first);
+}
+
+TEST_F(Accuracy, IsNotEstimatedIfNotAskedFor) {
+  ASSERT_EQ(run_text(bracket + "[output]\nerror_estimate = false\n"), 0) << err_;
+  EXPECT_TRUE(summary()["results"]["discretization_error"].is_null());
+  EXPECT_FALSE(summary()["probes"][0].contains("von_mises_error"));
+  EXPECT_THAT(out_, testing::Not(HasSubstr("energy norm")));
+  EXPECT_THAT(read_file(results() / "fields" / "patch_000.vtu"), testing::Not(HasSubstr("error_energy")));
+}
+
+TEST_F(Accuracy, OfLevelsIsATable) {
+  ASSERT_EQ(run_text(bracket, {"--levels", "3", "--set", "discretization.refine=0"}), 0) << err_;
+  const json levels = summary()["levels"];
+  ASSERT_EQ(levels.size(), 3);
+  EXPECT_EQ(levels[2]["refine"], 2);
+  EXPECT_EQ(levels[2]["internal_energy"], summary()["results"]["internal_energy"]);
+  EXPECT_LT(levels[2]["energy_norm_error"], levels[1]["energy_norm_error"]);
+  EXPECT_GT(summary()["convergence"]["extrapolated_energy"], levels[2]["internal_energy"]);
+  EXPECT_THAT(out_, HasSubstr("error in energy norm"));
+  EXPECT_THAT(out_, HasSubstr("limit of the energy"));
+  EXPECT_THAT(read_file(results() / "report.html"), HasSubstr("Error of the discretization"));
+}
+
+// Two cubes of different materials pulled along x; transverse stresses differ where they meet.
+const std::string two_materials = R"([model]
+generate = "box"
+patches = [2, 1, 1]
+size = [2, 1, 1]
+[discretization]
+degree = 2
+[[material]]
+name = "soft"
+patches = [0]
+young = "1 GPa"
+poisson = 0.3
+[[material]]
+name = "hard, grey"
+patches = [1]
+young = "200 GPa"
+poisson = 0.3
+[[support]]
+faces = ["x_min"]
+displacement = [0, 0, 0]
+[[load]]
+faces = ["x_max"]
+traction = ["1 MPa", 0, 0]
+[[probe]]
+name = "joint"
+point = [1, 0.5, 0.5]
+)";
+
+TEST_F(Accuracy, ProbesHaveBothSidesOfMaterials) {
+  ASSERT_EQ(run_text(two_materials), 0) << err_;
+  const json probe = summary()["probes"][0];
+  ASSERT_EQ(probe["sides"].size(), 1);
+  EXPECT_NE(probe["sides"][0]["patch"], probe["patch"]);
+  EXPECT_EQ(probe["sides"][0]["material"], "hard, grey");
+  EXPECT_GT(std::abs(probe["sides"][0]["stress"][1].get<double>() - probe["stress"][1].get<double>()), 1e4);
+}
+
+TEST_F(Accuracy, ValuesAlongALineAreCsv) {
+  ASSERT_EQ(run_text(two_materials), 0) << err_;
+  const std::string file = (results() / "results.h5").string();
+  ASSERT_EQ(run({"probe", file, "--line", "0,.5,.5", "2,.5,.5", "--count", "3"}), 0) << err_;
+  std::istringstream lines(out_);
+  std::vector<std::string> rows;
+  for (std::string line; std::getline(lines, line);) rows.push_back(line);
+  ASSERT_EQ(rows.size(), 5) << out_;  // a heading, and two rows for the middle
+  EXPECT_THAT(rows[0], StartsWith("place,x,y,z,distance,patch,material,u_x"));
+  EXPECT_THAT(rows[2], StartsWith("2,1,0.5,0.5,1,0,soft,"));
+  EXPECT_THAT(rows[3], StartsWith("2,1,0.5,0.5,1,1,\"hard, grey\","));
+  EXPECT_EQ(run({"probe", file, "--line", "0,0,0", "1,0,0", "--point", "0,0,0"}), 2);
+}
+
+TEST_F(Accuracy, ValuesOverAListOfPlacesAreCsv) {
+  ASSERT_EQ(run_text(two_materials), 0) << err_;
+  const std::string file = (results() / "results.h5").string();
+  const std::string places = (folder_ / "places.csv").string();
+  write_file(places, "x,y,z\n# by hand\n.5,.5,.5\r\n\n500 mm,.5,.5\n9,9,9\n");
+  ASSERT_EQ(run({"probe", file, "--places", places}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("\n1,0.5,0.5,0.5,0,0,soft,"));
+  EXPECT_THAT(out_, HasSubstr("\n2,0.5,0.5,0.5,0,0,soft,"));
+  EXPECT_THAT(out_, HasSubstr(",,,,,,,,,,,\n"));
+  write_file(places, ".5,.5,.5\n1,2\n");
+  EXPECT_EQ(run({"probe", file, "--places", places}), 2);
+  EXPECT_THAT(err_, HasSubstr("places.csv:2: expected three values"));
+}
+
+}  // namespace
+}  // namespace isopatch::app
