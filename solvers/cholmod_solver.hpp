@@ -1,8 +1,11 @@
 #pragma once
 
+#include <vector>
+
 #include "geometry/base/progress.hpp"
 #include "solvers/linear_operator.hpp"
 #include "solvers/linear_system.hpp"
+#include "solvers/scaled_system.hpp"
 #include "solvers/solve_report.hpp"
 #include "solvers/solver_options.hpp"
 
@@ -19,8 +22,8 @@ namespace isopatch::solvers {
 /// per
 ///         block of the matrix
 /// @source Chen, Davis, Hager, Rajamanickam 2008 (CHOLMOD)
-LinearSolution solve_with_cholmod(const LinearSystem& system, const SolverOptions& options,
-                                  const Progress& progress);
+std::vector<LinearSolution> solve_with_cholmod(const ScaledSystems& systems, const SolverOptions& options,
+                                               const Progress& progress);
 
 /// A factorization to be used many times, without refinement: the coarsest level of a multigrid. Any positive
 /// pivot will do, since who iterates judges the result by the true residual.

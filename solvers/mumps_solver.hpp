@@ -1,7 +1,9 @@
 #pragma once
 
+#include <vector>
+
 #include "geometry/base/progress.hpp"
-#include "solvers/linear_system.hpp"
+#include "solvers/scaled_system.hpp"
 #include "solvers/solve_report.hpp"
 #include "solvers/solver_options.hpp"
 
@@ -20,7 +22,7 @@ namespace isopatch::solvers {
 /// side
 ///         and solution are the first one's
 /// @source Amestoy, Duff, L'Excellent, Koster 2001 (MUMPS); inertia: Gould 1985
-LinearSolution solve_with_mumps(const LinearSystem& system, const SolverOptions& options,
-                                const Progress& progress);
+std::vector<LinearSolution> solve_with_mumps(const ScaledSystems& systems, const SolverOptions& options,
+                                             const Progress& progress);
 
 }  // namespace isopatch::solvers

@@ -8,6 +8,7 @@
 #include "app/base/engineering_units.hpp"
 #include "app/base/internal/json_values.hpp"
 #include "app/base/place_text.hpp"
+#include "app/commands/input_options.hpp"
 #include "app/results/stored_results.hpp"
 #include "geometry/base/error.hpp"
 
@@ -57,7 +58,7 @@ ExitCode probe_command(const ProbeCommand& command, const Console& console) {
   if (!command.point.empty()) where.point = parse_point(command.point);
   where.patch = command.patch;
   if (!command.parameter.empty()) where.parameter = parse_parameter(command.parameter);
-  const StoredValues found = probe(iga::read_result(command.results), where);
+  const StoredValues found = probe(iga::read_result(command.results, command.case_name), where);
   console.out << (command.json ? values_json(found) : values_text(found));
   return ExitCode::ok;
 }
@@ -68,6 +69,7 @@ void add_probe_command(CLI::App& app, CommandLine& line) {
       add_command(app, line, "probe", "Values at a place of stored results", probe_examples,
                   [command](const Console& console) { return probe_command(*command, console); });
   probe.add_option("results", command->results, "A results.h5")->required();
+  add_case(probe, command->case_name);
   probe.add_option("--point", command->point, "A place X,Y,Z in m, or with units")->type_name("X,Y,Z");
   probe.add_option("--patch", command->patch, "A patch, from 0")->type_name("N");
   probe.add_option("--parameter", command->parameter, "A parameter of that patch")->type_name("A,B,C");

@@ -1,10 +1,12 @@
 #include "app/results/summary.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <omp.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "app/base/engineering_units.hpp"
 #include "app/base/provenance.hpp"
@@ -138,10 +140,10 @@ Json solver_json(const solvers::SolveReport& report, double tolerance, std::int6
           {"solve_seconds", report.solve_seconds}};
 }
 
-Json reactions_json(const StudyRun& run) {
+Json reactions_json(const StudyRun& run, const iga::ElasticityResults& results) {
   Json reactions = Json::array();
   for (std::size_t i = 0; i < run.built.supports.size(); ++i) {
-    const iga::Reaction& reaction = run.solution.results.reactions[i];
+    const iga::Reaction& reaction = results.reactions[i];
     reactions.push_back({{"support", run.built.supports[i].key},
                          {"force", to_json(reaction.force)},
                          {"moment", to_json(reaction.moment)}});
@@ -149,8 +151,7 @@ Json reactions_json(const StudyRun& run) {
   return reactions;
 }
 
-Json results_json(const StudyRun& run) {
-  const iga::ElasticityResults& results = run.solution.results;
+Json results_json(const StudyRun& run, const iga::ElasticityResults& results) {
   const auto& model = run.built.problem.discretization.model;
   const auto at = [&](const iga::Extremum& e) {
     if (e.patch < 0) return Json(nullptr);
@@ -174,12 +175,12 @@ Json results_json(const StudyRun& run) {
           {"max_strain_at", at(results.max_strain)},
           {"unresolved_energy_share", unresolved_share(results)},
           {"total_load", to_json(results.total_load)},
-          {"reactions", reactions_json(run)}};
+          {"reactions", reactions_json(run, results)}};
 }
 
-Json probes_json(const StudyRun& run) {
+Json probes_json(const std::vector<ProbeValues>& probes) {
   Json result = Json::array();
-  for (const ProbeValues& probe : run.probes)
+  for (const ProbeValues& probe : probes)
     result.push_back({{"name", probe.name},
                       {"patch", probe.patch},
                       {"parameter", to_json(Eigen::Vector3d(probe.parameter))},
@@ -187,6 +188,24 @@ Json probes_json(const StudyRun& run) {
                       {"displacement", to_json(probe.values.displacement)},
                       {"stress", symmetric_to_json(probe.values.stress)},
                       {"von_mises", probe.values.von_mises}});
+  return result;
+}
+
+Json cases_json(const Study& study, const StudyRun& run) {
+  Json result = Json::array();
+  if (!run.has_cases()) return result;
+  for (const CaseView& one : cases_of(run)) {
+    Json factors = Json::object();
+    for (const auto& [name, factor] : one.name.factors) factors[name] = factor;
+    result.push_back({{"name", one.name.name},
+                      {"kind", one.name.factors.empty() ? "case" : "combination"},
+                      {"loads", one.name.loads},
+                      {"factors", factors},
+                      {"results", results_json(run, one.solution.results)},
+                      {"probes", probes_json(one.probes)},
+                      {"solver", solver_json(one.solution.solver, study.options.solver.tolerance,
+                                             one.solution.predicted_bytes)}});
+  }
   return result;
 }
 
@@ -210,8 +229,7 @@ std::string regions_text(const StudyRun& run) {
   return text;
 }
 
-std::string reactions_text(const StudyRun& run) {
-  const iga::ElasticityResults& results = run.solution.results;
+std::string reactions_text(const StudyRun& run, const iga::ElasticityResults& results) {
   // Reactions that balance inside one support vanish beside the stresses on the surface.
   double scale =
       std::max(results.total_load.norm(), results.max_von_mises.value * run.built.report.boundary_area);
@@ -223,10 +241,9 @@ std::string reactions_text(const StudyRun& run) {
   return text;
 }
 
-std::string probes_text(const StudyRun& run) {
-  const iga::ElasticityResults& results = run.solution.results;
+std::string probes_text(const std::vector<ProbeValues>& probes, const iga::ElasticityResults& results) {
   std::string text;
-  for (const ProbeValues& probe : run.probes)
+  for (const ProbeValues& probe : probes)
     text += fmt::format(
         "  {:<17} displacement {}, von Mises {}\n", probe.name,
         vector_with_unit(without_round_off(probe.values.displacement, results.max_displacement.value), "m"),
@@ -265,11 +282,37 @@ std::string solver_text(const solvers::SolveReport& report) {
          why;
 }
 
+std::string case_heading(const CaseName& name) {
+  if (name.name.empty()) return "";
+  std::string of;
+  for (const auto& [one, factor] : name.factors)
+    of += fmt::format("{}{:g} {}",
+                      of.empty()   ? ""
+                      : factor < 0 ? " - "
+                                   : " + ",
+                      of.empty() ? factor : std::abs(factor), one);
+  if (name.factors.empty())
+    of = name.loads.empty() ? "what supports prescribe" : fmt::format("{}", fmt::join(name.loads, ", "));
+  return fmt::format("{} {}: {}\n", name.factors.empty() ? "case" : "combination", name.name, of);
+}
+
+// Largest values, reactions and probes of one case.
+std::string case_text(const StudyRun& run, const CaseView& one) {
+  const iga::ElasticityResults& results = one.solution.results;
+  const double size = run.built.problem.discretization.model.size();
+  return case_heading(one.name) +
+         fmt::format("  max displacement  {} at {}\n", with_unit(results.max_displacement.value, "m"),
+                     place_with_unit(results.max_displacement.place, size)) +
+         von_mises_text(results, size) +
+         fmt::format("  internal energy   {}\n", with_unit(results.internal_energy, "J")) +
+         reactions_text(run, results) + probes_text(one.probes, results);
+}
+
 }  // namespace
 
 std::string summary_json(const Study& study, const StudyRun& run) {
   Json json = {
-      {"schema_version", 1},
+      {"schema_version", 2},
       {"program", {{"name", "isopatch"}, {"version", version()}}},
       {"title", study.title},
       {"study", study.source},
@@ -281,8 +324,9 @@ std::string summary_json(const Study& study, const StudyRun& run) {
       {"coupling", iga::name(study.options.coupling)},
       {"solver",
        solver_json(run.solution.solver, study.options.solver.tolerance, run.solution.predicted_bytes)},
-      {"results", results_json(run)},
-      {"probes", probes_json(run)},
+      {"results", results_json(run, run.solution.results)},
+      {"probes", probes_json(run.probes)},
+      {"cases", cases_json(study, run)},
       {"warnings", texts_json(run.built.warnings)},
       {"warning_places", places_json(run.built.warnings)},
       {"timings", timings_json(run)},
@@ -296,7 +340,6 @@ std::string summary_json(const Study& study, const StudyRun& run) {
 std::string summary_text(const Study& study, const StudyRun& run) {
   const auto& model = run.built.problem.discretization.model;
   const iga::ProblemSize& size = run.solution.size;
-  const iga::ElasticityResults& results = run.solution.results;
   double total = 0;
   for (const iga::PhaseTime& time : run.timings) total += time.seconds;
   std::string text = study.title.empty() ? "" : study.title + "\n";
@@ -310,11 +353,7 @@ std::string summary_text(const Study& study, const StudyRun& run) {
                       with_separators(size.dofs), with_separators(size.dofs_free),
                       with_separators(size.elements), iga::name(study.options.coupling));
   text += solver_text(run.solution.solver);
-  text += fmt::format("  max displacement  {} at {}\n", with_unit(results.max_displacement.value, "m"),
-                      place_with_unit(results.max_displacement.place, model.size()));
-  text += von_mises_text(results, model.size());
-  text += fmt::format("  internal energy   {}\n", with_unit(results.internal_energy, "J"));
-  text += reactions_text(run) + probes_text(run);
+  for (const CaseView& one : cases_of(run)) text += case_text(run, one);
   text += fmt::format("  time, memory      {}, {}{}\n", seconds_text(total), bytes_text(run.peak_bytes),
                       study.options.processes.count() == 1
                           ? ""

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "app/study/face_selection.hpp"
 
@@ -50,6 +51,7 @@ struct AppliedLoad {
   std::string key = {};   ///< what results call it: its name, or "load 1"
   std::variant<Traction, Pressure, Force, BodyForce, Gravity> load = {};
   Place place = {};
+  std::vector<std::string> cases = {};  ///< the load cases that it acts in; none in a study without
   bool operator==(const AppliedLoad&) const = default;
 };
 

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/study/case_keys.hpp"
 #include "app/study/selection_keys.hpp"
 
 namespace isopatch::app {
@@ -68,6 +69,9 @@ const Keys<AppliedLoad>& load_keys() {
       load_vector_key<BodyForce>("body_force", dim::force_per_volume, "Force per volume."),
       load_vector_key<Gravity>("gravity", dim::acceleration,
                                "Acceleration of gravity; the materials need a density."),
+      case_key<L>(
+          "Load case that it belongs to, or several. Loads of one case act together; cases are solved "
+          "with one set-up, and each has results of its own."),
   };
   return keys;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/study/case_keys.hpp"
 #include "app/study/config_section.hpp"
 #include "app/study/load_keys.hpp"
 #include "app/study/material_keys.hpp"
@@ -66,6 +67,8 @@ Study parse_study(const std::string& text, const std::filesystem::path& source_n
     study.supports.push_back(read_support(input, study.supports.size()));
   for (const ConfigSection& input : sections(top.load, "load"))
     study.loads.push_back(read_load(input, study.loads.size()));
+  for (const ConfigSection& input : sections(top.combination, "combination"))
+    study.combinations.push_back(read_combination(input, study.combinations.size()));
   for (const ConfigSection& input : sections(top.probe, "probe"))
     study.probes.push_back(read_probe(input, study.probes.size()));
   read_options(top, study);

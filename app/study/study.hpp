@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/study/applied_load.hpp"
+#include "app/study/combination_input.hpp"
 #include "app/study/config_value.hpp"
 #include "app/study/face_selection.hpp"
 #include "app/study/model_input.hpp"
@@ -71,6 +72,7 @@ struct Study {
   std::vector<MaterialInput> materials;
   std::vector<SupportInput> supports;
   std::vector<AppliedLoad> loads;
+  std::vector<CombinationInput> combinations = {};
   iga::ElasticityOptions options;
   std::vector<ProbeInput> probes;
   OutputInput output;

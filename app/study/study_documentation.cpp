@@ -4,6 +4,7 @@
 
 #include "app/base/unit_table.hpp"
 #include "app/study/attachment_keys.hpp"
+#include "app/study/case_keys.hpp"
 #include "app/study/generated_models.hpp"
 #include "app/study/load_keys.hpp"
 #include "app/study/material_keys.hpp"
@@ -111,6 +112,10 @@ std::vector<SectionText> study_sections() {
       {"load", "[[load]]",
        "One of `traction`, `pressure`, `force` on faces, or one of `body_force`, `gravity` in patches.",
        texts(load_keys())},
+      {"combination", "[[combination]]",
+       "A sum of load cases with factors, as codes ask for. It costs no solution; stresses and energies are "
+       "computed from the sum.",
+       texts(combination_keys())},
       {"where", "where = { ... } of supports and loads",
        "Faces chosen by geometry, because patch numbers mean little where a program made the patches. All "
        "conditions given "

@@ -71,6 +71,8 @@ const Keys<StudyKeys>& study_keys() {
       value_key<StudyKeys>("support", "array of tables", &StudyKeys::support, "What holds the part.")
           .required(),
       value_key<StudyKeys>("load", "array of tables", &StudyKeys::load, "What acts on the part."),
+      value_key<StudyKeys>("combination", "array of tables", &StudyKeys::combination,
+                           "Sums of load cases with factors."),
       value_key<StudyKeys>("coupling", "table", &StudyKeys::coupling, "How the patches are held together."),
       value_key<StudyKeys>("solver", "table", &StudyKeys::solver, "How the equations are solved."),
       value_key<StudyKeys>("probe", "array of tables", &StudyKeys::probe, "Places whose values are wanted."),

@@ -32,6 +32,7 @@ struct StudyKeys {
   std::optional<ConfigValue> material;
   std::optional<ConfigValue> support;
   std::optional<ConfigValue> load;
+  std::optional<ConfigValue> combination;
   std::optional<ConfigValue> coupling;
   std::optional<ConfigValue> solver;
   std::optional<ConfigValue> probe;

@@ -34,6 +34,9 @@ struct SupportInput {
   std::string key = {};   ///< what results call it: its name, or "support 1"
   FaceSelection selection = {};
   std::variant<HeldDisplacement, Symmetry, Roller> condition = {};
+  /// Load cases in which it moves its faces by what it prescribes, while it holds them at 0 in others; none:
+  /// in all.
+  std::vector<std::string> cases = {};
   bool operator==(const SupportInput&) const = default;
 };
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <variant>
 
+#include "app/study/case_keys.hpp"
 #include "app/study/selection_keys.hpp"
 
 namespace isopatch::app {
@@ -119,6 +120,7 @@ const Keys<SupportInput>& support_keys() {
                           .normal_displacement = read_quantity(value, "normal_displacement", dim::length);
                     })
           .with_default("0"),
+      case_key<S>("Load cases in which what it prescribes acts; in others it holds at 0. Without, in all."),
   };
   return keys;
 }

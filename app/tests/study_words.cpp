@@ -162,7 +162,8 @@ std::string words_of(const Roller& roller) {
 }
 
 std::string words_of(const SupportInput& input) {
-  return fmt::format("support key {}\nsupport kind {}\n", input.key, kind_name(input)) +
+  return fmt::format("support key {}\nsupport kind {}\nsupport cases {}\n", input.key, kind_name(input),
+                     fmt::join(input.cases, " ")) +
          words_of(input.selection, "support") +
          std::visit([](const auto& condition) { return words_of(condition); }, input.condition);
 }
@@ -179,6 +180,7 @@ std::string words_of(const AppliedLoad& input) {
   std::string text =
       fmt::format("load key {}\nload {} {}\n", input.key, kind_name(input),
                   std::visit([](const auto& load) { return value_text(load.value); }, input.load));
+  text += fmt::format("load cases {}\n", fmt::join(input.cases, " "));
   if (const PatchSelection* patches = patches_of(input))
     text += fmt::format("load patches{}\n", words_of(*patches));
   if (const FaceSelection* faces = faces_of(input)) text += words_of(*faces, "load");
@@ -218,6 +220,11 @@ std::string words_of(const Study& study) {
   for (const MaterialInput& input : study.materials) text += words_of(input);
   for (const SupportInput& input : study.supports) text += words_of(input);
   for (const AppliedLoad& input : study.loads) text += words_of(input);
+  for (const CombinationInput& input : study.combinations) {
+    text += "combination " + input.name;
+    for (const auto& [name, factor] : input.factors) text += fmt::format(" {} {:g}", name, factor);
+    text += "\n";
+  }
   for (const ProbeInput& input : study.probes) text += words_of(input);
   return "\n" + text + words_of(study.options) + words_of(study.output);
 }

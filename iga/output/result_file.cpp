@@ -1,10 +1,13 @@
 #include "iga/output/result_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/nearest_name.hpp"
 #include "geometry/io/hdf5_connections.hpp"
 #include "geometry/io/hdf5_nurbs.hpp"
 #include "geometry/io/packed_numbers.hpp"
@@ -58,17 +61,49 @@ void read_materials(const Hdf5Reader& file, std::vector<Material>& of_patches) {
   for (const std::int64_t number : numbers) of_patches.push_back(materials[static_cast<std::size_t>(number)]);
 }
 
-void write_field(Hdf5Writer& file, const ElasticField& field) {
-  geometry::write_volumes(file, "/patches", field.patches);
+void write_displacement(Hdf5Writer& file, const std::string& path, const ElasticField& field) {
   geometry::PackedNumbers displacement;
   for (const Eigen::Matrix3Xd& of_patch : field.displacement) displacement.add(of_patch);
-  displacement.write(file, "/patches/displacement", 3);
-  write_materials(file, field.materials);
+  displacement.write(file, path, 3);
 }
 
-void read_field(const Hdf5Reader& file, ElasticField& field) {
+Eigen::Matrix3Xd forces_of(const std::vector<Multiplier>& multipliers) {
+  Eigen::Matrix3Xd forces(3, static_cast<Eigen::Index>(multipliers.size()));
+  for (std::size_t i = 0; i < multipliers.size(); ++i)
+    forces.col(static_cast<Eigen::Index>(i)) = multipliers[i].force;
+  return forces;
+}
+
+// Where a case has its datasets: the first where files without cases have theirs.
+struct CasePaths {
+  explicit CasePaths(std::size_t index)
+      : displacement(index == 0 ? "/patches/displacement" : fmt::format("/cases/{:05}/displacement", index)),
+        forces(index == 0 ? "/multipliers/forces" : fmt::format("/cases/{:05}/forces", index)) {}
+  std::string displacement, forces;
+};
+
+std::vector<std::string> case_names_of(const Hdf5Reader& file) {
+  std::vector<std::string> names;
+  if (!file.contains("/cases/names")) return names;
+  std::istringstream lines(file.text("/cases/names"));
+  for (std::string line; std::getline(lines, line);) names.push_back(line);
+  return names;
+}
+
+std::size_t index_of_case(const std::vector<std::string>& names, const std::string& name,
+                          const std::filesystem::path& path) {
+  if (name.empty()) return 0;
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  throw Error(ErrorCode::invalid_argument,
+              names.empty() ? fmt::format("{} has no load cases, so none named '{}'", path.string(), name)
+                            : fmt::format("{} has no load case '{}'{}; it has {}", path.string(), name,
+                                          did_you_mean(name, names), fmt::join(names, ", ")));
+}
+
+void read_field(const Hdf5Reader& file, const std::string& path, ElasticField& field) {
   field.patches = geometry::read_volumes(file, "/patches");
-  geometry::UnpackedNumbers displacement(file, "/patches/displacement", 3);
+  geometry::UnpackedNumbers displacement(file, path, 3);
   for (const NurbsVolume& patch : field.patches)
     field.displacement.emplace_back(displacement.take(patch.size()));
   displacement.require_end();
@@ -80,33 +115,39 @@ void read_field(const Hdf5Reader& file, ElasticField& field) {
 
 }  // namespace
 
-void write_hdf5(const ElasticField& field, const std::vector<Multiplier>& multipliers,
-                const geometry::PatchConnections& connections, const std::string& study,
-                const std::string& summary, const geometry::ByteSink& sink) {
+void write_hdf5(const std::vector<CaseToStore>& cases, const geometry::PatchConnections& connections,
+                const std::string& study, const std::string& summary, const geometry::ByteSink& sink) {
+  const CaseToStore& first = cases.front();
   Hdf5Writer file;
   file.write("/format", format_name);
   file.write("/version", format_version);
   file.write("/study", study);
   file.write("/summary", summary);
   geometry::write_connections(file, "/model", connections);
-  write_field(file, field);
+  geometry::write_volumes(file, "/patches", first.field.patches);
+  write_materials(file, first.field.materials);
   std::vector<std::int64_t> nodes;
-  nodes.reserve(2 * multipliers.size());
-  Eigen::Matrix3Xd forces(3, static_cast<Eigen::Index>(multipliers.size()));
-  for (std::size_t i = 0; i < multipliers.size(); ++i) {
-    nodes.push_back(multipliers[i].first_node);
-    nodes.push_back(multipliers[i].second_node);
-    forces.col(static_cast<Eigen::Index>(i)) = multipliers[i].force;
+  nodes.reserve(2 * first.multipliers.size());
+  for (const Multiplier& multiplier : first.multipliers) {
+    nodes.push_back(multiplier.first_node);
+    nodes.push_back(multiplier.second_node);
   }
   file.write("/multipliers/nodes", nodes);
-  file.write("/multipliers/forces", forces);
+  std::string names;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const CasePaths paths(i);
+    write_displacement(file, paths.displacement, cases[i].field);
+    file.write(paths.forces, forces_of(cases[i].multipliers));
+    names += cases[i].name + "\n";
+  }
+  if (!first.name.empty()) file.write("/cases/names", names);
   sink(file.view());
 }
 
 std::string to_hdf5(const StoredResult& result) {
   std::string bytes;
-  write_hdf5(result.field, result.multipliers, result.connections, result.study, result.summary,
-             [&](std::string_view all) { bytes = all; });
+  write_hdf5({{result.case_name, result.field, result.multipliers}}, result.connections, result.study,
+             result.summary, [&](std::string_view all) { bytes = all; });
   return bytes;
 }
 
@@ -114,7 +155,7 @@ geometry::MultiPatch model_of(const StoredResult& result) {
   return geometry::connected(result.field.patches, result.connections);
 }
 
-StoredResult read_result(const std::filesystem::path& path) {
+StoredResult read_result(const std::filesystem::path& path, const std::string& case_name) {
   const Hdf5Reader file(path);
   if (!file.contains("/format") || file.text("/format") != format_name)
     throw Error(ErrorCode::bad_format, path.string() + ": an HDF5 file, but not a result of isopatch");
@@ -125,9 +166,13 @@ StoredResult read_result(const std::filesystem::path& path) {
                     "the version of isopatch that wrote them",
                     path.string(), version, format_version));
   StoredResult result;
+  result.case_names = case_names_of(file);
+  const std::size_t index = index_of_case(result.case_names, case_name, path);
+  const CasePaths paths(index);
+  if (!result.case_names.empty()) result.case_name = result.case_names[index];
   try {
     result.connections = geometry::read_connections(file, "/model");
-    read_field(file, result.field);
+    read_field(file, paths.displacement, result.field);
     geometry::validate(result.connections, result.field.patches.size());
   } catch (const Error& error) {
     if (error.code() != ErrorCode::invalid_argument) throw;
@@ -136,10 +181,10 @@ StoredResult read_result(const std::filesystem::path& path) {
   result.study = file.text("/study");
   result.summary = file.text("/summary");
   const std::vector<std::int64_t> nodes = file.integers("/multipliers/nodes");
-  const Eigen::MatrixXd forces = file.matrix("/multipliers/forces", 3);
+  const Eigen::MatrixXd forces = file.matrix(paths.forces, 3);
   if (static_cast<Eigen::Index>(nodes.size()) != 2 * forces.cols())
     throw Error(ErrorCode::bad_format,
-                path.string() + ": /multipliers/nodes and /multipliers/forces differ in length");
+                path.string() + ": /multipliers/nodes and " + paths.forces + " differ in length");
   for (Eigen::Index i = 0; i < forces.cols(); ++i)
     result.multipliers.push_back({static_cast<int>(nodes[static_cast<std::size_t>(2 * i)]),
                                   static_cast<int>(nodes[static_cast<std::size_t>(2 * i + 1)]),
