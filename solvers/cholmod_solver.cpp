@@ -217,16 +217,28 @@ std::vector<LinearSolution> solve_with_cholmod(const ScaledSystems& systems, con
   return factorize_and_solve(cholesky, systems, options, progress, watch, std::move(report));
 }
 
-LinearOperator cholmod_inverse(SymmetricBlockMatrix matrix) {
-  struct Inverse {
-    explicit Inverse(SymmetricBlockMatrix m)
-        : matrix(std::move(m)), ordering(fill_reducing_ordering(matrix)), cholesky(matrix, ordering) {}
-    SymmetricBlockMatrix matrix;
-    BlockOrdering ordering;
-    Cholesky<std::int64_t> cholesky;
-  };
+namespace {
+
+struct Inverse {
+  explicit Inverse(SymmetricBlockMatrix m)
+      : matrix(std::move(m)), ordering(fill_reducing_ordering(matrix)), cholesky(matrix, ordering) {
+    cholesky.factorize();
+  }
+  SymmetricBlockMatrix matrix;
+  BlockOrdering ordering;
+  Cholesky<std::int64_t> cholesky;
+};
+
+}  // namespace
+
+BlockOperator cholmod_block_inverse(SymmetricBlockMatrix matrix) {
   const auto inverse = std::make_shared<Inverse>(std::move(matrix));
-  inverse->cholesky.factorize();
+  inverse->cholesky.check_pivots();
+  return [inverse](const Eigen::MatrixXd& b) { return inverse->cholesky.solve(b); };
+}
+
+LinearOperator cholmod_inverse(SymmetricBlockMatrix matrix) {
+  const auto inverse = std::make_shared<Inverse>(std::move(matrix));
   return [inverse](const Eigen::VectorXd& b) -> Eigen::VectorXd { return inverse->cholesky.solve(b); };
 }
 

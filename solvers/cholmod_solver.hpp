@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "geometry/base/progress.hpp"
+#include "solvers/block_lanczos.hpp"
 #include "solvers/linear_operator.hpp"
 #include "solvers/linear_system.hpp"
 #include "solvers/scaled_system.hpp"
@@ -29,5 +30,8 @@ std::vector<LinearSolution> solve_with_cholmod(const ScaledSystems& systems, con
 /// pivot will do, since who iterates judges the result by the true residual.
 /// @throws Error singular_system, out_of_memory  for pivots that are not positive, and as solve_with_cholmod
 LinearOperator cholmod_inverse(SymmetricBlockMatrix matrix);
+
+/// The same for several right sides at once, and with the pivots checked as `solve_with_cholmod` does.
+BlockOperator cholmod_block_inverse(SymmetricBlockMatrix matrix);
 
 }  // namespace isopatch::solvers

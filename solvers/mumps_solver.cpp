@@ -85,18 +85,19 @@ class SymmetricFactorization {
 
   // Checks that the matrix has `negative` negative eigenvalues and no zero one.
   void check_inertia(std::int64_t negative) const {
-    const int zero = get(infog::null_pivots), found = get(infog::negative_pivots);
-    if (zero > 0)
-      throw Error(ErrorCode::singular_system,
-                  fmt::format("the matrix of {} rows is singular: {} of its pivots are zero to working "
-                              "precision",
-                              rows_, zero));
+    check_zero_pivots();
+    const int found = get(infog::negative_pivots);
     if (found != negative)
       throw Error(
           ErrorCode::singular_system,
           fmt::format("the matrix of {} rows has {} negative pivots instead of {}, one for each constraint: "
                       "the stiffness is not positive definite where the constraints hold",
                       rows_, found, negative));
+  }
+
+  std::int64_t negative_pivots() const {
+    check_zero_pivots();
+    return get(infog::negative_pivots);
   }
 
   // Right sides and solutions of the whole system, on all processes. MUMPS wants the ones and gives the
@@ -123,6 +124,14 @@ class SymmetricFactorization {
   std::int64_t peak_bytes() const { return std::int64_t{1'000'000} * get(infog::memory_megabytes); }
 
  private:
+  void check_zero_pivots() const {
+    const int zero = get(infog::null_pivots);
+    if (zero > 0)
+      throw Error(ErrorCode::singular_system,
+                  fmt::format("the matrix of {} rows is singular: {} of its pivots are zero to working "
+                              "precision",
+                              rows_, zero));
+  }
   void broadcast(Eigen::MatrixXd& b) const {
     if (processes_.count() == 1) return;
     for (Eigen::Index j = 0; j < b.cols(); ++j) {
@@ -207,6 +216,19 @@ std::vector<LinearSolution> solve_with_mumps(const ScaledSystems& systems, const
   report.factor_flops = factorization.flops();
   report.memory_bytes = factorization.peak_bytes() + system.rows.processes().sum(entries.bytes());
   return with_reports(systems, std::move(refined), report, watch.lap());
+}
+
+std::int64_t negative_eigenvalues(const SymmetricBlockMatrix& matrix) {
+  start_mpi();
+  LinearSystem system;
+  system.stiffness = matrix;
+  system.load = Eigen::VectorXd::Zero(matrix.rows());
+  const ScaledSystem scaled(system);
+  MatrixEntries entries = upper_entries(scaled, 1);
+  SymmetricFactorization factorization(Processes(), global_rows(scaled), entries);
+  factorization.analyze();
+  factorization.factorize();
+  return factorization.negative_pivots();
 }
 
 }  // namespace isopatch::solvers

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "geometry/base/progress.hpp"
@@ -24,5 +25,10 @@ namespace isopatch::solvers {
 /// @source Amestoy, Duff, L'Excellent, Koster 2001 (MUMPS); inertia: Gould 1985
 std::vector<LinearSolution> solve_with_mumps(const ScaledSystems& systems, const SolverOptions& options,
                                              const Progress& progress);
+
+/// How many eigenvalues of a symmetric matrix are negative, by the pivots of its factors (Sylvester's law).
+/// @throws Error singular_system  a pivot that is zero to working precision
+/// @cost   one factorization
+std::int64_t negative_eigenvalues(const SymmetricBlockMatrix& matrix);
 
 }  // namespace isopatch::solvers

@@ -102,7 +102,7 @@ void show_case(Json& json, const std::string& name) {
   if (!cases.is_array()) return;
   for (const Json& one : cases) {
     if (text_at(one, "/name") != name && !(name.empty() && &one == &cases.front())) continue;
-    for (const char* key : {"results", "probes", "solver"}) json[key] = one.value(key, Json());
+    for (const char* key : {"results", "probes", "sections", "solver"}) json[key] = one.value(key, Json());
     const std::vector<std::string> own = texts_of(at(one, "/loads"));
     if (own.empty() || !at(json, "/loads").is_array()) continue;
     Json loads = Json::array();

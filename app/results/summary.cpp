@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <omp.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,6 +16,7 @@
 #include "app/results/internal/json_regions.hpp"
 #include "app/results/internal/parameterization_json.hpp"
 #include "iga/material/material.hpp"
+#include "iga/post/stress_measures.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -84,7 +86,8 @@ Json materials_json(const Study& study, const StudyRun& run) {
                       {"mu", input.material.mu},
                       {"young", iga::young(input.material)},
                       {"poisson", iga::poisson(input.material)},
-                      {"density", input.material.density}});
+                      {"density", input.material.density},
+                      {"yield", input.material.yield > 0 ? Json(input.material.yield) : Json()}});
   }
   return result;
 }
@@ -140,24 +143,33 @@ Json solver_json(const solvers::SolveReport& report, double tolerance, std::int6
           {"solve_seconds", report.solve_seconds}};
 }
 
-Json reactions_json(const StudyRun& run, const iga::ElasticityResults& results) {
+// Moved from the origin.
+Eigen::Vector3d moment_about(const Eigen::Vector3d& point, const iga::Reaction& reaction) {
+  return reaction.moment - point.cross(reaction.force);
+}
+
+Json reactions_json(const StudyRun& run, const iga::ElasticityResults& results,
+                    const Eigen::Vector3d& point) {
   Json reactions = Json::array();
   for (std::size_t i = 0; i < run.built.supports.size(); ++i) {
     const iga::Reaction& reaction = results.reactions[i];
     reactions.push_back({{"support", run.built.supports[i].key},
                          {"force", to_json(reaction.force)},
-                         {"moment", to_json(reaction.moment)}});
+                         {"moment", to_json(reaction.moment)},
+                         {"moment_about_point", to_json(moment_about(point, reaction))}});
   }
   return reactions;
 }
 
-Json results_json(const StudyRun& run, const iga::ElasticityResults& results) {
+Json results_json(const Study& study, const StudyRun& run, const iga::ElasticityResults& results) {
   const auto& model = run.built.problem.discretization.model;
   const auto at = [&](const iga::Extremum& e) {
     if (e.patch < 0) return Json(nullptr);
     return Json{{"patch", e.patch},
                 {"parameter", to_json(Eigen::Vector3d(model.to_input(PatchId(e.patch), e.parameter)))}};
   };
+  const iga::StressPeaks& peaks = results.peaks;
+  const bool has_yield = peaks.utilization.patch >= 0;
   return {{"max_displacement", results.max_displacement.value},
           {"max_displacement_point", to_json(results.max_displacement.place)},
           {"max_displacement_at", at(results.max_displacement)},
@@ -167,6 +179,18 @@ Json results_json(const StudyRun& run, const iga::ElasticityResults& results) {
           {"max_von_mises_point", to_json(results.max_von_mises.place)},
           {"max_von_mises_at", at(results.max_von_mises)},
           {"max_von_mises_sampled", "at Gauss points and on faces"},
+          {"max_principal", peaks.tension.value},
+          {"max_principal_point", to_json(peaks.tension.place)},
+          {"max_principal_at", at(peaks.tension)},
+          {"min_principal", -peaks.compression.value},
+          {"min_principal_point", to_json(peaks.compression.place)},
+          {"min_principal_at", at(peaks.compression)},
+          {"max_tresca", peaks.tresca.value},
+          {"max_tresca_point", to_json(peaks.tresca.place)},
+          {"max_tresca_at", at(peaks.tresca)},
+          {"min_safety_factor", has_yield ? Json(1 / peaks.utilization.value) : Json()},
+          {"min_safety_factor_point", has_yield ? to_json(peaks.utilization.place) : Json()},
+          {"min_safety_factor_at", at(peaks.utilization)},
           {"points_left_out",
            {{"folded", results.left_out.folded},
             {"collapsed", results.left_out.collapsed},
@@ -175,7 +199,8 @@ Json results_json(const StudyRun& run, const iga::ElasticityResults& results) {
           {"max_strain_at", at(results.max_strain)},
           {"unresolved_energy_share", unresolved_share(results)},
           {"total_load", to_json(results.total_load)},
-          {"reactions", reactions_json(run, results)}};
+          {"moments_about", to_json(study.output.moments_about)},
+          {"reactions", reactions_json(run, results, study.output.moments_about)}};
 }
 
 Json probes_json(const std::vector<ProbeValues>& probes) {
@@ -187,8 +212,29 @@ Json probes_json(const std::vector<ProbeValues>& probes) {
                       {"point", to_json(probe.values.place)},
                       {"displacement", to_json(probe.values.displacement)},
                       {"stress", symmetric_to_json(probe.values.stress)},
-                      {"von_mises", probe.values.von_mises}});
+                      {"von_mises", probe.values.von_mises},
+                      {"principal", to_json(iga::principal_values(probe.values.stress))},
+                      {"tresca", iga::tresca(probe.values.stress)}});
   return result;
+}
+
+Json sections_json(const std::vector<SectionValues>& sections) {
+  Json result = Json::array();
+  for (const SectionValues& section : sections)
+    result.push_back({{"name", section.name},
+                      {"point", to_json(section.plane.point)},
+                      {"normal", to_json(section.plane.normal)},
+                      {"area", section.forces.area},
+                      {"centre", to_json(section.forces.centre)},
+                      {"force", to_json(section.forces.force)},
+                      {"moment", to_json(section.forces.moment)}});
+  return result;
+}
+
+Json mass_json(const std::optional<MassProperties>& mass) {
+  if (!mass) return nullptr;
+  return {
+      {"mass", mass->mass}, {"centre", to_json(mass->centre)}, {"inertia", symmetric_to_json(mass->inertia)}};
 }
 
 Json cases_json(const Study& study, const StudyRun& run) {
@@ -201,8 +247,9 @@ Json cases_json(const Study& study, const StudyRun& run) {
                       {"kind", one.name.factors.empty() ? "case" : "combination"},
                       {"loads", one.name.loads},
                       {"factors", factors},
-                      {"results", results_json(run, one.solution.results)},
+                      {"results", results_json(study, run, one.solution.results)},
                       {"probes", probes_json(one.probes)},
+                      {"sections", sections_json(one.sections)},
                       {"solver", solver_json(one.solution.solver, study.options.solver.tolerance,
                                              one.solution.predicted_bytes)}});
   }
@@ -266,6 +313,37 @@ std::string von_mises_text(const iga::ElasticityResults& results, double size) {
   return text;
 }
 
+std::string principal_text(const iga::ElasticityResults& results, double size) {
+  const iga::StressPeaks& peaks = results.peaks;
+  if (peaks.tension.patch < 0) return "";
+  std::string text =
+      fmt::format("  principal         from {} at {} to {} at {}\n  max Tresca        {} at {}\n",
+                  with_unit(-peaks.compression.value, "Pa"), place_with_unit(peaks.compression.place, size),
+                  with_unit(peaks.tension.value, "Pa"), place_with_unit(peaks.tension.place, size),
+                  with_unit(peaks.tresca.value, "Pa"), place_with_unit(peaks.tresca.place, size));
+  if (peaks.utilization.patch >= 0)
+    text += fmt::format("  safety factor     {:.4g} against yield at {}\n", 1 / peaks.utilization.value,
+                        place_with_unit(peaks.utilization.place, size));
+  return text;
+}
+
+// Reactions' moments, where the study names a point for them, and the forces of cuts.
+std::string moments_text(const Study& study, const CaseView& one, double size) {
+  std::string text;
+  const Eigen::Vector3d& point = study.output.moments_about;
+  if (!point.isZero(0))
+    for (const iga::Reaction& reaction : one.solution.results.reactions)
+      text += fmt::format("  moment            {} about {} at {}\n",
+                          vector_with_unit(moment_about(point, reaction), "N m"),
+                          place_with_unit(point, size), reaction.support);
+  for (const SectionValues& section : one.sections)
+    text += fmt::format("  {:<17} {} and {} about {}, on {}\n", section.name,
+                        vector_with_unit(section.forces.force, "N"),
+                        vector_with_unit(section.forces.moment, "N m"),
+                        place_with_unit(section.plane.point, size), with_unit(section.forces.area, "m^2"));
+  return text;
+}
+
 std::string solver_text(const solvers::SolveReport& report) {
   // What was asked for by name and did as it was told needs no explanation.
   const std::string why =
@@ -297,15 +375,15 @@ std::string case_heading(const CaseName& name) {
 }
 
 // Largest values, reactions and probes of one case.
-std::string case_text(const StudyRun& run, const CaseView& one) {
+std::string case_text(const Study& study, const StudyRun& run, const CaseView& one) {
   const iga::ElasticityResults& results = one.solution.results;
   const double size = run.built.problem.discretization.model.size();
   return case_heading(one.name) +
          fmt::format("  max displacement  {} at {}\n", with_unit(results.max_displacement.value, "m"),
                      place_with_unit(results.max_displacement.place, size)) +
-         von_mises_text(results, size) +
+         von_mises_text(results, size) + principal_text(results, size) +
          fmt::format("  internal energy   {}\n", with_unit(results.internal_energy, "J")) +
-         reactions_text(run, results) + probes_text(one.probes, results);
+         reactions_text(run, results) + moments_text(study, one, size) + probes_text(one.probes, results);
 }
 
 }  // namespace
@@ -324,8 +402,10 @@ std::string summary_json(const Study& study, const StudyRun& run) {
       {"coupling", iga::name(study.options.coupling)},
       {"solver",
        solver_json(run.solution.solver, study.options.solver.tolerance, run.solution.predicted_bytes)},
-      {"results", results_json(run, run.solution.results)},
+      {"mass", mass_json(run.built.mass)},
+      {"results", results_json(study, run, run.solution.results)},
       {"probes", probes_json(run.probes)},
+      {"sections", sections_json(run.sections)},
       {"cases", cases_json(study, run)},
       {"warnings", texts_json(run.built.warnings)},
       {"warning_places", places_json(run.built.warnings)},
@@ -348,12 +428,15 @@ std::string summary_text(const Study& study, const StudyRun& run) {
                       model.patch_count(), model.interfaces().size(), model.boundary_faces().size(),
                       bodies == 1 ? "one body" : fmt::format("{} bodies", bodies),
                       with_unit(run.built.report.volume, "m^3"));
+  if (run.built.mass)
+    text += fmt::format("  mass              {}, centre at {}\n", with_unit(1e3 * run.built.mass->mass, "g"),
+                        place_with_unit(run.built.mass->centre, model.size()));
   text += regions_text(run);
   text += fmt::format("  unknowns          {} ({} free), {} elements, coupled by {}\n",
                       with_separators(size.dofs), with_separators(size.dofs_free),
                       with_separators(size.elements), iga::name(study.options.coupling));
   text += solver_text(run.solution.solver);
-  for (const CaseView& one : cases_of(run)) text += case_text(run, one);
+  for (const CaseView& one : cases_of(run)) text += case_text(study, run, one);
   text += fmt::format("  time, memory      {}, {}{}\n", seconds_text(total), bytes_text(run.peak_bytes),
                       study.options.processes.count() == 1
                           ? ""

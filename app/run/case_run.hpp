@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "iga/post/plane_section.hpp"
 #include "iga/solution/solve_elasticity.hpp"
 
 namespace isopatch::app {
@@ -14,6 +15,13 @@ struct ProbeValues {
   int patch = 0;
   geometry::Parameter<3> parameter;  ///< in the input's naming
   iga::FieldValues values;
+};
+
+/// Forces of a cut.
+struct SectionValues {
+  std::string name;
+  iga::CuttingPlane plane;
+  iga::SectionForces forces;
 };
 
 /// A load case or a combination of a study.
@@ -28,6 +36,7 @@ struct CaseRun {
   CaseName name;
   iga::ElasticitySolution solution;
   std::vector<ProbeValues> probes;
+  std::vector<SectionValues> sections = {};
 };
 
 }  // namespace isopatch::app

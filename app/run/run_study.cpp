@@ -13,12 +13,20 @@
 namespace isopatch::app {
 namespace {
 
-std::vector<ProbeValues> probed(const BuiltProblem& built, const iga::ElasticField& field) {
+std::vector<ProbeValues> probe_values(const BuiltProblem& built, const iga::ElasticField& field) {
   const auto& model = built.problem.discretization.model;
   std::vector<ProbeValues> result;
   for (const LocatedProbe& probe : built.probes)
     result.push_back({probe.name, probe.patch, model.to_input(PatchId(probe.patch), probe.parameter),
                       iga::evaluate(field, probe.patch, probe.parameter)});
+  return result;
+}
+
+std::vector<SectionValues> section_values(const BuiltProblem& built, const iga::ElasticField& field) {
+  std::vector<SectionValues> result;
+  for (const LocatedSection& section : built.sections)
+    result.push_back(
+        {section.name, section.plane, iga::section_forces(field, section.plane, section.points)});
   return result;
 }
 
@@ -48,8 +56,9 @@ void add_warnings(const std::string& name, std::vector<Warning> warnings, std::v
 }  // namespace
 
 std::vector<CaseView> cases_of(const StudyRun& run) {
-  std::vector<CaseView> result = {{run.case_name, run.solution, run.probes}};
-  for (const CaseRun& other : run.further) result.push_back({other.name, other.solution, other.probes});
+  std::vector<CaseView> result = {{run.case_name, run.solution, run.probes, run.sections}};
+  for (const CaseRun& other : run.further)
+    result.push_back({other.name, other.solution, other.probes, other.sections});
   return result;
 }
 
@@ -70,8 +79,12 @@ StudyRun run_study(const Study& study, const Progress& progress) {
       run.further.push_back({std::move(names[i]), std::move(solutions[i]), {}});
   }
   for (const iga::PhaseTime& time : run.solution.timings) run.timings.push_back(time);
-  run.probes = probed(run.built, run.solution.field);
-  for (CaseRun& other : run.further) other.probes = probed(run.built, other.solution.field);
+  run.probes = probe_values(run.built, run.solution.field);
+  run.sections = section_values(run.built, run.solution.field);
+  for (CaseRun& other : run.further) {
+    other.probes = probe_values(run.built, other.solution.field);
+    other.sections = section_values(run.built, other.solution.field);
+  }
   std::vector<Warning> warnings;
   for (const CaseView& one : cases_of(run))
     add_warnings(one.name.name, result_warnings(run.built, one.solution), warnings);

@@ -20,7 +20,8 @@ struct StudyRun {
   std::int64_t peak_bytes =
       0;                    ///< most memory that all processes held until the end of these phases, added up
   CaseName case_name = {};  ///< of the solution
-  std::vector<CaseRun> further = {};  ///< the other cases, then the combinations
+  std::vector<CaseRun> further = {};         ///< the other cases, then the combinations
+  std::vector<SectionValues> sections = {};  ///< of the solution
 
   bool has_cases() const { return !case_name.name.empty(); }
 };
@@ -30,6 +31,7 @@ struct CaseView {
   const CaseName& name;
   const iga::ElasticitySolution& solution;
   const std::vector<ProbeValues>& probes;
+  const std::vector<SectionValues>& sections;
 };
 
 /// The case of `solution`, then the others; one alone of a study without cases.

@@ -22,6 +22,7 @@ struct MaterialKeys {
   std::optional<double> young;
   std::optional<double> poisson;
   std::optional<double> density;
+  std::optional<double> yield;
 };
 
 const Keys<MaterialKeys>& material_keys();

@@ -9,8 +9,10 @@
 #include "app/study/load_keys.hpp"
 #include "app/study/material_keys.hpp"
 #include "app/study/model_keys.hpp"
+#include "app/study/modes_keys.hpp"
 #include "app/study/parameterization_keys.hpp"
 #include "app/study/reconstruction_keys.hpp"
+#include "app/study/section_keys.hpp"
 #include "app/study/segmentation_keys.hpp"
 #include "app/study/selection_keys.hpp"
 #include "app/study/study_keys.hpp"
@@ -136,6 +138,13 @@ std::vector<SectionText> study_sections() {
       {"probe", "[[probe]]",
        "Values at a place: displacement, stress and von Mises stress appear in summary.json.",
        texts(probe_keys())},
+      {"section", "[[section]]",
+       "The force and moment that one side of a plane cut exerts on the other, in summary.json and on the "
+       "pages.",
+       texts(section_keys())},
+      {"modes", "[modes]",
+       "Natural frequencies and shapes, by `isopatch modes`; other commands pass over it.",
+       texts(modes_keys())},
       {"output", "[output]", "What is written, and where. Files appear whole or not at all.",
        texts(output_keys())}};
   sections.insert(sections.end(), others.begin(), others.end());

@@ -76,6 +76,9 @@ const Keys<StudyKeys>& study_keys() {
       value_key<StudyKeys>("coupling", "table", &StudyKeys::coupling, "How the patches are held together."),
       value_key<StudyKeys>("solver", "table", &StudyKeys::solver, "How the equations are solved."),
       value_key<StudyKeys>("probe", "array of tables", &StudyKeys::probe, "Places whose values are wanted."),
+      value_key<StudyKeys>("section", "array of tables", &StudyKeys::section,
+                           "Cuts through the part whose forces and moments are wanted."),
+      value_key<StudyKeys>("modes", "table", &StudyKeys::modes, "What `isopatch modes` looks for."),
       value_key<StudyKeys>("output", "table", &StudyKeys::output, "What is written, and where."),
   };
   return keys;
@@ -224,6 +227,9 @@ const Keys<OutputInput>& output_keys() {
                   "Whether results.h5 is written, for `isopatch report`, `probe`, `fields` and `info`."),
       flag_key<O>("report", &O::report,
                   "Whether report.html is written: pictures and figures on one page for any browser."),
+      vector_key<O>("moments_about", &O::moments_about, dim::length,
+                    "The point about which moments of reactions are given besides those about the origin.")
+          .with_default("[0, 0, 0]"),
   };
   return keys;
 }

@@ -36,6 +36,8 @@ struct StudyKeys {
   std::optional<ConfigValue> coupling;
   std::optional<ConfigValue> solver;
   std::optional<ConfigValue> probe;
+  std::optional<ConfigValue> section;
+  std::optional<ConfigValue> modes;
   std::optional<ConfigValue> output;
 };
 

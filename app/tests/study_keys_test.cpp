@@ -60,6 +60,8 @@ std::vector<ShownSection> sections_of_the_model() {
             {"coupling", "coupling = { method = \"lagrange\" }", "coupling lagrange"},
             {"solver", "solver = { max_iterations = 7 }", "iterations 7"},
             {"probe", "probe = [{ name = \"tip\", point = [0, 0, 1] }]", "probe tip"},
+            {"section", "section = [{ point = [0, 0, 1], normal = \"z\" }]", "section section 1"},
+            {"modes", "modes = { number = 7 }", "modes 7"},
             {"output", "output = { pieces = 5 }", "pieces 5"}}},
           {"model",
            "[model]\n",
@@ -240,7 +242,8 @@ std::vector<ShownSection> sections_of_the_problem() {
             {"young", "young = \"5 GPa\"", "mu 2e+09", "poisson = 0.25\n"},
             {"poisson", "poisson = 0", "mu 5e+08", "young = 1e9\n"},
             {"lame", "lame = { lambda = 3e9, mu = 2e9 }", "lambda 3e+09"},
-            {"density", "density = \"2.7 g/cm^3\"", "density 2700", steel}}},
+            {"density", "density = \"2.7 g/cm^3\"", "density 2700", steel},
+            {"yield", "yield = \"355 MPa\"", "yield 3.55e+08", steel}}},
           {"material.lame",
            "[[material]]\n[material.lame]\n",
            {{"lambda", "lambda = \"54 GPa\"", "lambda 5.4e+10", "mu = 1e9\n"},
@@ -299,7 +302,19 @@ std::vector<ShownSection> sections_of_the_problem() {
             {"exact", "exact = false", "exact false"},
             {"precision", "precision = \"single\"", "precision 2"},
             {"hdf5", "hdf5 = false", "hdf5 false"},
-            {"report", "report = false", "report false"}}}};
+            {"report", "report = false", "report false"},
+            {"moments_about", "moments_about = [1, 2, 3]", "moments about 1 2 3"}}},
+          {"section",
+           "[[section]]\n",
+           {{"name", "name = \"neck\"", "section neck", "point = [0, 0, 0]\nnormal = \"x\"\n"},
+            {"point", "point = [\"1 mm\", 0, 2]", "section point 0.001 0 2", "normal = \"x\"\n"},
+            {"normal", "normal = [0, 2, 0]", "section normal 0 1 0", "point = [0, 0, 0]\n"},
+            {"radius", "radius = \"5 mm\"", "section radius 0.005", "point = [0, 0, 0]\nnormal = \"x\"\n"}}},
+          {"modes",
+           "[modes]\n",
+           {{"number", "number = 3", "modes 3"},
+            {"free", "free = true", "modes free true"},
+            {"count", "count = false", "modes counted false"}}}};
 }
 
 std::vector<ShownSection> all_sections() {

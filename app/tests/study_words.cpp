@@ -141,8 +141,8 @@ std::string words_of(const ModelInput& model) {
 
 std::string words_of(const MaterialInput& input) {
   const iga::Material& m = input.material;
-  return fmt::format("material patches{}\nlambda {:.6g}\nmu {:.6g}\ndensity {:g}\ncalled {}\n",
-                     words_of(input.patches), m.lambda, m.mu, m.density, m.name);
+  return fmt::format("material patches{}\nlambda {:.6g}\nmu {:.6g}\ndensity {:g}\nyield {:g}\ncalled {}\n",
+                     words_of(input.patches), m.lambda, m.mu, m.density, m.yield, m.name);
 }
 
 std::string words_of(const HeldDisplacement& held) {
@@ -205,9 +205,10 @@ std::string words_of(const iga::ElasticityOptions& o) {
 }
 
 std::string words_of(const OutputInput& o) {
-  return fmt::format("directory {}\nfields {}\npieces {}\nexact {}\nprecision {}\nhdf5 {}\nreport {}\n",
-                     o.directory.string(), o.fields, o.field_options.pieces, o.field_options.exact,
-                     static_cast<int>(o.field_options.precision), o.hdf5, o.report);
+  return fmt::format(
+      "directory {}\nfields {}\npieces {}\nexact {}\nprecision {}\nhdf5 {}\nreport {}\nmoments about {}\n",
+      o.directory.string(), o.fields, o.field_options.pieces, o.field_options.exact,
+      static_cast<int>(o.field_options.precision), o.hdf5, o.report, words_of(o.moments_about));
 }
 
 }  // namespace
@@ -226,6 +227,11 @@ std::string words_of(const Study& study) {
     text += "\n";
   }
   for (const ProbeInput& input : study.probes) text += words_of(input);
+  for (const SectionInput& input : study.sections)
+    text += fmt::format("section {}\nsection point {}\nsection normal {}\nsection radius {:g}\n", input.name,
+                        words_of(input.plane.point), words_of(input.plane.normal), input.plane.radius);
+  text += fmt::format("modes {}\nmodes free {}\nmodes counted {}\n", study.modes.number, study.modes.is_free,
+                      study.modes.count);
   return "\n" + text + words_of(study.options) + words_of(study.output);
 }
 

@@ -11,6 +11,7 @@ struct Material {
   double mu = 0;       ///< shear modulus, Pa; positive
   double density = 0;  ///< kg/m^3; needed by gravity only
   std::string name;    ///< for reports; may be empty
+  double yield = 0;    ///< yield stress, Pa; 0 if it is not known
   bool operator==(const Material&) const = default;
 };
 

@@ -42,6 +42,7 @@ void write_materials(Hdf5Writer& file, const std::vector<Material>& of_patches) 
     file.write(group + "/lambda", materials[m].lambda);
     file.write(group + "/mu", materials[m].mu);
     file.write(group + "/density", materials[m].density);
+    if (materials[m].yield > 0) file.write(group + "/yield", materials[m].yield);
   }
   file.write("/patches/material", numbers);
 }
@@ -56,7 +57,8 @@ void read_materials(const Hdf5Reader& file, std::vector<Material>& of_patches) {
   for (std::int64_t m = 0; m <= most; ++m) {
     const std::string group = material_group(static_cast<std::size_t>(m));
     materials.push_back({file.number(group + "/lambda"), file.number(group + "/mu"),
-                         file.number(group + "/density"), file.text(group + "/name")});
+                         file.number(group + "/density"), file.text(group + "/name"),
+                         file.contains(group + "/yield") ? file.number(group + "/yield") : 0});
   }
   for (const std::int64_t number : numbers) of_patches.push_back(materials[static_cast<std::size_t>(number)]);
 }

@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 using geometry::NurbsVolume;
 using Parameter3 = geometry::Parameter<3>;
 
-constexpr int coarse_pieces = 4;  // of an element along each direction
+constexpr int pieces_of_element = 4;  // along each direction
 
 // A corner of the grid in an element: where it is, and how far from the plane.
 struct GridPoint {
@@ -37,8 +37,7 @@ class Cutter {
   }
 
   // Adds the cut of a box of parameters, in so many pieces along each direction.
-  void cut(const Parameter3& low, const Parameter3& high, int pieces, double weight,
-           std::vector<SectionPoint>& out) const {
+  void cut(const Parameter3& low, const Parameter3& high, int pieces, std::vector<SectionPoint>& out) const {
     const auto count = static_cast<std::size_t>(pieces) + 1;
     std::vector<GridPoint> grid(count * count * count);
     const auto index = [&](std::size_t i, std::size_t j, std::size_t k) {
@@ -60,18 +59,26 @@ class Cutter {
               const auto bits = static_cast<std::size_t>(corners[c]);
               of[c] = &grid[index(i + (bits & 1), j + (bits >> 1 & 1), k + (bits >> 2 & 1))];
             }
-            cut_tetrahedron(of, weight, out);
+            cut_tetrahedron(of, out);
           }
   }
 
  private:
-  // Where the line between two corners on different sides meets the plane: regula falsi of Illinois.
-  GridPoint crossing(GridPoint a, GridPoint b) const {
+  // Where a line from behind the plane to before it meets the plane.
+  struct Crossing {
+    GridPoint point;
+    Parameter3 behind, before;
+    double share = 0;  // of the way
+  };
+
+  // Regula falsi of Illinois.
+  Crossing crossing(const GridPoint& behind, const GridPoint& before) const {
+    GridPoint a = behind, b = before, middle = behind;
+    const double enough = 1e-13 * (b.place - a.place).norm();
     for (int step = 0; step < 30; ++step) {
       const double share = a.distance / (a.distance - b.distance);
-      const GridPoint middle = at(a.parameter + share * (b.parameter - a.parameter));
-      if (std::abs(middle.distance) <= 1e-13 * (b.place - a.place).norm() || middle.distance == 0)
-        return middle;
+      middle = at(a.parameter + share * (b.parameter - a.parameter));
+      if (std::abs(middle.distance) <= enough) break;
       if ((middle.distance < 0) == (b.distance < 0)) {
         a.distance *= 0.5;
       } else {
@@ -79,42 +86,79 @@ class Cutter {
       }
       b = middle;
     }
-    return b;
+    const Parameter3 way = before.parameter - behind.parameter;
+    return {middle, behind.parameter, before.parameter,
+            (middle.parameter - behind.parameter).dot(way) / way.squaredNorm()};
+  }
+
+  // The point of the plane in the middle of two, on the face of the tetrahedron on which they lie: so
+  // outlines of the part stay on its faces.
+  GridPoint middle(const Crossing& p, const Crossing& q) const {
+    const Parameter3 straight = 0.5 * (p.point.parameter + q.point.parameter);
+    const double before = p.share + q.share, behind = 2 - before;
+    if (before > 0 && behind > 0) {
+      const GridPoint from = at(((1 - p.share) * p.behind + (1 - q.share) * q.behind) / behind);
+      const GridPoint to = at((p.share * p.before + q.share * q.before) / before);
+      if (from.distance <= 0 && to.distance > 0) return crossing(from, to).point;
+    }
+    return at(straight);
   }
 
   // Corners in the plane count as behind it, so that a face in the plane belongs to one side alone.
-  void cut_tetrahedron(const std::array<const GridPoint*, 4>& corners, double weight,
-                       std::vector<SectionPoint>& out) const {
+  void cut_tetrahedron(const std::array<const GridPoint*, 4>& corners, std::vector<SectionPoint>& out) const {
     std::array<const GridPoint*, 4> behind{}, before{};
     std::size_t b = 0, f = 0;
     for (const GridPoint* corner : corners) (corner->distance <= 0 ? behind[b++] : before[f++]) = corner;
     if (b == 0 || f == 0) return;
     if (b == 2) {
-      const GridPoint p = crossing(*behind[0], *before[0]), q = crossing(*behind[0], *before[1]),
-                      r = crossing(*behind[1], *before[1]), s = crossing(*behind[1], *before[0]);
-      add_triangle(p, q, r, weight, out);
-      add_triangle(p, r, s, weight, out);
-      return;
+      const Crossing p = crossing(*behind[0], *before[0]), q = crossing(*behind[0], *before[1]),
+                     r = crossing(*behind[1], *before[1]), t = crossing(*behind[1], *before[0]);
+      add_triangle(p, q, r, out);
+      add_triangle(p, r, t, out);
+    } else if (b == 1) {
+      add_triangle(crossing(*behind[0], *before[0]), crossing(*behind[0], *before[1]),
+                   crossing(*behind[0], *before[2]), out);
+    } else {
+      add_triangle(crossing(*behind[0], *before[0]), crossing(*behind[1], *before[0]),
+                   crossing(*behind[2], *before[0]), out);
     }
-    const GridPoint& lone = b == 1 ? *behind[0] : *before[0];
-    const auto& others = b == 1 ? before : behind;
-    add_triangle(crossing(lone, *others[0]), crossing(lone, *others[1]), crossing(lone, *others[2]), weight,
-                 out);
   }
 
-  // The middles of the edges integrate quadratic functions.
-  void add_triangle(const GridPoint& a, const GridPoint& b, const GridPoint& c, double weight,
+  // Quadratic in its corners and the middles of its edges; six points integrate polynomials of degree 4
+  // (Dunavant 1985).
+  void add_triangle(const Crossing& a, const Crossing& b, const Crossing& c,
                     std::vector<SectionPoint>& out) const {
-    const double area = 0.5 * (b.place - a.place).cross(c.place - a.place).norm();
-    if (!(area > 0)) return;
-    if ((((a.place + b.place + c.place) / 3) - plane_.point).norm() > plane_.radius) return;
-    const auto add = [&](const GridPoint& p, const GridPoint& q) {
-      out.push_back(
-          {patch_, 0.5 * (p.parameter + q.parameter), 0.5 * (p.place + q.place), weight * area / 3});
-    };
-    add(a, b);
-    add(b, c);
-    add(c, a);
+    const Vector3d flat = (b.point.place - a.point.place).cross(c.point.place - a.point.place);
+    if (!(flat.norm() > 0)) return;
+    if (((a.point.place + b.point.place + c.point.place) / 3 - plane_.point).norm() > plane_.radius) return;
+    const std::array<GridPoint, 6> nodes = {a.point,      b.point,      c.point,
+                                            middle(a, b), middle(b, c), middle(c, a)};
+    for (const auto& [share, corner, weight] :
+         {std::array{0.109951743655322, 0.816847572980459, 0.091576213509771},
+          std::array{0.223381589678011, 0.108103018168070, 0.445948490915965}})
+      for (int turn = 0; turn < 3; ++turn) {
+        Vector3d l = Vector3d::Constant(weight);
+        l[turn] = corner;
+        const Eigen::Matrix<double, 6, 1> values = {l[0] * (2 * l[0] - 1), l[1] * (2 * l[1] - 1),
+                                                    l[2] * (2 * l[2] - 1), 4 * l[0] * l[1],
+                                                    4 * l[1] * l[2],       4 * l[2] * l[0]};
+        // Derivatives along the second and the third coordinate, the first being 1 less these.
+        const Eigen::Matrix<double, 6, 1> along = {1 - 4 * l[0],      4 * l[1] - 1, 0,
+                                                   4 * (l[0] - l[1]), 4 * l[2],     -4 * l[2]};
+        const Eigen::Matrix<double, 6, 1> across = {1 - 4 * l[0], 0,        4 * l[2] - 1,
+                                                    -4 * l[1],    4 * l[1], 4 * (l[0] - l[2])};
+        SectionPoint point{patch_, Parameter3::Zero(), Vector3d::Zero(), 0};
+        Vector3d first = Vector3d::Zero(), second = Vector3d::Zero();
+        for (int i = 0; i < 6; ++i) {
+          const GridPoint& node = nodes[static_cast<std::size_t>(i)];
+          point.parameter += values[i] * node.parameter;
+          point.place += values[i] * node.place;
+          first += along[i] * node.place;
+          second += across[i] * node.place;
+        }
+        point.area = 0.5 * share * first.cross(second).dot(flat.normalized());
+        out.push_back(point);
+      }
   }
 
   const NurbsVolume& volume_;
@@ -168,8 +212,7 @@ std::vector<SectionPoint> section_points(const std::vector<NurbsVolume>& patches
         high[d] = breaks[direction][at[direction] + 1];
       }
       if (!may_cut(cutter, low, high)) return;
-      cutter.cut(low, high, coarse_pieces, -1.0 / 3, found[e]);
-      cutter.cut(low, high, 2 * coarse_pieces, 4.0 / 3, found[e]);
+      cutter.cut(low, high, pieces_of_element, found[e]);
     });
     for (const auto& of_element : found) result.insert(result.end(), of_element.begin(), of_element.end());
   }

@@ -5,6 +5,7 @@
 #include "iga/multigrid/elasticity_multigrid.hpp"
 #include "iga/multigrid/level_operator.hpp"
 #include "solvers/block_product.hpp"
+#include "solvers/load_sequence.hpp"
 #include "solvers/operator_system.hpp"
 
 namespace isopatch::iga {
@@ -85,11 +86,12 @@ std::vector<DiscreteSolution> solve_eliminated(const CoupledProblem& coupled,
     system.costs.matrix_nonzeros = matrix.nonzeros();
     system.costs.bytes += matrix.bytes();
   }
+  solvers::LoadSequence sequence(system, solvers::KrylovMethod::cg);
   std::vector<DiscreteSolution> result;
   for (const RightSide& side : coupled.right_sides) {
     const Eigen::VectorXd prescribed = prescribed_rows(level, side.prescribed);
-    system.load = free_load(level, stiffness, side.load, prescribed);
-    solvers::LinearSolution solved = solve_with_cg(system, options, progress);
+    solvers::LinearSolution solved =
+        sequence.solve(free_load(level, stiffness, side.load, prescribed), options, progress);
     const Eigen::VectorXd of_rows = prescribed + level.free.to_space(std::move(solved.x));
     result.push_back({whole_at_nodes(level, level.rows.whole(of_rows)), {}, std::move(solved.report)});
   }

@@ -4,6 +4,7 @@
 #include "iga/multigrid/elasticity_multigrid.hpp"
 #include "iga/multigrid/level_operator.hpp"
 #include "iga/solution/saddle_point.hpp"
+#include "solvers/load_sequence.hpp"
 #include "solvers/operator_system.hpp"
 
 namespace isopatch::iga {
@@ -25,10 +26,10 @@ std::vector<DiscreteSolution> solve_with_multipliers(const CoupledProblem& coupl
   system.product = [&](const VectorXd& z) { return saddle.product(z); };
   system.preconditioner = [&](const VectorXd& r) { return saddle.preconditioned(r); };
   system.costs = {.levels = multigrid.levels(), .bytes = multigrid.bytes(), .setup_seconds = watch.lap()};
+  solvers::LoadSequence sequence(system, solvers::KrylovMethod::minres);
   std::vector<DiscreteSolution> result;
   for (const RightSide& side : coupled.right_sides) {
-    system.load = saddle.load(side);
-    solvers::LinearSolution solved = solve_with_minres(system, options, progress);
+    solvers::LinearSolution solved = sequence.solve(saddle.load(side), options, progress);
     result.push_back(
         {saddle.displacement(solved.x, side), saddle.multipliers(solved.x), std::move(solved.report)});
   }

@@ -104,6 +104,7 @@ void add_results(const CoupledProblem& coupled, const RightSide& side, const Dis
   results.max_displacement = largest(max_displacement(solution.field, coupled.parts), coupled.processes);
   const FaceStresses on_faces = summed(stresses_on_faces(solution.field, coupled.parts), coupled.processes);
   results.max_von_mises = larger(internal.max_von_mises, on_faces.max_von_mises);
+  results.peaks = together(internal.peaks, on_faces.peaks);
   results.max_strain = internal.max_strain;
   results.left_out = together(internal.left_out, on_faces.left_out);
   results.unresolved = internal.unresolved;

@@ -101,6 +101,23 @@ TEST(LoadCases, EachIsTheSolutionOfItsOwnProblem) {
   }
 }
 
+// A case that is a sum of others and one with little new in it: few iterations, if any, and the same
+// solution.
+TEST(LoadCases, WhatEarlierCasesHaveSolvedIsNotSolvedAgain) {
+  const ElasticityProblem p = boxed();
+  const LoadCases related = {{{"a", {"pull"}, {}}, {"b", {"wind"}, {}}, {"both", {"pull", "wind"}, {}}}};
+  for (const Way& way : ways()) {
+    if (way.method != solvers::Method::cg && way.method != solvers::Method::minres) continue;
+    SCOPED_TRACE(solvers::name(way.method));
+    const std::vector<ElasticitySolution> together = solve_cases(p, related, options_of(way));
+    const ElasticitySolution alone = solve_elasticity(of_case(p, related.cases[2]), options_of(way));
+    expect_same(together[2], alone);
+    EXPECT_LE(together[2].solver.iterations, alone.solver.iterations / 2);
+    EXPECT_LE(together[2].solver.energy_error, 1e-11);
+    EXPECT_GT(together[1].solver.iterations, alone.solver.iterations / 2);
+  }
+}
+
 // By hand: all loads and displacements scaled, in one problem that is solved alone.
 TEST(LoadCases, ACombinationIsTheSolutionOfTheCombinedLoads) {
   ElasticityProblem sum = boxed();

@@ -175,8 +175,9 @@ TEST(Solve, SolvesEachOfSeveralLoadsAsAlone) {
         const LinearSolution alone = solve(system, by(method, 1e-13));
         // The BLAS sums columns of a block in another order; the condition is some 1e3.
         EXPECT_LE(relative_difference(together[i].x, alone.x), 1e-11) << name(method) << ", load " << i;
-        if (saddle)
+        if (saddle) {
           EXPECT_LE(relative_difference(together[i].multipliers, alone.multipliers), 1e-11) << name(method);
+        }
         EXPECT_LE(together[i].report.relative_residual, 1e-13) << name(method);
         EXPECT_EQ(together[i].report.method, method);
       }
