@@ -33,7 +33,10 @@ class Cutter {
 
   GridPoint at(const Parameter3& parameter) const {
     const Vector3d place = volume_.point(parameter);
-    return {parameter, place, plane_.normal.dot(place - plane_.point)};
+    const double distance = plane_.normal.dot(place - plane_.point);
+    // Faces of elements in the plane have corners there, not on either side of it by round-off.
+    const bool is_in_plane = std::abs(distance) <= 1e-12 * (place.norm() + plane_.point.norm());
+    return {parameter, place, is_in_plane ? 0 : distance};
   }
 
   // Adds the cut of a box of parameters, in so many pieces along each direction.

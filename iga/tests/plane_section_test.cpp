@@ -71,6 +71,16 @@ TEST(PlaneSection, OfARoundOutline) {
   EXPECT_NEAR(found.area, 0.75 * std::numbers::pi, 1e-4);
 }
 
+// Faces of elements that lie in the plane but for round-off count once.
+TEST(PlaneSection, AlongFacesOfElements) {
+  const auto model = geometry::connect(
+      geometry::cylinder_model({.inner_radius = 1, .outer_radius = 2, .height = 1, .patches_around = 4}));
+  const ElasticField field = linear_field(model, some_gradient());
+  const double diagonal = std::numbers::pi / 4;
+  const Eigen::Vector3d normal(-std::sin(diagonal), std::cos(diagonal), 0);
+  EXPECT_NEAR(cut(field, {{0, 0, 0.5}, normal}).area, 1, 1e-9);
+}
+
 TEST(PlaneSection, WithARadiusCutsOneArm) {
   const auto model =
       geometry::connect(geometry::cylinder_model({.inner_radius = 1, .outer_radius = 2, .height = 1}));

@@ -116,8 +116,8 @@ TEST(LoadCases, StressMeasuresOfTheThickCylinder) {
   const double mises = std::sqrt(0.5 * (80.0 / 3 * 80.0 / 3 + 12.0 * 12.0 + 44.0 / 3 * 44.0 / 3));
   claim("safety factor", "", 20 / mises, 1 / results.peaks.utilization.value, 1e-4);
   const app::SectionValues& wall = s.run.sections[0];
-  claim("area of a cut through the wall", "m^2", 0.5, wall.forces.area, 1e-9);
-  claim("hoop force on it", "N", 5, wall.forces.force.dot(wall.plane.normal), 1e-5);
+  claim("area of a cut through the wall", "m^2", 0.5, wall.forces.area, 1e-6);
+  claim("hoop force on it", "N", 5, wall.forces.force.dot(wall.plane.normal), 1e-4);
 }
 
 }  // namespace
