@@ -173,7 +173,8 @@ class Cutter {
 bool may_cut(const NurbsVolume& volume, const CuttingPlane& plane) {
   const Eigen::RowVectorXd distance =
       plane.normal.transpose() * (volume.control_points().colwise() - plane.point);
-  return distance.minCoeff() <= 0 && distance.maxCoeff() > 0;
+  const double round_off = 1e-12 * (volume.control_points().norm() + plane.point.norm());
+  return distance.minCoeff() <= round_off && distance.maxCoeff() > 0;
 }
 
 // Whether the plane passes through a box of parameters, by its corners and middle and how far they are apart.
