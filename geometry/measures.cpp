@@ -136,6 +136,29 @@ double volume(const NurbsVolume& patch) {
   return sum;
 }
 
+// By Gauss's theorem with the fields x_i^2 / 2 e_i, x_i^2 x_j / 2 e_i and x_i^3 / 3 e_i.
+VolumeMoments volume_moments(const NurbsVolume& patch, const Eigen::Vector3d& origin) {
+  VolumeMoments result;
+  for (const Side side : all_sides) {
+    const NurbsSurface surface = face_surface(patch, side);
+    const double sign = is_high(side) != (direction(side) == 1) ? 1 : -1;
+    at_gauss_points(
+        surface, [&](int d) { return points_for(surface, d) + surface.degree(d); },
+        [&](const Parameter<2>&, double weight, const Eigen::Vector3d& point,
+            const Eigen::Matrix<double, 3, 2>& columns) {
+          const Eigen::Vector3d x = point - origin;
+          const Eigen::Vector3d flux = sign * weight * columns.col(0).cross(columns.col(1));
+          result.volume += x.dot(flux) / 3;
+          result.first += 0.5 * x.cwiseProduct(x).cwiseProduct(flux);
+          for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+              result.second(i, j) += x[i] * x[i] * x[j] * flux[i] / (i == j ? 3 : 2);
+        });
+  }
+  result.second = (0.5 * (result.second + result.second.transpose())).eval();
+  return result;
+}
+
 double area(const NurbsSurface& surface) {
   double sum = 0;
   at_gauss_points(

@@ -15,6 +15,16 @@ Eigen::AlignedBox3d box(const NurbsVolume& volume);
 /// to round-off.
 double volume(const NurbsVolume& patch);
 
+/// Volume and its moments, model units^3, ^4 and ^5.
+struct VolumeMoments {
+  double volume = 0;
+  Eigen::Vector3d first = Eigen::Vector3d::Zero();   ///< integral of x - origin
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();  ///< integral of (x - origin) (x - origin)^T
+};
+/// The same way as `volume`, with as many more points as the higher powers ask for.
+/// @param origin  about which moments are taken; near the patch, so that nothing cancels
+VolumeMoments volume_moments(const NurbsVolume& patch, const Eigen::Vector3d& origin);
+
 /// Area by Gauss quadrature with as many points as the volume; model units^2.
 double area(const NurbsSurface& surface);
 

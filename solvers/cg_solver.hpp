@@ -1,7 +1,9 @@
 #pragma once
 
+#include <vector>
+
 #include "geometry/base/progress.hpp"
-#include "solvers/linear_system.hpp"
+#include "solvers/scaled_system.hpp"
 #include "solvers/solve_report.hpp"
 #include "solvers/solver_options.hpp"
 
@@ -15,7 +17,7 @@ namespace isopatch::solvers {
 /// @throws Error singular_system  a direction without positive energy, or a diagonal block without
 /// @throws Error not_converged    with the residual reached and advice
 /// @cost   12 vectors beside the matrix; iterations grow like the square root of the condition
-LinearSolution solve_with_cg(const LinearSystem& system, const SolverOptions& options,
-                             const Progress& progress);
+std::vector<LinearSolution> solve_with_cg(const ScaledSystems& systems, const SolverOptions& options,
+                                          const Progress& progress);
 
 }  // namespace isopatch::solvers

@@ -97,25 +97,30 @@ class Cholesky {
     }
   }
 
-  Eigen::VectorXd solve(const Eigen::VectorXd& b) {
-    Eigen::VectorXd permuted(b.size());
-    for (std::size_t k = 0; k < ordering_.order.size(); ++k)
-      permuted.segment<block_size>(block_size * k) =
-          b.segment<block_size>(block_size * static_cast<Eigen::Index>(ordering_.order[k]));
+  // Column by column.
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& b) {
+    Eigen::MatrixXd permuted(b.rows(), b.cols());
+    for (Eigen::Index j = 0; j < b.cols(); ++j)
+      for (std::size_t k = 0; k < ordering_.order.size(); ++k)
+        permuted.col(j).segment<block_size>(block_size * k) =
+            b.col(j).segment<block_size>(block_size * static_cast<Eigen::Index>(ordering_.order[k]));
     cholmod_dense view = {};
-    view.nrow = view.nzmax = view.d = static_cast<std::size_t>(b.size());
-    view.ncol = 1;
+    view.nrow = view.d = static_cast<std::size_t>(b.rows());
+    view.ncol = static_cast<std::size_t>(b.cols());
+    view.nzmax = view.nrow * view.ncol;
     view.x = permuted.data();
     view.xtype = CHOLMOD_REAL;
     view.dtype = CHOLMOD_DOUBLE;
     const BlasThreads threads;
     cholmod_dense* solution = Api::solve(CHOLMOD_A, factor_.get(), &view, workspace_.get());
     if (!solution) fail_out_of_memory(8.0 * b.size());
-    const Eigen::Map<const Eigen::VectorXd> values(static_cast<const double*>(solution->x), b.size());
-    Eigen::VectorXd x(b.size());
-    for (std::size_t k = 0; k < ordering_.order.size(); ++k)
-      x.segment<block_size>(block_size * static_cast<Eigen::Index>(ordering_.order[k])) =
-          values.segment<block_size>(block_size * k);
+    const Eigen::Map<const Eigen::MatrixXd> values(static_cast<const double*>(solution->x), b.rows(),
+                                                   b.cols());
+    Eigen::MatrixXd x(b.rows(), b.cols());
+    for (Eigen::Index j = 0; j < b.cols(); ++j)
+      for (std::size_t k = 0; k < ordering_.order.size(); ++k)
+        x.col(j).segment<block_size>(block_size * static_cast<Eigen::Index>(ordering_.order[k])) =
+            values.col(j).segment<block_size>(block_size * k);
     Api::free_dense(&solution, workspace_.get());
     return x;
   }
@@ -176,31 +181,28 @@ class Cholesky {
 };
 
 template <class Index>
-LinearSolution factorize_and_solve(Cholesky<Index>& cholesky, const LinearSystem& system,
-                                   const SolverOptions& options, const Progress& progress, Stopwatch& watch,
-                                   SolveReport report) {
+std::vector<LinearSolution> factorize_and_solve(Cholesky<Index>& cholesky, const ScaledSystems& systems,
+                                                const SolverOptions& options, const Progress& progress,
+                                                Stopwatch& watch, SolveReport report) {
   report.analysis_seconds = watch.lap();
   progress("factorization", 0);
   cholesky.factorize();
   cholesky.check_pivots();
   report.factorization_seconds = watch.lap();
   progress("solution", 0);
-  const ScaledSystem scaled(system);
-  RefinedSolution refined = solve_and_refine(
-      scaled, [&](const Eigen::VectorXd& b) { return cholesky.solve(b); }, options.tolerance);
-  report.solve_seconds = watch.lap();
-  report.residual_history = std::move(refined.history);
-  report.iterations = static_cast<int>(report.residual_history.size()) - 1;
+  std::vector<RefinedSolution> refined = solve_and_refine(
+      systems, [&](const Eigen::MatrixXd& b) { return cholesky.solve(b); }, options.tolerance);
   report.factor_nonzeros = static_cast<std::int64_t>(cholesky.entries());
   report.factor_flops = cholesky.flops();
   report.memory_bytes = cholesky.peak_bytes();
-  return {std::move(refined.z), {}, std::move(report)};
+  return with_reports(systems, std::move(refined), report, watch.lap());
 }
 
 }  // namespace
 
-LinearSolution solve_with_cholmod(const LinearSystem& system, const SolverOptions& options,
-                                  const Progress& progress) {
+std::vector<LinearSolution> solve_with_cholmod(const ScaledSystems& systems, const SolverOptions& options,
+                                               const Progress& progress) {
+  const LinearSystem& system = systems.front().system();
   Stopwatch watch;
   SolveReport report;
   report.method = Method::cholmod;
@@ -209,23 +211,35 @@ LinearSolution solve_with_cholmod(const LinearSystem& system, const SolverOption
   if (block_entries * system.stiffness.blocks() <= std::numeric_limits<std::int32_t>::max()) {
     Cholesky<std::int32_t> cholesky(system.stiffness, ordering);
     if (cholesky.fits())
-      return factorize_and_solve(cholesky, system, options, progress, watch, std::move(report));
+      return factorize_and_solve(cholesky, systems, options, progress, watch, std::move(report));
   }
   Cholesky<std::int64_t> cholesky(system.stiffness, ordering);
-  return factorize_and_solve(cholesky, system, options, progress, watch, std::move(report));
+  return factorize_and_solve(cholesky, systems, options, progress, watch, std::move(report));
+}
+
+namespace {
+
+struct Inverse {
+  explicit Inverse(SymmetricBlockMatrix m)
+      : matrix(std::move(m)), ordering(fill_reducing_ordering(matrix)), cholesky(matrix, ordering) {
+    cholesky.factorize();
+  }
+  SymmetricBlockMatrix matrix;
+  BlockOrdering ordering;
+  Cholesky<std::int64_t> cholesky;
+};
+
+}  // namespace
+
+BlockOperator cholmod_block_inverse(SymmetricBlockMatrix matrix) {
+  const auto inverse = std::make_shared<Inverse>(std::move(matrix));
+  inverse->cholesky.check_pivots();
+  return [inverse](const Eigen::MatrixXd& b) { return inverse->cholesky.solve(b); };
 }
 
 LinearOperator cholmod_inverse(SymmetricBlockMatrix matrix) {
-  struct Inverse {
-    explicit Inverse(SymmetricBlockMatrix m)
-        : matrix(std::move(m)), ordering(fill_reducing_ordering(matrix)), cholesky(matrix, ordering) {}
-    SymmetricBlockMatrix matrix;
-    BlockOrdering ordering;
-    Cholesky<std::int64_t> cholesky;
-  };
   const auto inverse = std::make_shared<Inverse>(std::move(matrix));
-  inverse->cholesky.factorize();
-  return [inverse](const Eigen::VectorXd& b) { return inverse->cholesky.solve(b); };
+  return [inverse](const Eigen::VectorXd& b) -> Eigen::VectorXd { return inverse->cholesky.solve(b); };
 }
 
 }  // namespace isopatch::solvers

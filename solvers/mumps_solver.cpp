@@ -85,12 +85,8 @@ class SymmetricFactorization {
 
   // Checks that the matrix has `negative` negative eigenvalues and no zero one.
   void check_inertia(std::int64_t negative) const {
-    const int zero = get(infog::null_pivots), found = get(infog::negative_pivots);
-    if (zero > 0)
-      throw Error(ErrorCode::singular_system,
-                  fmt::format("the matrix of {} rows is singular: {} of its pivots are zero to working "
-                              "precision",
-                              rows_, zero));
+    check_zero_pivots();
+    const int found = get(infog::negative_pivots);
     if (found != negative)
       throw Error(
           ErrorCode::singular_system,
@@ -99,16 +95,21 @@ class SymmetricFactorization {
                       rows_, found, negative));
   }
 
-  // Right side and solution of the whole system, on all processes. MUMPS wants the one and gives the other on
-  // the first.
-  Eigen::VectorXd solve(Eigen::VectorXd b) {
+  std::int64_t negative_pivots() const {
+    check_zero_pivots();
+    return get(infog::negative_pivots);
+  }
+
+  // Right sides and solutions of the whole system, on all processes. MUMPS wants the ones and gives the
+  // others on the first.
+  Eigen::MatrixXd solve(Eigen::MatrixXd b) {
     const BlasThreads threads;
     mumps_.rhs = b.data();
-    mumps_.nrhs = 1;
+    mumps_.nrhs = static_cast<MUMPS_INT>(b.cols());
     mumps_.lrhs = mumps_.n;
     run(job::solution);
     if (get(infog::status) < 0) fail("solution");
-    processes_.broadcast(b, 0);
+    broadcast(b);
     return b;
   }
 
@@ -123,6 +124,22 @@ class SymmetricFactorization {
   std::int64_t peak_bytes() const { return std::int64_t{1'000'000} * get(infog::memory_megabytes); }
 
  private:
+  void check_zero_pivots() const {
+    const int zero = get(infog::null_pivots);
+    if (zero > 0)
+      throw Error(ErrorCode::singular_system,
+                  fmt::format("the matrix of {} rows is singular: {} of its pivots are zero to working "
+                              "precision",
+                              rows_, zero));
+  }
+  void broadcast(Eigen::MatrixXd& b) const {
+    if (processes_.count() == 1) return;
+    for (Eigen::Index j = 0; j < b.cols(); ++j) {
+      Eigen::VectorXd column = b.col(j);
+      processes_.broadcast(column, 0);
+      b.col(j) = column;
+    }
+  }
   void run(int what) {
     mumps_.job = what;
     dmumps_c(&mumps_);
@@ -154,31 +171,35 @@ class SymmetricFactorization {
   DMUMPS_STRUC_C mumps_ = {};
 };
 
-// The inverse for local vectors.
-Eigen::VectorXd solve_local(SymmetricFactorization& factorization, const ScaledSystem& scaled,
-                            const Eigen::VectorXd& b) {
+// The inverse for local vectors, column by column.
+Eigen::MatrixXd solve_local(SymmetricFactorization& factorization, const ScaledSystem& scaled,
+                            const Eigen::MatrixXd& b) {
   const LinearSystem& system = scaled.system();
   if (!system.rows.is_distributed()) return factorization.solve(b);
-  Eigen::VectorXd whole(global_rows(scaled));
-  whole << system.rows.whole(scaled.unknowns(b)),
-      system.multiplier_rows.whole(b.tail(system.constraints.rows()));
-  const Eigen::VectorXd z = factorization.solve(std::move(whole));
+  Eigen::MatrixXd whole(global_rows(scaled), b.cols());
+  for (Eigen::Index j = 0; j < b.cols(); ++j)
+    whole.col(j) << system.rows.whole(scaled.unknowns(b.col(j))),
+        system.multiplier_rows.whole(b.col(j).tail(system.constraints.rows()));
+  const Eigen::MatrixXd z = factorization.solve(std::move(whole));
   const Eigen::Index unknowns = block_size * Eigen::Index{system.rows.global_rows()};
-  Eigen::VectorXd result(scaled.rows());
-  result << system.rows.part(z.head(unknowns)), system.multiplier_rows.part(z.tail(z.size() - unknowns));
+  Eigen::MatrixXd result(scaled.rows(), b.cols());
+  for (Eigen::Index j = 0; j < b.cols(); ++j)
+    result.col(j) << system.rows.part(z.col(j).head(unknowns)),
+        system.multiplier_rows.part(z.col(j).tail(z.rows() - unknowns));
   return result;
 }
 
 }  // namespace
 
-LinearSolution solve_with_mumps(const LinearSystem& system, const SolverOptions& options,
-                                const Progress& progress) {
+std::vector<LinearSolution> solve_with_mumps(const ScaledSystems& systems, const SolverOptions& options,
+                                             const Progress& progress) {
+  const ScaledSystem& scaled = systems.front();
+  const LinearSystem& system = scaled.system();
   start_mpi();
   Stopwatch watch;
   SolveReport report;
   report.method = Method::mumps;
   progress("ordering", 0);
-  const ScaledSystem scaled(system);
   MatrixEntries entries = upper_entries(scaled, 1);
   SymmetricFactorization factorization(system.rows.processes(), global_rows(scaled), entries);
   factorization.analyze();
@@ -188,16 +209,26 @@ LinearSolution solve_with_mumps(const LinearSystem& system, const SolverOptions&
   factorization.check_inertia(system.constraint_count());
   report.factorization_seconds = watch.lap();
   progress("solution", 0);
-  RefinedSolution refined = solve_and_refine(
-      scaled, [&](const Eigen::VectorXd& b) { return solve_local(factorization, scaled, b); },
+  std::vector<RefinedSolution> refined = solve_and_refine(
+      systems, [&](const Eigen::MatrixXd& b) { return solve_local(factorization, scaled, b); },
       options.tolerance);
-  report.solve_seconds = watch.lap();
-  report.residual_history = std::move(refined.history);
-  report.iterations = static_cast<int>(report.residual_history.size()) - 1;
   report.factor_nonzeros = factorization.factor_entries();
   report.factor_flops = factorization.flops();
   report.memory_bytes = factorization.peak_bytes() + system.rows.processes().sum(entries.bytes());
-  return {scaled.unknowns(refined.z), scaled.multipliers(refined.z), std::move(report)};
+  return with_reports(systems, std::move(refined), report, watch.lap());
+}
+
+std::int64_t negative_eigenvalues(const SymmetricBlockMatrix& matrix) {
+  start_mpi();
+  LinearSystem system;
+  system.stiffness = matrix;
+  system.load = Eigen::VectorXd::Zero(matrix.rows());
+  const ScaledSystem scaled(system);
+  MatrixEntries entries = upper_entries(scaled, 1);
+  SymmetricFactorization factorization(Processes(), global_rows(scaled), entries);
+  factorization.analyze();
+  factorization.factorize();
+  return factorization.negative_pivots();
 }
 
 }  // namespace isopatch::solvers

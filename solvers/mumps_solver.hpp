@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "geometry/base/progress.hpp"
-#include "solvers/linear_system.hpp"
+#include "solvers/scaled_system.hpp"
 #include "solvers/solve_report.hpp"
 #include "solvers/solver_options.hpp"
 
@@ -20,7 +23,12 @@ namespace isopatch::solvers {
 /// side
 ///         and solution are the first one's
 /// @source Amestoy, Duff, L'Excellent, Koster 2001 (MUMPS); inertia: Gould 1985
-LinearSolution solve_with_mumps(const LinearSystem& system, const SolverOptions& options,
-                                const Progress& progress);
+std::vector<LinearSolution> solve_with_mumps(const ScaledSystems& systems, const SolverOptions& options,
+                                             const Progress& progress);
+
+/// How many eigenvalues of a symmetric matrix are negative, by the pivots of its factors (Sylvester's law).
+/// @throws Error singular_system  a pivot that is zero to working precision
+/// @cost   one factorization
+std::int64_t negative_eigenvalues(const SymmetricBlockMatrix& matrix);
 
 }  // namespace isopatch::solvers

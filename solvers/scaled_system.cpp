@@ -47,7 +47,8 @@ Extended product(const ScaledSystem& scaled, const Eigen::VectorXd& z, const Ent
 
 }  // namespace
 
-ScaledSystem::ScaledSystem(const LinearSystem& system) : system_(system) {
+ScaledSystem::ScaledSystem(const LinearSystem& system, const Eigen::VectorXd& load)
+    : system_(system), load_(load) {
   const double mean = system.has_constraints() ? mean_diagonal(system.stiffness, system.rows) : 1;
   if (mean > 0) scale_ = mean;
 }
@@ -64,18 +65,18 @@ double ScaledSystem::norm(const Eigen::VectorXd& z) const {
 }
 
 double ScaledSystem::load_norm() const {
-  return system_.rows.norm(system_.load);
+  return system_.rows.norm(load_);
 }
 
 Eigen::VectorXd ScaledSystem::right_side() const {
   Eigen::VectorXd b = Eigen::VectorXd::Zero(rows());
-  b.head(system_.load.size()) = system_.load;
+  b.head(load_.size()) = load_;
   return b;
 }
 
 Eigen::VectorXd ScaledSystem::residual(const Eigen::VectorXd& z) const {
   Extended r = -product(*this, z, [](double value) { return value; });
-  r.head(system_.load.size()) += system_.load.cast<long double>();
+  r.head(load_.size()) += load_.cast<long double>();
   return r.cast<double>();
 }
 
@@ -86,7 +87,7 @@ double ScaledSystem::relative_residual(const Eigen::VectorXd& z) const {
 
 double ScaledSystem::rounding_level(const Eigen::VectorXd& z) const {
   Extended size = product(*this, z.cwiseAbs(), [](double value) { return std::abs(value); });
-  size.head(system_.load.size()) += system_.load.cwiseAbs().cast<long double>();
+  size.head(load_.size()) += load_.cwiseAbs().cast<long double>();
   return std::numeric_limits<double>::epsilon() * norm(size.cast<double>()) / load_norm();
 }
 

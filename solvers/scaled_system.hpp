@@ -36,12 +36,15 @@ struct CompressedRows {
 ///
 /// Without s, K of 1e11 beside B of 1 would leave no correct digit in the residual of the constraints.
 /// Spread over processes, all vectors z are consistent local ones, (local K rows, then local multipliers),
-/// and all processes must call the same functions. Holds a reference: the system must outlive it.
+/// and all processes must call the same functions. Holds references: system and load must outlive it.
 class ScaledSystem {
  public:
-  explicit ScaledSystem(const LinearSystem& system);
+  explicit ScaledSystem(const LinearSystem& system) : ScaledSystem(system, system.load) {}
+  /// With another f.
+  ScaledSystem(const LinearSystem& system, const Eigen::VectorXd& load);
 
   const LinearSystem& system() const { return system_; }
+  const Eigen::VectorXd& load() const { return load_; }
   /// Number of K's scalar rows and multipliers on this process.
   int rows() const;
   double scale() const { return scale_; }
@@ -67,8 +70,12 @@ class ScaledSystem {
 
  private:
   const LinearSystem& system_;
+  const Eigen::VectorXd& load_;
   double scale_ = 1;
 };
+
+/// One system with several right sides, in turn. Never empty.
+using ScaledSystems = std::vector<ScaledSystem>;
 
 /// Rows of the whole system, K's and then the multipliers'.
 std::int64_t global_rows(const ScaledSystem& system);

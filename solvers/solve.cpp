@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <new>
+#include <utility>
 
 #include "geometry/base/error.hpp"
 #include "solvers/cg_solver.hpp"
@@ -26,8 +27,6 @@ void check_sizes(const LinearSystem& system) {
       matrix.row_start.back() != matrix.blocks() || matrix.values.size() != block_entries * blocks)
     refuse(
         fmt::format("the block matrix is inconsistent: {} columns, {} values", blocks, matrix.values.size()));
-  if (system.load.size() != matrix.rows())
-    refuse(fmt::format("the load has {} entries, the matrix {} rows", system.load.size(), matrix.rows()));
   if (system.has_constraints() && system.constraints.cols() != matrix.rows())
     refuse(fmt::format("the constraints have {} columns, the matrix {} rows", system.constraints.cols(),
                        matrix.rows()));
@@ -53,14 +52,19 @@ void check_values(const LinearSystem& system) {
       if (!std::isfinite(matrix.values[k]))
         refuse(fmt::format("the matrix is not a number or infinite in block row {}, block column {}", row,
                            matrix.columns[k / block_entries]));
-  for (Eigen::Index i = 0; i < system.load.size(); ++i)
-    if (!std::isfinite(system.load[i]))
-      refuse(fmt::format("the load is not a number or infinite at block row {}, component {} of 3",
-                         i / block_size, i % block_size));
   for (Eigen::Index i = 0; i < system.constraints.rows(); ++i)
     for (ConstraintMatrix::InnerIterator it(system.constraints, i); it; ++it)
       if (!std::isfinite(it.value()))
         refuse(fmt::format("the constraints are not a number or infinite in row {}, column {}", i, it.col()));
+}
+
+void check_load(const Eigen::VectorXd& load, const SymmetricBlockMatrix& matrix) {
+  if (load.size() != matrix.rows())
+    refuse(fmt::format("the load has {} entries, the matrix {} rows", load.size(), matrix.rows()));
+  for (Eigen::Index i = 0; i < load.size(); ++i)
+    if (!std::isfinite(load[i]))
+      refuse(fmt::format("the load is not a number or infinite at block row {}, component {} of 3",
+                         i / block_size, i % block_size));
 }
 
 void check_method(const LinearSystem& system, const SolverOptions& options) {
@@ -92,19 +96,19 @@ std::int64_t matrix_nonzeros(const LinearSystem& system) {
                                      std::int64_t{2} * system.constraints.nonZeros());
 }
 
-LinearSolution solve_with(Method method, const LinearSystem& system, const SolverOptions& options,
-                          const Progress& progress) {
+std::vector<LinearSolution> solve_with(Method method, const ScaledSystems& systems,
+                                       const SolverOptions& options, const Progress& progress) {
   switch (method) {
     case Method::automatic:
       break;
     case Method::cholmod:
-      return solve_with_cholmod(system, options, progress);
+      return solve_with_cholmod(systems, options, progress);
     case Method::mumps:
-      return solve_with_mumps(system, options, progress);
+      return solve_with_mumps(systems, options, progress);
     case Method::umfpack:
-      return solve_with_umfpack(system, options, progress);
+      return solve_with_umfpack(systems, options, progress);
     case Method::cg:
-      return solve_with_cg(system, options, progress);
+      return solve_with_cg(systems, options, progress);
     case Method::minres:
       break;
   }
@@ -112,11 +116,11 @@ LinearSolution solve_with(Method method, const LinearSystem& system, const Solve
 }
 
 // Computes the residual afresh and insists on it.
-LinearSolution verified(LinearSolution solution, const LinearSystem& system, const SolverOptions& options) {
+LinearSolution verified(LinearSolution solution, const ScaledSystem& scaled, const SolverOptions& options) {
+  const LinearSystem& system = scaled.system();
   SolveReport& report = solution.report;
   report.matrix_nonzeros = matrix_nonzeros(system);
   report.assembly_seconds = system.assembly_seconds;
-  const ScaledSystem scaled(system);
   const Eigen::VectorXd z = scaled.join(solution.x, solution.multipliers);
   report.relative_residual = scaled.relative_residual(z);
   if (report.relative_residual <= options.tolerance) return solution;
@@ -141,7 +145,7 @@ LinearSolution verified(LinearSolution solution, const LinearSystem& system, con
 
 LinearSolution zero_solution(const LinearSystem& system, Method method) {
   LinearSolution solution;
-  solution.x = Eigen::VectorXd::Zero(system.load.size());
+  solution.x = Eigen::VectorXd::Zero(system.stiffness.rows());
   solution.multipliers = Eigen::VectorXd::Zero(system.constraints.rows());
   solution.report.method = method;
   solution.report.reason = "nothing to solve: the load is zero";
@@ -153,15 +157,31 @@ LinearSolution zero_solution(const LinearSystem& system, Method method) {
 
 }  // namespace
 
-LinearSolution solve(const LinearSystem& system, const SolverOptions& options, const Progress& progress) {
+std::vector<LinearSolution> solve_each(const LinearSystem& system, const std::vector<Eigen::VectorXd>& loads,
+                                       const SolverOptions& options, const Progress& progress) {
   validate(options);
   check_sizes(system);
   check_columns(system.stiffness);
+  for (const Eigen::VectorXd& load : loads) check_load(load, system.stiffness);
   check_values(system);
   check_method(system, options);
-  if (system.rows.norm(system.load) == 0) return zero_solution(system, options.method);
+  std::vector<LinearSolution> result;
+  ScaledSystems systems;
+  for (const Eigen::VectorXd& load : loads)
+    if (system.rows.norm(load) != 0) systems.emplace_back(system, load);
   try {
-    return verified(solve_with(options.method, system, options, progress), system, options);
+    std::vector<LinearSolution> solved;
+    if (!systems.empty()) solved = solve_with(options.method, systems, options, progress);
+    std::size_t next = 0;
+    for (const Eigen::VectorXd& load : loads) {
+      if (system.rows.norm(load) == 0) {
+        result.push_back(zero_solution(system, options.method));
+      } else {
+        result.push_back(verified(std::move(solved[next]), systems[next], options));
+        ++next;
+      }
+    }
+    return result;
   } catch (const std::bad_alloc&) {
     throw Error(
         ErrorCode::out_of_memory,
@@ -170,6 +190,10 @@ LinearSolution solve(const LinearSystem& system, const SolverOptions& options, c
             "a coarser space, or a machine with more memory",
             system.stiffness.blocks(), system.stiffness.bytes()));
   }
+}
+
+LinearSolution solve(const LinearSystem& system, const SolverOptions& options, const Progress& progress) {
+  return std::move(solve_each(system, {system.load}, options, progress).front());
 }
 
 }  // namespace isopatch::solvers

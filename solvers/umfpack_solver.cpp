@@ -41,10 +41,11 @@ class UnsymmetricFactorization {
     if (!(info_[UMFPACK_RCOND] > smallest_pivot_ratio(rows()))) fail_singular();
   }
 
-  Eigen::VectorXd solve(const Eigen::VectorXd& b) {
-    Eigen::VectorXd x(b.size());
-    check(umfpack_dl_solve(UMFPACK_A, row_start(), columns(), values(), x.data(), b.data(), numeric_,
-                           control_.data(), info_.data()));
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& b) {
+    Eigen::MatrixXd x(b.rows(), b.cols());
+    for (Eigen::Index j = 0; j < b.cols(); ++j)
+      check(umfpack_dl_solve(UMFPACK_A, row_start(), columns(), values(), x.col(j).data(), b.col(j).data(),
+                             numeric_, control_.data(), info_.data()));
     return x;
   }
 
@@ -95,14 +96,13 @@ class UnsymmetricFactorization {
 
 }  // namespace
 
-LinearSolution solve_with_umfpack(const LinearSystem& system, const SolverOptions& options,
-                                  const Progress& progress) {
+std::vector<LinearSolution> solve_with_umfpack(const ScaledSystems& systems, const SolverOptions& options,
+                                               const Progress& progress) {
   Stopwatch watch;
   SolveReport report;
   report.method = Method::umfpack;
   progress("ordering", 0);
-  const ScaledSystem scaled(system);
-  UnsymmetricFactorization factorization(scaled);
+  UnsymmetricFactorization factorization(systems.front());
   factorization.analyze();
   report.analysis_seconds = watch.lap();
   progress("factorization", 0);
@@ -112,12 +112,9 @@ LinearSolution solve_with_umfpack(const LinearSystem& system, const SolverOption
   report.factor_flops = factorization.flops();
   report.memory_bytes = static_cast<std::int64_t>(factorization.peak_bytes());
   progress("solution", 0);
-  RefinedSolution refined = solve_and_refine(
-      scaled, [&](const Eigen::VectorXd& b) { return factorization.solve(b); }, options.tolerance);
-  report.solve_seconds = watch.lap();
-  report.residual_history = std::move(refined.history);
-  report.iterations = static_cast<int>(report.residual_history.size()) - 1;
-  return {scaled.unknowns(refined.z), scaled.multipliers(refined.z), std::move(report)};
+  std::vector<RefinedSolution> refined = solve_and_refine(
+      systems, [&](const Eigen::MatrixXd& b) { return factorization.solve(b); }, options.tolerance);
+  return with_reports(systems, std::move(refined), report, watch.lap());
 }
 
 }  // namespace isopatch::solvers

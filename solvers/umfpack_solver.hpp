@@ -1,7 +1,9 @@
 #pragma once
 
+#include <vector>
+
 #include "geometry/base/progress.hpp"
-#include "solvers/linear_system.hpp"
+#include "solvers/scaled_system.hpp"
 #include "solvers/solve_report.hpp"
 #include "solvers/solver_options.hpp"
 
@@ -14,7 +16,7 @@ namespace isopatch::solvers {
 /// @throws Error singular_system  with the estimate of the reciprocal condition
 /// @throws Error out_of_memory    with the bytes that were asked for
 /// @source Davis 2004 (UMFPACK)
-LinearSolution solve_with_umfpack(const LinearSystem& system, const SolverOptions& options,
-                                  const Progress& progress);
+std::vector<LinearSolution> solve_with_umfpack(const ScaledSystems& systems, const SolverOptions& options,
+                                               const Progress& progress);
 
 }  // namespace isopatch::solvers

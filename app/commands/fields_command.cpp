@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "app/commands/input_options.hpp"
 #include "app/results/output_directory.hpp"
 #include "app/results/read_summary.hpp"
 #include "app/results/write_fields.hpp"
@@ -24,11 +25,12 @@ Writes results.vtm (open it in ParaView; all filters work on it), results_bounda
 ExitCode fields_command(const FieldsCommand& command, const Console& console) {
   const OutputFolder folder(command.output);
   ProgressDisplay display(console);
-  const iga::StoredResult result = iga::read_result(command.results);
+  const iga::StoredResult result = iga::read_result(command.results, command.case_name);
   const geometry::MultiPatch model = iga::model_of(result);
-  const WrittenFields written = write_fields(
-      result.field, model, face_groups(model, read_summary(result.summary).value_or(RunSummary{})),
-      {.pieces = command.pieces}, command.output, display.progress());
+  const WrittenFields written =
+      write_fields(result.field, model,
+                   face_groups(model, read_summary(result.summary, result.case_name).value_or(RunSummary{})),
+                   {.pieces = command.pieces}, command.output, display.progress());
   display.clear();
   if (const auto warning = borrowed_warning(written.borrowed, model.size())) console.warn(warning->text);
   if (!console.quiet)
@@ -46,6 +48,7 @@ void add_fields_command(CLI::App& app, CommandLine& line) {
   fields.add_option("-o,--output", command->output, "Directory for results.vtm and fields/")
       ->required()
       ->type_name("DIR");
+  add_case(fields, command->case_name);
   fields
       .add_option("--pieces", command->pieces,
                   "Straight hexahedra per element and direction (default: 4, fewer in large models)")

@@ -10,6 +10,7 @@ namespace isopatch::app {
 
 struct FieldsCommand {
   std::filesystem::path results;
+  std::string case_name = {};  ///< a load case; "": the first
   std::filesystem::path output;
   int pieces = 0;  ///< as FieldOptions
 };

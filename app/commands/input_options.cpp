@@ -19,6 +19,11 @@ void add_reading(CLI::App& command, CadReading& reading) {
       ->type_name("BYTES");
 }
 
+void add_case(CLI::App& command, std::string& name) {
+  command.add_option("--case", name, "A load case or combination of the results (default: the first)")
+      ->type_name("NAME");
+}
+
 void add_input(CLI::App& command, InputFile& input) {
   command
       .add_option("input", input.path,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "app/commands/command_line.hpp"
 #include "app/results/load_input.hpp"
 
@@ -7,6 +9,9 @@ namespace isopatch::app {
 
 /// The options of commands that read CAD files.
 void add_reading(CLI::App& command, CadReading& reading);
+
+/// The option of commands that work on stored results: which load case.
+void add_case(CLI::App& command, std::string& name);
 
 /// The options of commands that take any kind of file.
 void add_input(CLI::App& command, InputFile& input);

@@ -8,9 +8,11 @@
 #include "app/base/engineering_units.hpp"
 #include "app/base/internal/json_values.hpp"
 #include "app/base/place_text.hpp"
+#include "app/commands/input_options.hpp"
 #include "app/results/place_values.hpp"
 #include "app/results/stored_results.hpp"
 #include "geometry/base/error.hpp"
+#include "iga/post/stress_measures.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -29,25 +31,44 @@ std::string values_text(const StoredValues& found) {
   const auto stress = [&](int i, int j) {
     return without_round_off(v.stress(i, j), v.stress.cwiseAbs().maxCoeff());
   };
+  const iga::PrincipalStresses principal = iga::principal_stresses(v.stress);
+  const auto value = [&](int i) {
+    return without_round_off(principal.values[i], principal.values.cwiseAbs().maxCoeff());
+  };
   return fmt::format(
       "point         {} m, patch {}, parameter {}\n"
       "displacement  {} m\n"
       "stress        xx {:.6g}, yy {:.6g}, zz {:.6g}, xy {:.6g}, yz {:.6g}, zx {:.6g} Pa\n"
-      "von Mises     {:.6g} Pa\n",
+      "von Mises     {:.6g} Pa, Tresca {:.6g} Pa\n"
+      "principal     {:.6g} Pa along {}\n"
+      "              {:.6g} Pa along {}\n"
+      "              {:.6g} Pa along {}\n",
       place_text(tidy(v.place), 9), found.patch, place_text(found.parameter, 6),
       place_text(tidy(v.displacement), 9), stress(0, 0), stress(1, 1), stress(2, 2), stress(0, 1),
-      stress(1, 2), stress(2, 0), v.von_mises);
+      stress(1, 2), stress(2, 0), v.von_mises, iga::tresca(v.stress), value(0),
+      place_text(tidy(principal.directions.col(0)), 4), value(1),
+      place_text(tidy(principal.directions.col(1)), 4), value(2),
+      place_text(tidy(principal.directions.col(2)), 4));
 }
 
-std::string values_json(const StoredValues& found) {
-  return file_text({{"patch", found.patch},
-                    {"parameter", to_json(Eigen::Vector3d(found.parameter))},
-                    {"point", to_json(found.values.place)},
-                    {"displacement", to_json(found.values.displacement)},
-                    {"strain", symmetric_to_json(found.values.strain)},
-                    {"stress", symmetric_to_json(found.values.stress)},
-                    {"von_mises", found.values.von_mises},
-                    {"jacobian", found.values.jacobian}});
+std::string values_json(const StoredValues& found, double yield) {
+  const iga::PrincipalStresses principal = iga::principal_stresses(found.values.stress);
+  return file_text(
+      {{"patch", found.patch},
+       {"parameter", to_json(Eigen::Vector3d(found.parameter))},
+       {"point", to_json(found.values.place)},
+       {"displacement", to_json(found.values.displacement)},
+       {"strain", symmetric_to_json(found.values.strain)},
+       {"stress", symmetric_to_json(found.values.stress)},
+       {"von_mises", found.values.von_mises},
+       {"tresca", iga::tresca(found.values.stress)},
+       {"principal", to_json(principal.values)},
+       {"principal_directions",
+        {to_json(Eigen::Vector3d(principal.directions.col(0))),
+         to_json(Eigen::Vector3d(principal.directions.col(1))),
+         to_json(Eigen::Vector3d(principal.directions.col(2)))}},
+       {"safety_factor", yield > 0 ? Json(iga::safety_factor(found.values.von_mises, yield)) : Json()},
+       {"jacobian", found.values.jacobian}});
 }
 
 }  // namespace
@@ -72,8 +93,13 @@ ExitCode probe_command(const ProbeCommand& command, const Console& console) {
   if (!command.point.empty()) where.point = parse_point(command.point);
   where.patch = command.patch;
   if (!command.parameter.empty()) where.parameter = parse_parameter(command.parameter);
-  const StoredValues found = probe(iga::read_result(command.results), where);
-  console.out << (command.json ? values_json(found) : values_text(found));
+  const iga::StoredResult result = iga::read_result(command.results, command.case_name);
+  const StoredValues found = probe(result, where);
+  const double yield = result.field.materials[static_cast<std::size_t>(found.patch)].yield;
+  console.out << (command.json ? values_json(found, yield) : values_text(found));
+  if (!command.json && yield > 0)
+    console.out << fmt::format("safety factor {:.4g} against yield\n",
+                               iga::safety_factor(found.values.von_mises, yield));
   return ExitCode::ok;
 }
 
@@ -83,6 +109,7 @@ void add_probe_command(CLI::App& app, CommandLine& line) {
       add_command(app, line, "probe", "Values at a place of stored results", probe_examples,
                   [command](const Console& console) { return probe_command(*command, console); });
   probe.add_option("results", command->results, "A results.h5")->required();
+  add_case(probe, command->case_name);
   probe.add_option("--point", command->point, "A place X,Y,Z in m, or with units")->type_name("X,Y,Z");
   probe.add_option("--patch", command->patch, "A patch, from 0")->type_name("N");
   probe.add_option("--parameter", command->parameter, "A parameter of that patch")->type_name("A,B,C");

@@ -13,7 +13,8 @@ namespace isopatch::app {
 
 struct ProbeCommand {
   std::filesystem::path results;
-  std::string point;  ///< "0.1,0,20 mm"
+  std::string case_name = {};  ///< a load case; "": the first
+  std::string point;           ///< "0.1,0,20 mm"
   std::optional<int> patch;
   std::string parameter;  ///< ".5,.5,1"
   bool json = false;

@@ -15,6 +15,7 @@
 #include "app/commands/fields_command.hpp"
 #include "app/commands/info_command.hpp"
 #include "app/commands/keys_command.hpp"
+#include "app/commands/modes_command.hpp"
 #include "app/commands/parameterize_command.hpp"
 #include "app/commands/probe_command.hpp"
 #include "app/commands/reconstruct_command.hpp"
@@ -63,10 +64,10 @@ std::unique_ptr<CLI::App> make_parser(CommandLine& line) {
   app->footer(exit_codes);
   app->set_version_flag("--version", [] { return versions(); });
   app->require_subcommand(1);
-  for (const auto& add :
-       {add_run_command, add_compare_command, add_info_command, add_probe_command, add_fields_command,
-        add_report_command, add_render_command, add_reconstruct_command, add_segment_command,
-        add_parameterize_command, add_convert_command, add_verify_command, add_keys_command})
+  for (const auto& add : {add_run_command, add_compare_command, add_modes_command, add_info_command,
+                          add_probe_command, add_fields_command, add_report_command, add_render_command,
+                          add_reconstruct_command, add_segment_command, add_parameterize_command,
+                          add_convert_command, add_verify_command, add_keys_command})
     add(*app, line);
   return app;
 }

@@ -128,6 +128,7 @@ void add_render_command(CLI::App& app, CommandLine& line) {
     return render.add_option(name, target, meaning)->type_name(type);
   };
   add_input(render, command->input);
+  add_case(render, command->input.case_name);
   option("-o,--output", command->output, "The picture (.png), or of a solid's edge graph (.svg)", "FILE")
       ->required();
   option("--field", words.field,

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "app/commands/input_options.hpp"
 #include "app/reports/report_page.hpp"
 #include "app/results/output_directory.hpp"
 #include "app/results/read_summary.hpp"
@@ -27,11 +28,12 @@ ExitCode report_command(const ReportCommand& command, const Console& console) {
   ProgressDisplay display(console);
   const auto progress = display.progress();
   progress("reading the results", 0);
-  const iga::StoredResult result = iga::read_result(command.results);
+  const iga::StoredResult result = iga::read_result(command.results, command.case_name);
   progress("making the report", 0);
   const geometry::MultiPatch model = iga::model_of(result);
-  write_file(path,
-             report_html({result.field, model, result.study, result.summary, read_summary(result.summary)}));
+  write_file(
+      path, report_html({result.field, model, result.study, summary_of_case(result.summary, result.case_name),
+                         read_summary(result.summary, result.case_name)}));
   display.clear();
   if (!console.quiet) console.out << fmt::format("{} written; open it in a browser\n", path.string());
   return ExitCode::ok;
@@ -43,6 +45,7 @@ void add_report_command(CLI::App& app, CommandLine& line) {
       add_command(app, line, "report", "Writes the page about stored results", report_examples,
                   [command](const Console& console) { return report_command(*command, console); });
   report.add_option("results", command->results, "A results.h5")->required();
+  add_case(report, command->case_name);
   report.add_option("-o,--output", command->output, "The page (default: report.html beside the results)")
       ->type_name("FILE");
 }

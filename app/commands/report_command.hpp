@@ -11,6 +11,7 @@ namespace isopatch::app {
 
 struct ReportCommand {
   std::filesystem::path results;
+  std::string case_name = {};                   ///< a load case; "": the first
   std::optional<std::filesystem::path> output;  ///< default: report.html beside the results
 };
 /// Writes the page about stored results.

@@ -4,6 +4,7 @@
 
 #include "app/reports/report_page.hpp"
 #include "app/results/output_directory.hpp"
+#include "app/results/read_summary.hpp"
 #include "app/results/run_summary.hpp"
 #include "app/results/summary.hpp"
 #include "app/results/unfinished_results.hpp"
@@ -16,25 +17,61 @@
 namespace isopatch::app {
 namespace {
 
-/// What is wrong with the fields becomes a warning of the run.
-WrittenFields write_run_fields(const Study& study, StudyRun& run, const std::filesystem::path& folder,
-                               const Progress& progress) {
-  const geometry::MultiPatch& model = run.built.problem.discretization.model;
-  WrittenFields fields = write_fields(run.solution.field, model, face_groups(model, summarized(study, run)),
-                                      study.output.field_options, folder, progress);
-  if (const auto warning = borrowed_warning(fields.borrowed, model.size()))
-    run.built.warnings.push_back(*warning);
-  return fields;
+/// Where a case has its files: where all is, in a study without cases.
+std::filesystem::path folder_of(const CaseView& one) {
+  return one.name.name.empty() ? std::filesystem::path() : std::filesystem::path(case_folder) / one.name.name;
 }
 
-void write_run_report(const Study& study, const StudyRun& run, const geometry::PatchConnections& connections,
-                      const std::filesystem::path& folder) {
-  const iga::ElasticField& field = run.solution.field;
-  const geometry::MultiPatch model = geometry::connected(field.patches, connections);
+/// What is wrong with the fields becomes a warning of the run.
+std::vector<std::string> write_run_fields(const Study& study, StudyRun& run,
+                                          const std::filesystem::path& folder, const Progress& progress) {
+  const geometry::MultiPatch& model = run.built.problem.discretization.model;
+  std::vector<std::string> written;
+  std::vector<Warning> warnings;
+  for (const CaseView& one : cases_of(run)) {
+    const WrittenFields fields =
+        write_fields(one.solution.field, model, face_groups(model, summarized(study, run, one)),
+                     study.output.field_options, folder / folder_of(one), progress);
+    if (run.has_cases())
+      written.push_back((folder_of(one) / fields.collections.front()).string());
+    else
+      written = fields.collections;
+    const auto warning = borrowed_warning(fields.borrowed, model.size());
+    if (warning && warnings.empty()) warnings.push_back(*warning);  // the same points in all cases
+  }
+  run.built.warnings.insert(run.built.warnings.end(), warnings.begin(), warnings.end());
+  return written;
+}
+
+/// The pages of all cases as seen from one of them.
+std::vector<PageLink> links_from(const StudyRun& run, const CaseView& from, bool at_top) {
+  std::vector<PageLink> links;
+  if (!run.has_cases()) return links;
+  for (const CaseView& one : cases_of(run)) {
+    const std::string name = one.name.name;
+    links.push_back({name,
+                     (at_top ? std::string(case_folder) + "/" : std::string("../")) + name + "/report.html",
+                     name == from.name.name});
+  }
+  return links;
+}
+
+/// A page for each case, with links to the others; the first case's is at the top as well.
+void write_run_reports(const Study& study, const StudyRun& run, const geometry::PatchConnections& connections,
+                       const std::filesystem::path& folder) {
+  const geometry::MultiPatch model = geometry::connected(run.solution.field.patches, connections);
   const auto& solids = run.built.parameterization;
-  write_in(folder, "report.html",
-           report_html({field, model, study.text, summary_json(study, run), summarized(study, run),
-                        solids ? &*solids : nullptr}));
+  const std::string json = summary_json(study, run);
+  const auto write = [&](const std::filesystem::path& file, const CaseView& one, bool at_top) {
+    write_in(folder, file,
+             report_html({one.solution.field, model, study.text, summary_of_case(json, one.name.name),
+                          summarized(study, run, one), solids ? &*solids : nullptr,
+                          links_from(run, one, at_top)}));
+  };
+  const std::vector<CaseView> cases = cases_of(run);
+  write("report.html", cases.front(), true);
+  if (run.has_cases())
+    for (const CaseView& one : cases) write(folder_of(one) / "report.html", one, false);
 }
 
 /// Writes all files of a run into a folder, the solution first.
@@ -45,19 +82,21 @@ std::vector<std::string> write_all(const Study& study, StudyRun& run, const std:
   const auto connections = geometry::connections_of(run.built.problem.discretization.model);
   if (study.output.hdf5) {
     progress("writing results.h5", 0);
+    std::vector<iga::CaseToStore> cases;
+    for (const CaseView& one : cases_of(run))
+      cases.push_back({one.name.name, one.solution.field, one.solution.multipliers});
     write_in(folder, "results.h5", [&](const geometry::ByteSink& sink) {
-      iga::write_hdf5(run.solution.field, run.solution.multipliers, connections, study.text,
-                      summary_json(study, run), sink);
+      iga::write_hdf5(cases, connections, study.text, summary_json(study, run), sink);
     });
     written.emplace_back("results.h5");
   }
   if (study.output.fields) {
-    const WrittenFields fields = write_run_fields(study, run, folder, progress);
-    written.insert(written.end(), fields.collections.begin(), fields.collections.end());
+    const std::vector<std::string> fields = write_run_fields(study, run, folder, progress);
+    written.insert(written.end(), fields.begin(), fields.end());
   }
   if (study.output.report) {
     progress("writing report.html", 0);
-    write_run_report(study, run, connections, folder);
+    write_run_reports(study, run, connections, folder);
     written.emplace_back("report.html");
   }
   run.timings.push_back({"output", watch.seconds()});

@@ -43,9 +43,14 @@ std::string data_json(const Page& page) {
   for (const PagePlot& plot : page.plots)
     plots += (plots.empty() ? "" : ",") + ("{\"title\":" + quoted(plot.title) + ",\"section\":" +
                                            quoted(plot.section) + ",\"svg\":" + quoted(plot.svg) + "}");
+  std::string cases;
+  for (const PageLink& link : page.cases)
+    cases += (cases.empty() ? "" : ",") +
+             ("{\"name\":" + quoted(link.name) + ",\"address\":" + quoted(link.address) +
+              ",\"current\":" + (link.is_current ? "true" : "false") + "}");
   return "{\"kind\":" + quoted(page.kind) + ",\"program\":" + quoted(page.program) +
          ",\"title\":" + quoted(page.title) + ",\"study\":" + quoted(page.study) +
-         ",\"summary\":" + page.summary_json + ",\"plots\":[" + plots +
+         ",\"summary\":" + page.summary_json + ",\"plots\":[" + plots + "],\"cases\":[" + cases +
          "],\"scene\":" + (page.scene ? scene_json(*page.scene) : "null") +
          ",\"faults\":" + (page.faults ? fault_scene_json(*page.faults) : "null") +
          ",\"blocks\":" + (page.blocks ? block_scene_json(*page.blocks) : "null") + "}";

@@ -17,6 +17,13 @@ struct PagePlot {
   std::string section = {};  ///< heading of the part of the page that it belongs to, where there are several
 };
 
+/// Another page of the same kind, such as that of another load case.
+struct PageLink {
+  std::string name;
+  std::string address;      ///< relative to the page
+  bool is_current = false;  ///< the page itself
+};
+
 /// What a page says. Texts in JSON are SI values as the files of that name have them.
 struct Page {
   std::string kind;     ///< "report", "compare", "model", "verification", "faults" or "blocks"
@@ -25,6 +32,7 @@ struct Page {
   std::string study;                  ///< text of the study file
   std::string summary_json = "null";  ///< text of summary.json, or compare.json
   std::vector<PagePlot> plots;
+  std::vector<PageLink> cases = {};  ///< of a report: the pages of all load cases
   std::optional<Scene> scene = {};
   std::optional<FaultScene> faults = {};  ///< of a page of that kind
   std::optional<BlockScene> blocks = {};  ///< likewise

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -300,6 +301,16 @@ LocatedProbe locate_probe(const ProbeInput& probe, const iga::ElasticityProblem&
   return locate_probe(probe, std::get<PatchParameter>(probe.where), problem.discretization.model);
 }
 
+LocatedSection locate_section(const SectionInput& section, const iga::Discretization& discretization) {
+  LocatedSection result{section.name, section.plane,
+                        iga::section_points(discretization.patches, section.plane)};
+  if (result.points.empty())
+    throw error_at(section.place,
+                   fmt::format("{}: the plane does not cut the part{}", section.name,
+                               std::isfinite(section.plane.radius) ? " within the radius" : ""));
+  return result;
+}
+
 /// Patches of a source, before anything is attached to them.
 struct SourcePatches {
   geometry::PatchSet set;
@@ -368,6 +379,9 @@ BuiltProblem build_problem(const Study& study, const LoadedModel& loaded, const 
     built.loads.back().key = load.key;
   }
   for (const ProbeInput& probe : study.probes) built.probes.push_back(locate_probe(probe, built.problem));
+  for (const SectionInput& section : study.sections)
+    built.sections.push_back(locate_section(section, built.problem.discretization));
+  built.mass = mass_properties(model, materials);
   if (study.loads.empty())
     built.warnings.push_back({"the study has no load; only prescribed displacements can move the part"});
   return built;

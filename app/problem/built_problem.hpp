@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "app/problem/applied_region.hpp"
+#include "app/problem/mass_properties.hpp"
 #include "app/problem/model_report.hpp"
 #include "app/study/study.hpp"
+#include "iga/post/plane_section.hpp"
 #include "iga/problem/problem.hpp"
 
 namespace isopatch::app {
@@ -18,6 +20,13 @@ struct LocatedProbe {
   geometry::Parameter<3> parameter;  ///< as isopatch numbers it
 };
 
+/// A cut, found in the model.
+struct LocatedSection {
+  std::string name;
+  iga::CuttingPlane plane;
+  std::vector<iga::SectionPoint> points;
+};
+
 /// A study made ready to be solved.
 struct BuiltProblem {
   iga::ElasticityProblem problem;
@@ -27,6 +36,8 @@ struct BuiltProblem {
   std::vector<LocatedProbe> probes;
   std::vector<Warning> warnings;
   std::optional<segmentation::ParameterizationReport> parameterization = {};  ///< of a model made of solids
+  std::vector<LocatedSection> sections = {};
+  std::optional<MassProperties> mass = {};  ///< nothing where a material has no density
 };
 
 }  // namespace isopatch::app

@@ -28,6 +28,7 @@ Page report_page(const ReportContent& content) {
   page.kind = "report";
   page.program = fmt::format("isopatch {}", version());
   page.study = content.study;
+  page.cases = content.cases;
   if (content.summary) {
     page.title = content.summary->title;
     page.summary_json = content.summary_json;

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/pages/page.hpp"
 #include "app/results/run_summary.hpp"
@@ -20,6 +21,7 @@ struct ReportContent {
   std::optional<RunSummary> summary;  ///< what it says; without one the text is left out
   /// How solids became the model's patches, for more fields to colour by; may be null.
   const segmentation::ParameterizationReport* solids = nullptr;
+  std::vector<PageLink> cases = {};  ///< pages of the load cases
 };
 
 /// @cost  that of sample_part

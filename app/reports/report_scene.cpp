@@ -50,20 +50,39 @@ Eigen::RowVectorXd counted_stresses(const iga::PatchSamples& patch, std::optiona
   return result;
 }
 
+// 0 at points that count, not a number where the map is folded.
+Eigen::RowVectorXd sound_points(const iga::PatchSamples& patch) {
+  Eigen::RowVectorXd result = Eigen::RowVectorXd::Zero(patch.scaled_jacobian.size());
+  for (Eigen::Index i = 0; i < result.size(); ++i) {
+    const double jacobian = patch.scaled_jacobian[i];
+    if (jacobian < iga::least_scaled_jacobian && jacobian != 0)
+      result[i] = std::numeric_limits<double>::quiet_NaN();
+  }
+  return result;
+}
+
 std::vector<SceneField> fields_of(const iga::PartSamples& samples, std::optional<double> largest) {
   double displacement = 0;
   SceneField u{"displacement", "Displacement", {}, "", {}};
   SceneField mises{"von_mises", "Von Mises stress", {}, "", {}};
+  SceneField tension{"max_principal", "Largest principal stress", {}, "", {}};
+  SceneField compression{"min_principal", "Smallest principal stress", {}, "", {}};
+  SceneField shear{"tresca", "Tresca stress", {}, "", {}};
   SceneField quality{"scaled_jacobian", "Scaled Jacobian", {"", 1}, "", {}};
   for (const iga::PatchSamples& patch : samples.patches) {
     displacement = std::max(displacement, patch.displacements.colwise().norm().maxCoeff());
     u.values.emplace_back(patch.displacements);
     mises.values.emplace_back(counted_stresses(patch, largest));
+    const Eigen::RowVectorXd sound = sound_points(patch);
+    tension.values.emplace_back(patch.principal.row(0) + sound);
+    compression.values.emplace_back(patch.principal.row(2) + sound);
+    shear.values.emplace_back(patch.principal.row(0) - patch.principal.row(2) + sound);
     quality.values.emplace_back(patch.scaled_jacobian.transpose());
   }
   u.unit = display_unit(displacement, "m");
   mises.unit = display_unit(usual_stress(samples), "Pa");
-  return {u, mises, quality};
+  tension.unit = compression.unit = shear.unit = mises.unit;
+  return {u, mises, tension, compression, shear, quality};
 }
 
 // The estimated error of the element that each sample lies in: of samples between elements the larger one.

@@ -19,10 +19,10 @@ std::string title_of(const Study& study, const std::filesystem::path& path) {
   return study.title.empty() ? path.filename().string() : study.title;
 }
 
-LoadedInput load_result(const std::filesystem::path& path) {
-  iga::StoredResult result = iga::read_result(path);
+LoadedInput load_result(const std::filesystem::path& path, const std::string& case_name) {
+  iga::StoredResult result = iga::read_result(path, case_name);
   geometry::MultiPatch model = iga::model_of(result);
-  std::optional<RunSummary> summary = read_summary(result.summary);
+  std::optional<RunSummary> summary = read_summary(result.summary, result.case_name);
   const std::string title = summary ? summary->title : "";
   return {std::move(model), std::move(result), title.empty() ? path.filename().string() : title,
           std::move(summary)};
@@ -57,7 +57,7 @@ double length_unit(const InputFile& input) {
 
 LoadedInput load_input(const InputFile& input) {
   const FileKind kind = kind_of(input.path);
-  if (kind == FileKind::results) return load_result(input.path);
+  if (kind == FileKind::results) return load_result(input.path, input.case_name);
   if (kind == FileKind::study) return load_study(input);
   if (kind == FileKind::blocks)
     throw Error(ErrorCode::unsupported,

@@ -26,6 +26,7 @@ struct InputFile {
   std::vector<std::string> overrides;  ///< --set, for a study
   std::string length_unit;             ///< for files that do not say it; "" is m
   CadReading reading = {};             ///< of STEP, IGES and .brep files
+  std::string case_name = {};          ///< of results: a load case; "": the first
 };
 
 /// Fills in how a command wants CAD files read.

@@ -116,10 +116,19 @@ void remove_earlier_fields(const fs::path& directory) {
 
 void remove_earlier_results(const fs::path& directory) {
   std::error_code ignored;
+  std::vector<fs::path> cases;
+  for (const auto& entry : fs::directory_iterator(directory / case_folder, ignored))
+    if (entry.is_directory()) cases.push_back(entry.path());
   fs::remove(directory / "summary.json", ignored);
   fs::remove(directory / "results.h5", ignored);
   fs::remove(directory / "report.html", ignored);
   remove_earlier_fields(directory);
+  for (const fs::path& of_case : cases) {
+    fs::remove(of_case / "report.html", ignored);
+    remove_earlier_fields(of_case);
+    fs::remove(of_case, ignored);
+  }
+  fs::remove(directory / case_folder, ignored);
 }
 
 void remove_earlier_comparison(const fs::path& directory) {

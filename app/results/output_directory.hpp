@@ -32,6 +32,9 @@ class OutputFolder {
 /// Removes the fields that an earlier run wrote, first their collections. Leaves all other files alone.
 void remove_earlier_fields(const std::filesystem::path& directory);
 
+/// The folder in which every load case has one of its own, where a study has cases.
+inline constexpr const char* case_folder = "cases";
+
 /// Removes all that an earlier run wrote, and first of all its summary, which would vouch for files that are
 /// being replaced. Leaves all other files alone.
 void remove_earlier_results(const std::filesystem::path& directory);

@@ -1,5 +1,6 @@
 #include "app/results/read_summary.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -109,11 +110,28 @@ SummarizedSolver stored_solver(const Json& solver) {
   return result;
 }
 
+// Puts what belongs to one case in the place of the first's.
+void show_case(Json& json, const std::string& name) {
+  const Json cases = at(json, "/cases");
+  if (!cases.is_array()) return;
+  for (const Json& one : cases) {
+    if (text_at(one, "/name") != name && !(name.empty() && &one == &cases.front())) continue;
+    for (const char* key : {"results", "probes", "sections", "solver"}) json[key] = one.value(key, Json());
+    const std::vector<std::string> own = texts_of(at(one, "/loads"));
+    if (own.empty() || !at(json, "/loads").is_array()) continue;
+    Json loads = Json::array();
+    for (const Json& load : json["loads"])
+      if (std::find(own.begin(), own.end(), text_at(load, "/name")) != own.end()) loads.push_back(load);
+    json["loads"] = loads;
+  }
+}
+
 }  // namespace
 
-std::optional<RunSummary> read_summary(const std::string& text) {
-  const Json json = Json::parse(text, nullptr, false);
+std::optional<RunSummary> read_summary(const std::string& text, const std::string& case_name) {
+  Json json = Json::parse(text, nullptr, false);
   if (!json.is_object()) return std::nullopt;
+  show_case(json, case_name);
   RunSummary summary;
   summary.title = text_at(json, "/title");
   summary.study = text_at(json, "/study");
@@ -133,6 +151,14 @@ std::optional<RunSummary> read_summary(const std::string& text) {
   summary.solver = stored_solver(at(json, "/solver"));
   summary.levels = stored_levels(at(json, "/levels"));
   return summary;
+}
+
+std::string summary_of_case(const std::string& text, const std::string& case_name) {
+  Json json = Json::parse(text, nullptr, false);
+  if (case_name.empty() || !json.is_object()) return text;
+  show_case(json, case_name);
+  json["case"] = case_name;
+  return file_text(json);
 }
 
 }  // namespace isopatch::app

@@ -63,5 +63,7 @@ struct RunSummary {
 
 /// Of a study that was solved. `read_summary` gives that of stored results.
 RunSummary summarized(const Study& study, const StudyRun& run);
+/// Of one of its load cases.
+RunSummary summarized(const Study& study, const StudyRun& run, const CaseView& one);
 
 }  // namespace isopatch::app

@@ -1,10 +1,13 @@
 #include "app/results/summary.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <omp.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "app/base/engineering_units.hpp"
@@ -16,6 +19,7 @@
 #include "app/results/internal/parameterization_json.hpp"
 #include "app/results/level_report.hpp"
 #include "iga/material/material.hpp"
+#include "iga/post/stress_measures.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -85,7 +89,8 @@ Json materials_json(const Study& study, const StudyRun& run) {
                       {"mu", input.material.mu},
                       {"young", iga::young(input.material)},
                       {"poisson", iga::poisson(input.material)},
-                      {"density", input.material.density}});
+                      {"density", input.material.density},
+                      {"yield", input.material.yield > 0 ? Json(input.material.yield) : Json()}});
   }
   return result;
 }
@@ -141,13 +146,20 @@ Json solver_json(const solvers::SolveReport& report, double tolerance, std::int6
           {"solve_seconds", report.solve_seconds}};
 }
 
-Json reactions_json(const StudyRun& run) {
+// Moved from the origin.
+Eigen::Vector3d moment_about(const Eigen::Vector3d& point, const iga::Reaction& reaction) {
+  return reaction.moment - point.cross(reaction.force);
+}
+
+Json reactions_json(const StudyRun& run, const iga::ElasticityResults& results,
+                    const Eigen::Vector3d& point) {
   Json reactions = Json::array();
   for (std::size_t i = 0; i < run.built.supports.size(); ++i) {
-    const iga::Reaction& reaction = run.solution.results.reactions[i];
+    const iga::Reaction& reaction = results.reactions[i];
     reactions.push_back({{"support", run.built.supports[i].key},
                          {"force", to_json(reaction.force)},
-                         {"moment", to_json(reaction.moment)}});
+                         {"moment", to_json(reaction.moment)},
+                         {"moment_about_point", to_json(moment_about(point, reaction))}});
   }
   return reactions;
 }
@@ -161,14 +173,15 @@ Json error_json(const StudyRun& run) {
           {"iterations", run.error->iterations}};
 }
 
-Json results_json(const StudyRun& run) {
-  const iga::ElasticityResults& results = run.solution.results;
+Json results_json(const Study& study, const StudyRun& run, const iga::ElasticityResults& results) {
   const auto& model = run.built.problem.discretization.model;
   const auto at = [&](const iga::Extremum& e) {
     if (e.patch < 0) return Json(nullptr);
     return Json{{"patch", e.patch},
                 {"parameter", to_json(Eigen::Vector3d(model.to_input(PatchId(e.patch), e.parameter)))}};
   };
+  const iga::StressPeaks& peaks = results.peaks;
+  const bool has_yield = peaks.utilization.patch >= 0;
   return {{"max_displacement", results.max_displacement.value},
           {"max_displacement_point", to_json(results.max_displacement.place)},
           {"max_displacement_at", at(results.max_displacement)},
@@ -180,6 +193,18 @@ Json results_json(const StudyRun& run) {
           {"max_von_mises_point", to_json(results.max_von_mises.place)},
           {"max_von_mises_at", at(results.max_von_mises)},
           {"max_von_mises_sampled", "at Gauss points and on faces"},
+          {"max_principal", peaks.tension.value},
+          {"max_principal_point", to_json(peaks.tension.place)},
+          {"max_principal_at", at(peaks.tension)},
+          {"min_principal", -peaks.compression.value},
+          {"min_principal_point", to_json(peaks.compression.place)},
+          {"min_principal_at", at(peaks.compression)},
+          {"max_tresca", peaks.tresca.value},
+          {"max_tresca_point", to_json(peaks.tresca.place)},
+          {"max_tresca_at", at(peaks.tresca)},
+          {"min_safety_factor", has_yield ? Json(1 / peaks.utilization.value) : Json()},
+          {"min_safety_factor_point", has_yield ? to_json(peaks.utilization.place) : Json()},
+          {"min_safety_factor_at", at(peaks.utilization)},
           {"points_left_out",
            {{"folded", results.left_out.folded},
             {"collapsed", results.left_out.collapsed},
@@ -187,21 +212,24 @@ Json results_json(const StudyRun& run) {
           {"max_strain", results.max_strain.value},
           {"max_strain_at", at(results.max_strain)},
           {"unresolved_energy_share", unresolved_share(results)},
-          {"discretization_error", error_json(run)},
+          {"discretization_error", &results == &run.solution.results ? error_json(run) : Json(nullptr)},
           {"total_load", to_json(results.total_load)},
-          {"reactions", reactions_json(run)}};
+          {"moments_about", to_json(study.output.moments_about)},
+          {"reactions", reactions_json(run, results, study.output.moments_about)}};
 }
 
-Json probes_json(const StudyRun& run) {
+Json probes_json(const std::vector<ProbeValues>& probes) {
   Json result = Json::array();
-  for (const ProbeValues& probe : run.probes) {
+  for (const ProbeValues& probe : probes) {
     result.push_back({{"name", probe.name},
                       {"patch", probe.patch},
                       {"parameter", to_json(Eigen::Vector3d(probe.parameter))},
                       {"point", to_json(probe.values.place)},
                       {"displacement", to_json(probe.values.displacement)},
                       {"stress", symmetric_to_json(probe.values.stress)},
-                      {"von_mises", probe.values.von_mises}});
+                      {"von_mises", probe.values.von_mises},
+                      {"principal", to_json(iga::principal_values(probe.values.stress))},
+                      {"tresca", iga::tresca(probe.values.stress)}});
     for (const ProbeSide& side : probe.sides)
       result.back()["sides"].push_back({{"patch", side.patch},
                                         {"parameter", to_json(Eigen::Vector3d(side.parameter))},
@@ -209,6 +237,44 @@ Json probes_json(const StudyRun& run) {
                                         {"stress", symmetric_to_json(side.values.stress)},
                                         {"von_mises", side.values.von_mises}});
     if (probe.stress_error) result.back()["von_mises_error"] = iga::von_mises(*probe.stress_error);
+  }
+  return result;
+}
+
+Json sections_json(const std::vector<SectionValues>& sections) {
+  Json result = Json::array();
+  for (const SectionValues& section : sections)
+    result.push_back({{"name", section.name},
+                      {"point", to_json(section.plane.point)},
+                      {"normal", to_json(section.plane.normal)},
+                      {"area", section.forces.area},
+                      {"centre", to_json(section.forces.centre)},
+                      {"force", to_json(section.forces.force)},
+                      {"moment", to_json(section.forces.moment)}});
+  return result;
+}
+
+Json mass_json(const std::optional<MassProperties>& mass) {
+  if (!mass) return nullptr;
+  return {
+      {"mass", mass->mass}, {"centre", to_json(mass->centre)}, {"inertia", symmetric_to_json(mass->inertia)}};
+}
+
+Json cases_json(const Study& study, const StudyRun& run) {
+  Json result = Json::array();
+  if (!run.has_cases()) return result;
+  for (const CaseView& one : cases_of(run)) {
+    Json factors = Json::object();
+    for (const auto& [name, factor] : one.name.factors) factors[name] = factor;
+    result.push_back({{"name", one.name.name},
+                      {"kind", one.name.factors.empty() ? "case" : "combination"},
+                      {"loads", one.name.loads},
+                      {"factors", factors},
+                      {"results", results_json(study, run, one.solution.results)},
+                      {"probes", probes_json(one.probes)},
+                      {"sections", sections_json(one.sections)},
+                      {"solver", solver_json(one.solution.solver, study.options.solver.tolerance,
+                                             one.solution.predicted_bytes)}});
   }
   return result;
 }
@@ -233,8 +299,7 @@ std::string regions_text(const StudyRun& run) {
   return text;
 }
 
-std::string reactions_text(const StudyRun& run) {
-  const iga::ElasticityResults& results = run.solution.results;
+std::string reactions_text(const StudyRun& run, const iga::ElasticityResults& results) {
   // Reactions that balance inside one support vanish beside the stresses on the surface.
   double scale =
       std::max(results.total_load.norm(), results.max_von_mises.value * run.built.report.boundary_area);
@@ -264,10 +329,9 @@ std::string error_text(const StudyRun& run) {
                      100 * run.error->relative, 100 * run.error->relative * run.error->relative);
 }
 
-std::string probes_text(const StudyRun& run) {
-  const iga::ElasticityResults& results = run.solution.results;
+std::string probes_text(const std::vector<ProbeValues>& probes, const iga::ElasticityResults& results) {
   std::string text;
-  for (const ProbeValues& probe : run.probes)
+  for (const ProbeValues& probe : probes)
     text += fmt::format(
         "  {:<17} displacement {}, von Mises {}\n", probe.name,
         vector_with_unit(without_round_off(probe.values.displacement, results.max_displacement.value), "m"),
@@ -275,16 +339,16 @@ std::string probes_text(const StudyRun& run) {
   return text;
 }
 
-std::string von_mises_text(const StudyRun& run, double size) {
-  const iga::ElasticityResults& results = run.solution.results;
-  std::string text =
-      fmt::format("  max von Mises     {} at {} (of Gauss points and faces)\n",
-                  with_uncertainty(results.max_von_mises.value,
-                                   run.error ? std::optional(run.error->stress_at_max) : std::nullopt,
-                                   results.max_von_mises.value),
-                  place_with_unit(results.max_von_mises.place, size));
-  if (run.error && run.error->singular)
-    text += fmt::format("    grows           with refinement: it is at {}\n", *run.error->singular);
+/// @param error  estimated, or none
+std::string von_mises_text(const iga::ElasticityResults& results, const std::optional<RunError>& error,
+                           double size) {
+  std::string text = fmt::format("  max von Mises     {} at {} (of Gauss points and faces)\n",
+                                 with_uncertainty(results.max_von_mises.value,
+                                                  error ? std::optional(error->stress_at_max) : std::nullopt,
+                                                  results.max_von_mises.value),
+                                 place_with_unit(results.max_von_mises.place, size));
+  if (error && error->singular)
+    text += fmt::format("    grows           with refinement: it is at {}\n", *error->singular);
   const iga::LeftOut& left_out = results.left_out;
   if (left_out.folded > 0)
     text += fmt::format(
@@ -293,6 +357,37 @@ std::string von_mises_text(const StudyRun& run, double size) {
   if (left_out.collapsed > 0)
     text += fmt::format("    without         {} points on collapsed edges and faces\n",
                         with_separators(left_out.collapsed));
+  return text;
+}
+
+std::string principal_text(const iga::ElasticityResults& results, double size) {
+  const iga::StressPeaks& peaks = results.peaks;
+  if (peaks.tension.patch < 0) return "";
+  std::string text =
+      fmt::format("  principal         from {} at {} to {} at {}\n  max Tresca        {} at {}\n",
+                  with_unit(-peaks.compression.value, "Pa"), place_with_unit(peaks.compression.place, size),
+                  with_unit(peaks.tension.value, "Pa"), place_with_unit(peaks.tension.place, size),
+                  with_unit(peaks.tresca.value, "Pa"), place_with_unit(peaks.tresca.place, size));
+  if (peaks.utilization.patch >= 0)
+    text += fmt::format("  safety factor     {:.4g} against yield at {}\n", 1 / peaks.utilization.value,
+                        place_with_unit(peaks.utilization.place, size));
+  return text;
+}
+
+// Reactions' moments, where the study names a point for them, and the forces of cuts.
+std::string moments_text(const Study& study, const CaseView& one, double size) {
+  std::string text;
+  const Eigen::Vector3d& point = study.output.moments_about;
+  if (!point.isZero(0))
+    for (const iga::Reaction& reaction : one.solution.results.reactions)
+      text += fmt::format("  moment            {} about {} at {}\n",
+                          vector_with_unit(moment_about(point, reaction), "N m"),
+                          place_with_unit(point, size), reaction.support);
+  for (const SectionValues& section : one.sections)
+    text += fmt::format("  {:<17} {} and {} about {}, on {}\n", section.name,
+                        vector_with_unit(section.forces.force, "N"),
+                        vector_with_unit(section.forces.moment, "N m"),
+                        place_with_unit(section.plane.point, size), with_unit(section.forces.area, "m^2"));
   return text;
 }
 
@@ -312,11 +407,40 @@ std::string solver_text(const solvers::SolveReport& report) {
          why;
 }
 
+std::string case_heading(const CaseName& name) {
+  if (name.name.empty()) return "";
+  std::string of;
+  for (const auto& [one, factor] : name.factors)
+    of += fmt::format("{}{:g} {}",
+                      of.empty()   ? ""
+                      : factor < 0 ? " - "
+                                   : " + ",
+                      of.empty() ? factor : std::abs(factor), one);
+  if (name.factors.empty())
+    of = name.loads.empty() ? "what supports prescribe" : fmt::format("{}", fmt::join(name.loads, ", "));
+  return fmt::format("{} {}: {}\n", name.factors.empty() ? "case" : "combination", name.name, of);
+}
+
+// Largest values, reactions and probes of one case.
+std::string case_text(const Study& study, const StudyRun& run, const CaseView& one) {
+  const iga::ElasticityResults& results = one.solution.results;
+  const double size = run.built.problem.discretization.model.size();
+  const bool is_estimated = &one.solution == &run.solution;
+  return case_heading(one.name) +
+         fmt::format("  max displacement  {} at {}\n", with_unit(results.max_displacement.value, "m"),
+                     place_with_unit(results.max_displacement.place, size)) +
+         von_mises_text(results, is_estimated ? run.error : std::nullopt, size) +
+         principal_text(results, size) +
+         fmt::format("  internal energy   {}\n", with_unit(results.internal_energy, "J")) +
+         (is_estimated ? error_text(run) : "") + reactions_text(run, results) +
+         moments_text(study, one, size) + probes_text(one.probes, results);
+}
+
 }  // namespace
 
 std::string summary_json(const Study& study, const StudyRun& run) {
   Json json = {
-      {"schema_version", 1},
+      {"schema_version", 2},
       {"program", {{"name", "isopatch"}, {"version", version()}}},
       {"title", study.title},
       {"study", study.source},
@@ -328,8 +452,11 @@ std::string summary_json(const Study& study, const StudyRun& run) {
       {"coupling", iga::name(study.options.coupling)},
       {"solver",
        solver_json(run.solution.solver, study.options.solver.tolerance, run.solution.predicted_bytes)},
-      {"results", results_json(run)},
-      {"probes", probes_json(run)},
+      {"mass", mass_json(run.built.mass)},
+      {"results", results_json(study, run, run.solution.results)},
+      {"probes", probes_json(run.probes)},
+      {"sections", sections_json(run.sections)},
+      {"cases", cases_json(study, run)},
       {"warnings", texts_json(run.built.warnings)},
       {"warning_places", places_json(run.built.warnings)},
       {"timings", timings_json(run)},
@@ -347,7 +474,6 @@ std::string summary_json(const Study& study, const StudyRun& run) {
 std::string summary_text(const Study& study, const StudyRun& run) {
   const auto& model = run.built.problem.discretization.model;
   const iga::ProblemSize& size = run.solution.size;
-  const iga::ElasticityResults& results = run.solution.results;
   double total = 0;
   for (const iga::PhaseTime& time : run.timings) total += time.seconds;
   std::string text = study.title.empty() ? "" : study.title + "\n";
@@ -356,17 +482,16 @@ std::string summary_text(const Study& study, const StudyRun& run) {
                       model.patch_count(), model.interfaces().size(), model.boundary_faces().size(),
                       bodies == 1 ? "one body" : fmt::format("{} bodies", bodies),
                       with_unit(run.built.report.volume, "m^3"));
+  if (run.built.mass)
+    text += fmt::format("  mass              {}, centre at {}\n", with_unit(1e3 * run.built.mass->mass, "g"),
+                        place_with_unit(run.built.mass->centre, model.size()));
   text += regions_text(run);
   text += fmt::format("  unknowns          {} ({} free), {} elements, coupled by {}\n",
                       with_separators(size.dofs), with_separators(size.dofs_free),
                       with_separators(size.elements), iga::name(study.options.coupling));
   text += solver_text(run.solution.solver);
-  text += fmt::format("  max displacement  {} at {}\n", with_unit(results.max_displacement.value, "m"),
-                      place_with_unit(results.max_displacement.place, model.size()));
-  text += von_mises_text(run, model.size());
-  text += fmt::format("  internal energy   {}\n", with_unit(results.internal_energy, "J"));
-  text += error_text(run);
-  text += reactions_text(run) + probes_text(run) + run_levels_text(run.levels);
+  for (const CaseView& one : cases_of(run)) text += case_text(study, run, one);
+  text += run_levels_text(run.levels);
   text += fmt::format("  time, memory      {}, {}{}\n", seconds_text(total), bytes_text(run.peak_bytes),
                       study.options.processes.count() == 1
                           ? ""

@@ -34,7 +34,7 @@ void UnfinishedResults::replace_earlier() {
   remove_earlier_results(directory_);
   for (const fs::path& file : files_of(folder_)) move_in(folder_, directory_, file);
   std::error_code ignored;
-  fs::remove(folder_ / "fields", ignored);
+  remove_earlier_results(folder_);  // folders that are empty now
   fs::remove(folder_, ignored);
 }
 

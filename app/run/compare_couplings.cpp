@@ -1,8 +1,11 @@
 #include "app/run/compare_couplings.hpp"
 
+#include <fmt/format.h>
+
 #include <map>
 
 #include "app/problem/plausibility.hpp"
+#include "app/study/load_cases.hpp"
 #include "geometry/base/larger.hpp"
 #include "iga/post/face_stresses.hpp"
 #include "iga/post/internal_forces.hpp"
@@ -138,6 +141,13 @@ ComparedStudy compare_couplings(const Study& study, bool condition, const Progre
   Study forecast = study;
   forecast.options = options_of(study, study.options.coupling);
   ComparedStudy result{{}, {build_problem(forecast, progress), {}, {}, {}, 0}, {}};
+  if (const iga::LoadCases cases = load_cases(study); !cases.cases.empty()) {
+    const iga::LoadCase& first = cases.cases.front();
+    BuiltProblem& built = result.run.built;
+    built.problem = iga::of_case(built.problem, first);
+    built.warnings.push_back(
+        {fmt::format("the couplings are compared in the first load case, {}, alone", first.name)});
+  }
   const iga::ElasticityProblem& problem = result.run.built.problem;
   const iga::ElasticitySolution eliminated =
       iga::solve_elasticity(problem, options_of(study, iga::Coupling::elimination), progress);

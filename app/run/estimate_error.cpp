@@ -22,17 +22,18 @@ std::vector<iga::PatchPlace> places_of(const StudyRun& run) {
   return places;
 }
 
-void add_estimate(const Study& study, StudyRun& run, const Progress& progress) {
+void add_estimate(const Study& study, const iga::ElasticityProblem& problem, StudyRun& run,
+                  const Progress& progress) {
   const std::vector<iga::PatchPlace> places = places_of(run);
   iga::ErrorEstimate estimate =
-      iga::estimate_error(run.built.problem, run.solution.field, places, study.options, progress);
+      iga::estimate_error(problem, run.solution.field, places, study.options, progress);
   run.error = RunError{estimate.energy, estimate.relative, Eigen::Matrix3d::Zero(), estimate.iterations};
   auto stress = estimate.stress_at.begin();
   const iga::Extremum& most = run.solution.results.max_von_mises;
   if (most.patch >= 0) {
     run.error->stress_at_max = *stress++;
     if (iga::von_mises(run.error->stress_at_max) > least_singular_error * most.value)
-      run.error->singular = iga::singular_places(run.built.problem, places).front();
+      run.error->singular = iga::singular_places(problem, places).front();
   }
   for (ProbeValues& probe : run.probes) probe.stress_error = *stress++;
   run.solution.field.errors = std::move(estimate.elements);
@@ -45,11 +46,12 @@ bool is_common(ErrorCode code) {
 
 }  // namespace
 
-void estimate_error(const Study& study, StudyRun& run, const Progress& progress) {
+void estimate_error(const Study& study, const iga::ElasticityProblem& problem, StudyRun& run,
+                    const Progress& progress) {
   const Stopwatch watch;
   const bool is_alone = study.options.processes.count() == 1;
   try {
-    add_estimate(study, run, progress);
+    add_estimate(study, problem, run, progress);
   } catch (const Error& error) {
     if (!is_alone && !is_common(error.code())) throw;
     run.error_missing = error.what();

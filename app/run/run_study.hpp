@@ -6,8 +6,8 @@
 
 namespace isopatch::app {
 
-/// Builds and solves a study. Nothing is written.
-/// @throws Error as build_problem and solve_elasticity do
+/// Builds and solves a study with all its load cases. Nothing is written.
+/// @throws Error as load_cases, build_problem, solve_elasticity and solve_cases do
 StudyRun run_study(const Study& study, const Progress& progress = {});
 
 }  // namespace isopatch::app

@@ -5,27 +5,10 @@
 #include <vector>
 
 #include "app/problem/build_problem.hpp"
+#include "app/run/case_run.hpp"
 #include "iga/solution/solve_elasticity.hpp"
 
 namespace isopatch::app {
-
-/// Values on another side of an interface of materials at which a probe lies.
-struct ProbeSide {
-  int patch = 0;
-  geometry::Parameter<3> parameter;  ///< in the input's naming
-  std::string material;              ///< its name
-  iga::FieldValues values;
-};
-
-/// Values at a probe.
-struct ProbeValues {
-  std::string name;
-  int patch = 0;
-  geometry::Parameter<3> parameter;  ///< in the input's naming
-  iga::FieldValues values;
-  std::optional<Eigen::Matrix3d> stress_error = {};  ///< estimated, Pa
-  std::vector<ProbeSide> sides = {};                 ///< one for each other material that meets there
-};
 
 /// What is estimated of the error of the discretization; of elements it is in the solution's field.
 struct RunError {
@@ -49,17 +32,34 @@ struct RunLevel {
   double seconds = 0;                ///< of all phases
 };
 
-/// A study's solution with all that was known on the way.
+/// A study's solution with all that was known on the way. Of a study with load cases `solution`, `probes` and
+/// `error` are those of the first.
 struct StudyRun {
   BuiltProblem built;
   iga::ElasticitySolution solution;
   std::vector<ProbeValues> probes;
   std::vector<iga::PhaseTime> timings;  ///< of all phases so far, s
   std::int64_t peak_bytes =
-      0;  ///< most memory that all processes held until the end of these phases, added up
-  std::optional<RunError> error = {};  ///< if it was asked for and could be estimated
-  std::string error_missing = {};      ///< why there is none though it was asked for
-  std::vector<RunLevel> levels = {};   ///< of a run on several, this one the last
+      0;                    ///< most memory that all processes held until the end of these phases, added up
+  CaseName case_name = {};  ///< of the solution
+  std::vector<CaseRun> further = {};         ///< the other cases, then the combinations
+  std::vector<SectionValues> sections = {};  ///< of the solution
+  std::optional<RunError> error = {};        ///< if it was asked for and could be estimated
+  std::string error_missing = {};            ///< why there is none though it was asked for
+  std::vector<RunLevel> levels = {};         ///< of a run on several, this one the last
+
+  bool has_cases() const { return !case_name.name.empty(); }
 };
+
+/// One case of a run, which must outlive it.
+struct CaseView {
+  const CaseName& name;
+  const iga::ElasticitySolution& solution;
+  const std::vector<ProbeValues>& probes;
+  const std::vector<SectionValues>& sections;
+};
+
+/// The case of `solution`, then the others; one alone of a study without cases.
+std::vector<CaseView> cases_of(const StudyRun& run);
 
 }  // namespace isopatch::app

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "app/study/face_selection.hpp"
 #include "iga/problem/hydrostatic_load.hpp"
@@ -98,6 +99,7 @@ struct AppliedLoad {
                Rotating, Temperature>
       load = {};
   Place place = {};
+  std::vector<std::string> cases = {};  ///< the load cases that it acts in; none in a study without
   bool operator==(const AppliedLoad&) const = default;
 };
 

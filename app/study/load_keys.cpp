@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/study/case_keys.hpp"
 #include "app/study/load_tables.hpp"
 #include "app/study/selection_keys.hpp"
 
@@ -104,6 +105,9 @@ const Keys<AppliedLoad>& load_keys() {
       load_table_key<Temperature>("temperature", temperature_keys(),
                                   "A change of temperature; the materials need an expansion. Stresses are "
                                   "those of the strain without the thermal one."),
+      case_key<L>(
+          "Load case that it belongs to, or several. Loads of one case act together; cases are solved "
+          "with one set-up, and each has results of its own."),
   };
   return keys;
 }

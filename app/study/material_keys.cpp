@@ -26,8 +26,10 @@ double read_poisson(const ConfigValue& value) {
 std::string material_names() {
   std::string result;
   for (const StandardMaterial& material : standard_materials())
-    result += fmt::format("{}{} (E {:g} GPa, nu {:g}, {:g} kg/m^3)", result.empty() ? "" : ", ",
-                          material.name, material.young / 1e9, material.poisson, material.density);
+    result += fmt::format(
+        "{}{} (E {:g} GPa, nu {:g}, {:g} kg/m^3{})", result.empty() ? "" : ", ", material.name,
+        material.young / 1e9, material.poisson, material.density,
+        material.yield > 0 ? fmt::format(", yield {:g} MPa: {}", material.yield / 1e6, material.source) : "");
   return result;
 }
 
@@ -39,9 +41,11 @@ iga::Material read_standard_material(const MaterialKeys& keys, const Place& plac
   std::vector<std::string> known;
   for (const StandardMaterial& material : standard_materials()) {
     known.push_back(material.name);
-    if (material.name == *keys.name)
-      return iga::isotropic(material.young, material.poisson, keys.density.value_or(material.density),
-                            material.name);
+    if (material.name != *keys.name) continue;
+    iga::Material result = iga::isotropic(material.young, material.poisson,
+                                          keys.density.value_or(material.density), material.name);
+    result.yield = keys.yield.value_or(material.yield);
+    return result;
   }
   throw error_at(place,
                  fmt::format("no material named \"{}\"{}; known: {}. Others need lame, or young and poisson",
@@ -59,8 +63,10 @@ iga::Material read_constants(const MaterialKeys& keys, const Place& place) {
   const double density = keys.density.value_or(0);
   const std::string name = keys.name.value_or("");
   try {
-    if (engineering) return iga::isotropic(*keys.young, *keys.poisson, density, name);
-    const iga::Material material{keys.lame->lambda, keys.lame->mu, density, name, 0};
+    iga::Material material = engineering
+                                 ? iga::isotropic(*keys.young, *keys.poisson, density, name)
+                                 : iga::Material{keys.lame->lambda, keys.lame->mu, density, name, 0, 0};
+    material.yield = keys.yield.value_or(0);
     iga::validate(material);
     return material;
   } catch (const Error& error) {
@@ -101,6 +107,9 @@ const Keys<MaterialKeys>& material_keys() {
       quantity_key<MaterialKeys>("expansion", &MaterialKeys::expansion, dim::expansion, any_number,
                                  "Linear thermal expansion, \"12e-6 1/K\" for steel; needed by "
                                  "temperature."),
+      quantity_key<MaterialKeys>(
+          "yield", &MaterialKeys::yield, dim::pressure, positive,
+          "Yield stress, for the safety factor against it; grades of the table have one."),
   };
   return keys;
 }

@@ -23,6 +23,7 @@ struct MaterialKeys {
   std::optional<double> poisson;
   std::optional<double> density;
   std::optional<double> expansion;
+  std::optional<double> yield;
 };
 
 const Keys<MaterialKeys>& material_keys();

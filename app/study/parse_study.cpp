@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include "app/study/case_keys.hpp"
 #include "app/study/config_section.hpp"
 #include "app/study/load_keys.hpp"
 #include "app/study/material_keys.hpp"
 #include "app/study/model_keys.hpp"
+#include "app/study/modes_keys.hpp"
 #include "app/study/not_a_study.hpp"
+#include "app/study/section_keys.hpp"
 #include "app/study/study_keys.hpp"
 #include "app/study/study_path.hpp"
 #include "app/study/support_keys.hpp"
@@ -37,6 +40,8 @@ void read_options(const StudyKeys& top, Study& study) {
   const ConfigSection solver = section(top.solver, "solver", study.source);
   study.options.solver =
       read_table<solvers::SolverOptions>(solver.table, solver.place, "[solver]", solver_keys());
+  const ConfigSection modes = section(top.modes, "modes", study.source);
+  study.modes = read_table<ModesInput>(modes.table, modes.place, "[modes]", modes_keys());
   const ConfigSection output = section(top.output, "output", study.source);
   study.output = read_table<OutputInput>(output.table, output.place, "[output]", output_keys());
   const ConfigEntry* directory = output.table.find("directory");
@@ -66,8 +71,12 @@ Study parse_study(const std::string& text, const std::filesystem::path& source_n
     study.supports.push_back(read_support(input, study.supports.size()));
   for (const ConfigSection& input : sections(top.load, "load"))
     study.loads.push_back(read_load(input, study.loads.size()));
+  for (const ConfigSection& input : sections(top.combination, "combination"))
+    study.combinations.push_back(read_combination(input, study.combinations.size()));
   for (const ConfigSection& input : sections(top.probe, "probe"))
     study.probes.push_back(read_probe(input, study.probes.size()));
+  for (const ConfigSection& input : sections(top.section, "section"))
+    study.sections.push_back(read_cut(input, study.sections.size()));
   read_options(top, study);
   return study;
 }

@@ -7,17 +7,18 @@
 
 namespace isopatch::app {
 
-/// A material by name: usual handbook values at room temperature, good for a first look. Give your own for
-/// design.
+/// A material by name, at room temperature. Families ("steel") have usual handbook values, good for a first
+/// look, and no yield stress, which depends on the grade; grades ("S355") have the least yield stress of
+/// their standard.
 struct StandardMaterial {
   std::string name;
   double young;    ///< Pa
   double poisson;  ///< pure number
   double density;  ///< kg/m^3
+  double yield;    ///< Pa; 0 for families and brittle materials
+  std::string source;
 };
 
-/// steel, stainless_steel, cast_iron, aluminium, titanium, copper, brass, magnesium, abs, pa6, peek,
-/// concrete, glass
 const std::vector<StandardMaterial>& standard_materials();
 
 }  // namespace isopatch::app

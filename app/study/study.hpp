@@ -7,9 +7,12 @@
 #include <vector>
 
 #include "app/study/applied_load.hpp"
+#include "app/study/combination_input.hpp"
 #include "app/study/config_value.hpp"
 #include "app/study/face_selection.hpp"
 #include "app/study/model_input.hpp"
+#include "app/study/modes_input.hpp"
+#include "app/study/section_input.hpp"
 #include "app/study/support_input.hpp"
 #include "iga/material/material.hpp"
 #include "iga/solution/solve_elasticity.hpp"
@@ -61,6 +64,7 @@ struct OutputInput {
   bool hdf5 = true;
   bool report = true;
   bool error_estimate = true;
+  Eigen::Vector3d moments_about = Eigen::Vector3d::Zero();  ///< of reactions, m
   bool operator==(const OutputInput&) const = default;
 };
 
@@ -72,8 +76,11 @@ struct Study {
   std::vector<MaterialInput> materials;
   std::vector<SupportInput> supports;
   std::vector<AppliedLoad> loads;
+  std::vector<CombinationInput> combinations = {};
   iga::ElasticityOptions options;
   std::vector<ProbeInput> probes;
+  std::vector<SectionInput> sections = {};
+  ModesInput modes = {};
   OutputInput output;
   std::string source;  ///< path of the file, for messages
   std::string text;    ///< the file as it was read, stored with the results

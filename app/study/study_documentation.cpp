@@ -4,13 +4,16 @@
 
 #include "app/base/unit_table.hpp"
 #include "app/study/attachment_keys.hpp"
+#include "app/study/case_keys.hpp"
 #include "app/study/generated_models.hpp"
 #include "app/study/load_keys.hpp"
 #include "app/study/load_tables.hpp"
 #include "app/study/material_keys.hpp"
 #include "app/study/model_keys.hpp"
+#include "app/study/modes_keys.hpp"
 #include "app/study/parameterization_keys.hpp"
 #include "app/study/reconstruction_keys.hpp"
+#include "app/study/section_keys.hpp"
 #include "app/study/segmentation_keys.hpp"
 #include "app/study/selection_keys.hpp"
 #include "app/study/study_keys.hpp"
@@ -131,6 +134,10 @@ std::vector<SectionText> study_sections() {
        texts(rotation_keys())},
       {"load.temperature", "[[load]] temperature = { ... }",
        "A change of temperature, even or linear in the place.", texts(temperature_keys())},
+      {"combination", "[[combination]]",
+       "A sum of load cases with factors, as codes ask for. It costs no solution; stresses and energies are "
+       "computed from the sum.",
+       texts(combination_keys())},
       {"where", "where = { ... } of supports and loads",
        "Faces chosen by geometry, because patch numbers mean little where a program made the patches. All "
        "conditions given "
@@ -151,6 +158,13 @@ std::vector<SectionText> study_sections() {
       {"probe", "[[probe]]",
        "Values at a place: displacement, stress and von Mises stress appear in summary.json.",
        texts(probe_keys())},
+      {"section", "[[section]]",
+       "The force and moment that one side of a plane cut exerts on the other, in summary.json and on the "
+       "pages.",
+       texts(section_keys())},
+      {"modes", "[modes]",
+       "Natural frequencies and shapes, by `isopatch modes`; other commands pass over it.",
+       texts(modes_keys())},
       {"output", "[output]", "What is written, and where. Files appear whole or not at all.",
        texts(output_keys())}};
   sections.insert(sections.end(), others.begin(), others.end());

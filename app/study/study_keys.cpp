@@ -71,9 +71,14 @@ const Keys<StudyKeys>& study_keys() {
       value_key<StudyKeys>("support", "array of tables", &StudyKeys::support, "What holds the part.")
           .required(),
       value_key<StudyKeys>("load", "array of tables", &StudyKeys::load, "What acts on the part."),
+      value_key<StudyKeys>("combination", "array of tables", &StudyKeys::combination,
+                           "Sums of load cases with factors."),
       value_key<StudyKeys>("coupling", "table", &StudyKeys::coupling, "How the patches are held together."),
       value_key<StudyKeys>("solver", "table", &StudyKeys::solver, "How the equations are solved."),
       value_key<StudyKeys>("probe", "array of tables", &StudyKeys::probe, "Places whose values are wanted."),
+      value_key<StudyKeys>("section", "array of tables", &StudyKeys::section,
+                           "Cuts through the part whose forces and moments are wanted."),
+      value_key<StudyKeys>("modes", "table", &StudyKeys::modes, "What `isopatch modes` looks for."),
       value_key<StudyKeys>("output", "table", &StudyKeys::output, "What is written, and where."),
   };
   return keys;
@@ -227,6 +232,9 @@ const Keys<OutputInput>& output_keys() {
           "Whether the error of the discretization is estimated: in energy, in every element, and of "
           "the stress at probes and where it is largest. Takes a fifth of a run or less, and some 1 kB "
           "of memory for each unknown."),
+      vector_key<O>("moments_about", &O::moments_about, dim::length,
+                    "The point about which moments of reactions are given besides those about the origin.")
+          .with_default("[0, 0, 0]"),
   };
   return keys;
 }

@@ -32,9 +32,12 @@ struct StudyKeys {
   std::optional<ConfigValue> material;
   std::optional<ConfigValue> support;
   std::optional<ConfigValue> load;
+  std::optional<ConfigValue> combination;
   std::optional<ConfigValue> coupling;
   std::optional<ConfigValue> solver;
   std::optional<ConfigValue> probe;
+  std::optional<ConfigValue> section;
+  std::optional<ConfigValue> modes;
   std::optional<ConfigValue> output;
 };
 

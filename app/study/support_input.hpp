@@ -61,6 +61,9 @@ struct SupportInput {
   std::string key = {};   ///< what results call it: its name, or "support 1"
   FaceSelection selection = {};
   std::variant<HeldDisplacement, Symmetry, Roller, Cylindrical, Elastic, FreeBody> condition = {};
+  /// Load cases in which it moves its faces by what it prescribes, while it holds them at 0 in others; none:
+  /// in all.
+  std::vector<std::string> cases = {};
   bool operator==(const SupportInput&) const = default;
 };
 

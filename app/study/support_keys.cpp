@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/study/case_keys.hpp"
 #include "app/study/selection_keys.hpp"
 #include "app/study/support_tables.hpp"
 
@@ -198,6 +199,7 @@ const Keys<SupportInput>& support_keys() {
                     "what does not balance is reported as the reaction.",
                     [](S&, const ConfigValue& value) { read_flag(value, "free_body"); })
           .with_default("false"),
+      case_key<S>("Load cases in which what it prescribes acts; in others it holds at 0. Without, in all."),
   };
   return keys;
 }

@@ -34,7 +34,7 @@ void collect_keys(const json& value, const std::string& path, std::vector<std::s
 TEST_F(Program, RunWritesASummaryWithTheDocumentedKeys) {
   ASSERT_EQ(run({"run", study()}), 0) << err_;
   const json summary = json::parse(read_file(results() / "summary.json"));
-  EXPECT_EQ(summary["schema_version"], 1);
+  EXPECT_EQ(summary["schema_version"], 2);
   EXPECT_EQ(summary["title"], "bar");
   EXPECT_EQ(summary["model"]["patches"], 2);
   EXPECT_EQ(summary["model"]["interfaces"], 1);

@@ -142,8 +142,8 @@ std::string words_of(const ModelInput& model) {
 std::string words_of(const MaterialInput& input) {
   const iga::Material& m = input.material;
   return fmt::format(
-      "material patches{}\nlambda {:.6g}\nmu {:.6g}\ndensity {:g}\nexpansion {:g}\ncalled {}\n",
-      words_of(input.patches), m.lambda, m.mu, m.density, m.expansion, m.name);
+      "material patches{}\nlambda {:.6g}\nmu {:.6g}\ndensity {:g}\nexpansion {:g}\nyield {:g}\ncalled {}\n",
+      words_of(input.patches), m.lambda, m.mu, m.density, m.expansion, m.yield, m.name);
 }
 
 std::string words_of(const HeldDisplacement& held) {
@@ -179,7 +179,8 @@ std::string words_of(const FreeBody&) {
 }
 
 std::string words_of(const SupportInput& input) {
-  return fmt::format("support key {}\nsupport kind {}\n", input.key, kind_name(input)) +
+  return fmt::format("support key {}\nsupport kind {}\nsupport cases {}\n", input.key, kind_name(input),
+                     fmt::join(input.cases, " ")) +
          words_of(input.selection, "support") +
          std::visit([](const auto& condition) { return words_of(condition); }, input.condition);
 }
@@ -215,6 +216,7 @@ std::string words_of(const AppliedLoad& input) {
   std::string text =
       fmt::format("load key {}\nload {} {}\n", input.key, kind_name(input),
                   std::visit([](const auto& load) { return value_text(load.value); }, input.load));
+  text += fmt::format("load cases {}\n", fmt::join(input.cases, " "));
   if (const PatchSelection* patches = patches_of(input))
     text += fmt::format("load patches{}\n", words_of(*patches));
   if (const FaceSelection* faces = faces_of(input)) text += words_of(*faces, "load");
@@ -240,9 +242,11 @@ std::string words_of(const iga::ElasticityOptions& o) {
 
 std::string words_of(const OutputInput& o) {
   return fmt::format(
-      "directory {}\nfields {}\npieces {}\nexact {}\nprecision {}\nhdf5 {}\nreport {}\nerror estimate {}\n",
+      "directory {}\nfields {}\npieces {}\nexact {}\nprecision {}\nhdf5 {}\nreport {}\nerror estimate "
+      "{}\nmoments about {}\n",
       o.directory.string(), o.fields, o.field_options.pieces, o.field_options.exact,
-      static_cast<int>(o.field_options.precision), o.hdf5, o.report, o.error_estimate);
+      static_cast<int>(o.field_options.precision), o.hdf5, o.report, o.error_estimate,
+      words_of(o.moments_about));
 }
 
 }  // namespace
@@ -255,7 +259,17 @@ std::string words_of(const Study& study) {
   for (const MaterialInput& input : study.materials) text += words_of(input);
   for (const SupportInput& input : study.supports) text += words_of(input);
   for (const AppliedLoad& input : study.loads) text += words_of(input);
+  for (const CombinationInput& input : study.combinations) {
+    text += "combination " + input.name;
+    for (const auto& [name, factor] : input.factors) text += fmt::format(" {} {:g}", name, factor);
+    text += "\n";
+  }
   for (const ProbeInput& input : study.probes) text += words_of(input);
+  for (const SectionInput& input : study.sections)
+    text += fmt::format("section {}\nsection point {}\nsection normal {}\nsection radius {:g}\n", input.name,
+                        words_of(input.plane.point), words_of(input.plane.normal), input.plane.radius);
+  text += fmt::format("modes {}\nmodes free {}\nmodes counted {}\n", study.modes.number, study.modes.is_free,
+                      study.modes.count);
   return "\n" + text + words_of(study.options) + words_of(study.output);
 }
 

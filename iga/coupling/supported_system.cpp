@@ -22,15 +22,14 @@ Block turned(const Block& block, const SupportFrame& row, const SupportFrame& co
 
 }  // namespace
 
-void apply_supports(solvers::LinearSystem& system, const std::vector<const SupportFrame*>& frame_of_row) {
-  solvers::SymmetricBlockMatrix& k = system.stiffness;
-  Eigen::VectorXd& load = system.load;
-  const double diagonal = solvers::mean_diagonal(k, system.rows);
+void apply_supports(solvers::SymmetricBlockMatrix& k, const solvers::SharedRows& rows,
+                    const std::vector<const SupportFrame*>& frame_of_row, std::vector<LoadOfRows>& loads) {
+  const double diagonal = solvers::mean_diagonal(k, rows);
   // Entries of the processes are summed, so only a row's owner has what must be there once.
-  std::vector<bool> is_owned(static_cast<std::size_t>(k.block_rows()), !system.rows.is_distributed());
-  if (system.rows.is_distributed())
-    for (const int row : system.rows.owned()) is_owned[static_cast<std::size_t>(row)] = true;
-  Eigen::VectorXd moved = Eigen::VectorXd::Zero(load.size());
+  std::vector<bool> is_owned(static_cast<std::size_t>(k.block_rows()), !rows.is_distributed());
+  if (rows.is_distributed())
+    for (const int row : rows.owned()) is_owned[static_cast<std::size_t>(row)] = true;
+  std::vector<Eigen::VectorXd> moved(loads.size(), Eigen::VectorXd::Zero(k.rows()));
   for (int row = 0; row < k.block_rows(); ++row) {
     const SupportFrame& of_row = *frame_of_row[static_cast<std::size_t>(row)];
     for (std::int64_t position = k.row_start[static_cast<std::size_t>(row)];
@@ -39,21 +38,27 @@ void apply_supports(solvers::LinearSystem& system, const std::vector<const Suppo
       const SupportFrame& of_column = *frame_of_row[static_cast<std::size_t>(column)];
       if (is_identity(of_row) && is_identity(of_column)) continue;
       Eigen::Map<Block> block(&k.values[static_cast<std::size_t>(9 * position)]);
-      moved.segment<3>(3 * row) += block * of_column.prescribed;
-      if (column != row) moved.segment<3>(3 * column) += block.transpose() * of_row.prescribed;
+      for (std::size_t i = 0; i < loads.size(); ++i) {
+        moved[i].segment<3>(3 * row) += block * loads[i].prescribed.segment<3>(3 * column);
+        if (column != row)
+          moved[i].segment<3>(3 * column) += block.transpose() * loads[i].prescribed.segment<3>(3 * row);
+      }
       block = turned(block, of_row, of_column);
       if (column == row && is_owned[static_cast<std::size_t>(row)])
         for (int i = of_row.free; i < 3; ++i) block(i, i) = diagonal;
     }
   }
-  system.rows.sum(moved);
-  load -= moved;
-  for (int row = 0; row < k.block_rows(); ++row) {
-    const SupportFrame& frame = *frame_of_row[static_cast<std::size_t>(row)];
-    if (is_identity(frame)) continue;
-    Eigen::Vector3d in_axes = frame.axes.transpose() * load.segment<3>(3 * row);
-    in_axes.tail(3 - frame.free).setZero();
-    load.segment<3>(3 * row) = in_axes;
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    Eigen::VectorXd& load = loads[i].load;
+    rows.sum(moved[i]);
+    load -= moved[i];
+    for (int row = 0; row < k.block_rows(); ++row) {
+      const SupportFrame& frame = *frame_of_row[static_cast<std::size_t>(row)];
+      if (is_identity(frame)) continue;
+      Eigen::Vector3d in_axes = frame.axes.transpose() * load.segment<3>(3 * row);
+      in_axes.tail(3 - frame.free).setZero();
+      load.segment<3>(3 * row) = in_axes;
+    }
   }
 }
 
@@ -62,20 +67,18 @@ void apply_supports(solvers::SymmetricBlockMatrix& stiffness, const FreeDirectio
   const std::vector<SupportFrame> frames = free.frames(stiffness.block_rows());
   std::vector<const SupportFrame*> of_rows;
   for (const SupportFrame& frame : frames) of_rows.push_back(&frame);
-  solvers::LinearSystem system;
-  system.rows = rows;
-  system.load = Eigen::VectorXd::Zero(stiffness.rows());
-  system.stiffness = std::move(stiffness);
-  apply_supports(system, of_rows);
-  stiffness = std::move(system.stiffness);
+  std::vector<LoadOfRows> no_loads;
+  apply_supports(stiffness, rows, of_rows, no_loads);
 }
 
 Eigen::Matrix3Xd displacement_of_rows(const Eigen::VectorXd& x,
-                                      const std::vector<const SupportFrame*>& frame_of_row) {
+                                      const std::vector<const SupportFrame*>& frame_of_row,
+                                      const Eigen::VectorXd& prescribed) {
   Eigen::Matrix3Xd u(3, x.size() / 3);
   for (Eigen::Index row = 0; row < u.cols(); ++row) {
     const SupportFrame& frame = *frame_of_row[static_cast<std::size_t>(row)];
-    u.col(row) = frame.prescribed + frame.axes.leftCols(frame.free) * x.segment(3 * row, frame.free);
+    u.col(row) =
+        prescribed.segment<3>(3 * row) + frame.axes.leftCols(frame.free) * x.segment(3 * row, frame.free);
   }
   return u;
 }

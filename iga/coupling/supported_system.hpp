@@ -10,13 +10,22 @@
 
 namespace isopatch::iga {
 
-/// Brings supports into K u = f, in place: every block row is turned into the axes of its frame, fixed
-/// components get the equation x = 0 with the mean diagonal entry as factor, and what they prescribe moves to
-/// the load.
+/// What acts on the block rows of a system.
+struct LoadOfRows {
+  Eigen::VectorXd load;        ///< f, (3 block rows), N
+  Eigen::VectorXd prescribed;  ///< what supports prescribe, (3 block rows), m
+};
+
+/// Brings supports into K u = f, in place, for one or several f: every block row is turned into the axes of
+/// its frame, fixed components get the equation x = 0 with the mean diagonal entry as factor, and what they
+/// prescribe moves to the load.
 ///
 /// The unknowns become x with u = prescribed + axes * x; the block size stays 3 and the matrix symmetric.
-/// @param frame_of_row  one frame per block row
-void apply_supports(solvers::LinearSystem& system, const std::vector<const SupportFrame*>& frame_of_row);
+/// @param rows          of the matrix, on this process
+/// @param frame_of_row  one frame per block row; what it prescribes counts for nothing
+/// @param loads         consistent; in the axes of the frames afterwards
+void apply_supports(solvers::SymmetricBlockMatrix& stiffness, const solvers::SharedRows& rows,
+                    const std::vector<const SupportFrame*>& frame_of_row, std::vector<LoadOfRows>& loads);
 
 /// The same for a matrix alone, where nothing is prescribed.
 void apply_supports(solvers::SymmetricBlockMatrix& stiffness, const FreeDirections& free,
@@ -24,7 +33,8 @@ void apply_supports(solvers::SymmetricBlockMatrix& stiffness, const FreeDirectio
 
 /// u = prescribed + axes * x for every block row. (3, block rows)
 Eigen::Matrix3Xd displacement_of_rows(const Eigen::VectorXd& x,
-                                      const std::vector<const SupportFrame*>& frame_of_row);
+                                      const std::vector<const SupportFrame*>& frame_of_row,
+                                      const Eigen::VectorXd& prescribed);
 
 /// One scalar multiplier: component `axis` (a column of the global node's frame) of two nodes is the same.
 struct MultiplierRow {

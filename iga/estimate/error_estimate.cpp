@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/base/error.hpp"
@@ -9,7 +10,10 @@
 #include "iga/estimate/raised_problem.hpp"
 #include "iga/multigrid/fast_diagonalization.hpp"
 #include "iga/multigrid/level_operator.hpp"
+#include "iga/post/internal_forces.hpp"
 #include "iga/problem/loads.hpp"
+#include "iga/problem/springs.hpp"
+#include "iga/problem/thermal_load.hpp"
 #include "iga/solution/solver_choice.hpp"
 
 namespace isopatch::iga {
@@ -69,13 +73,30 @@ Eigen::VectorXd forces_of(const Level& level, const LevelOperator& stiffness, co
   return forces;
 }
 
+// Those of temperatures included; every process has all.
+Eigen::Matrix3Xd loads_of(const ElasticityProblem& problem, const Level& level,
+                          const solvers::Processes& processes) {
+  Eigen::Matrix3Xd result = load_vector(problem);
+  const std::vector<ThermalStrain> strains = thermal_strains(problem.temperatures, problem.materials);
+  if (strains.empty()) return result;
+  Eigen::Matrix3Xd thermal = thermal_forces(problem.discretization, problem.materials, strains, level.parts);
+  if (processes.count() > 1) processes.sum(Eigen::Map<Eigen::VectorXd>(thermal.data(), thermal.size()));
+  return result + thermal;
+}
+
+// Holds act at points of their own in each space: between two of them they tell of no error.
+void require_no_holds(const std::vector<SprungFace>& faces) {
+  if (std::any_of(faces.begin(), faces.end(), [](const SprungFace& face) { return face.is_hold; }))
+    throw Error(ErrorCode::unsupported,
+                "a cylindrical support that holds only the radial or only the tangential direction");
+}
+
 Residual residual_of(const ElasticityProblem& problem, const ElasticityProblem& raised, const Level& level,
                      const LevelOperator& stiffness, const ElasticField& solution,
                      const solvers::Processes& processes) {
   const Eigen::VectorXd u = rows_of(level, in_raised_space(problem, raised, solution.displacement));
   const Eigen::VectorXd forces = forces_of(level, stiffness, u, processes);
-  // Every process has all loads.
-  return {level.free.to_free(sum_of_nodes(level, load_vector(raised)) - forces),
+  return {level.free.to_free(sum_of_nodes(level, loads_of(raised, level, processes)) - forces),
           0.5 * level.rows.dot(u, forces)};
 }
 
@@ -139,13 +160,15 @@ std::vector<Eigen::Matrix3d> stresses_at(const std::vector<PatchPlace>& places,
 ErrorEstimate estimate_error(const ElasticityProblem& problem, const ElasticField& solution,
                              const std::vector<PatchPlace>& places, const ElasticityOptions& options,
                              const Progress& progress) {
+  const std::vector<SprungFace> springs = sprung_faces(problem);
+  require_no_holds(springs);
   const ElasticityProblem raised = with_degree_raised(problem, options.quadrature_points);
   const Discretization& d = raised.discretization;
   require_room(d, options);
   progress("estimating the error", 0);
   const std::vector<PatchSpace> spaces = isoparametric_spaces(d);
   const Level level = raised_level(d, raised, spaces, options);
-  const LevelOperator stiffness(level, raised.materials, 0);
+  const LevelOperator stiffness(level, raised.materials, 0, springs);
   Residual residual = residual_of(problem, raised, level, stiffness, solution, options.processes);
   const FastDiagonalization smoother(d.model, level, raised.materials, stiffness.diagonal());
   const Correction correction =

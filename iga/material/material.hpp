@@ -12,6 +12,7 @@ struct Material {
   double density = 0;    ///< kg/m^3; needed by gravity, acceleration and rotation only
   std::string name;      ///< for reports; may be empty
   double expansion = 0;  ///< thermal, linear, 1/K; needed by temperatures only
+  double yield = 0;      ///< yield stress, Pa; 0 if it is not known
   bool operator==(const Material&) const = default;
 };
 

@@ -12,8 +12,9 @@ namespace {
 using geometry::Side;
 using Points = Eigen::Matrix3Xd;
 
-const std::vector<geometry::VtuField> fields = {
-    {"displacement", 3}, {"strain", 6}, {"stress", 6}, {"von_mises", 1}, {"scaled_jacobian", 1}};
+const std::vector<geometry::VtuField> fields = {{"displacement", 3},   {"strain", 6},           {"stress", 6},
+                                                {"von_mises", 1},      {"principal_stress", 3}, {"tresca", 1},
+                                                {"scaled_jacobian", 1}};
 
 std::vector<geometry::GridParameters<3>> grids_of(const ElasticField& field,
                                                   const geometry::MultiPatch& model, int least) {
@@ -60,7 +61,9 @@ void write_plane(const FieldPlane& plane, std::int64_t first, geometry::VtuFile&
   file.field(1, first, plane.strain);
   file.field(2, first, plane.stress);
   file.field(3, first, plane.von_mises);
-  file.field(4, first, plane.scaled_jacobian);
+  file.field(4, first, plane.principal);
+  file.field(5, first, plane.tresca);
+  file.field(6, first, plane.scaled_jacobian);
 }
 
 }  // namespace

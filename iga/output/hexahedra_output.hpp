@@ -18,12 +18,12 @@ std::vector<int> material_numbers(const ElasticField& field);
 /// of what they show is that of the cells' size.
 ///
 /// Each element is cut into pieces as `straight_pieces` says. All fields are evaluated at the nodes:
-/// `displacement` (m), `strain`, `stress` (Pa), both xx yy zz xy yz xz, `von_mises` (Pa) and
-/// `scaled_jacobian` (-1 .. 1), in single precision; cells have `patch` and `material`, from 0, and where the
-/// error is estimated that of their element: `error_energy` (of the whole element, J), `stress_error` (Pa). A
-/// patch's cells share their nodes; those on interfaces, edges and corners have the same coordinates to the
-/// last bit in all patches, so merged patches are closed. Which points have stress from beside them is said
-/// by `PlaneFields`.
+/// `displacement` (m), `strain`, `stress` (Pa), both xx yy zz xy yz xz, `von_mises`,
+/// `principal_stress` (three, the largest first), `tresca` (Pa) and `scaled_jacobian` (-1 .. 1), in single
+/// precision; cells have `patch` and `material`, from 0, and where the error is estimated that of their
+/// element: `error_energy` (of the whole element, J), `stress_error` (Pa). A patch's cells share their nodes;
+/// those on interfaces, edges and corners have the same coordinates to the last bit in all patches, so merged
+/// patches are closed. Which points have stress from beside them is said by `PlaneFields`.
 class HexahedraOutput {
  public:
   /// @param field  must outlive this

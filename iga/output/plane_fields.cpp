@@ -9,6 +9,7 @@
 #include "iga/internal/parallel_for.hpp"
 #include "iga/material/internal/point_fields.hpp"
 #include "iga/output/internal/grid_sums.hpp"
+#include "iga/post/stress_measures.hpp"
 
 namespace isopatch::iga {
 namespace {
@@ -99,7 +100,8 @@ struct PlaneFields::State {
     out.displacement.resize(3, count);
     out.strain.resize(6, count);
     out.stress.resize(6, count);
-    for (auto* row : {&out.von_mises, &out.scaled_jacobian, &out.weights}) row->resize(count);
+    out.principal.resize(3, count);
+    for (auto* row : {&out.von_mises, &out.tresca, &out.scaled_jacobian, &out.weights}) row->resize(count);
   }
 
   void add(const GridSums::Point& point, NodeSums& node) const {
@@ -141,6 +143,8 @@ struct PlaneFields::State {
     out.strain.col(at) = six(strain);
     out.stress.col(at) = six(stress);
     out.von_mises[at] = von_mises(stress);
+    out.principal.col(at) = principal_values(stress);
+    out.tresca[at] = out.principal(0, at) - out.principal(2, at);
     borrowed[static_cast<std::size_t>(at)] = node.usable == 0 && !node.collapsed;
   }
 

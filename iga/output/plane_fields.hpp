@@ -30,6 +30,8 @@ struct FieldPlane {
   Eigen::MatrixXd strain;              ///< (6, points): xx, yy, zz, xy, yz, zx
   Eigen::MatrixXd stress;              ///< the same, Pa
   Eigen::RowVectorXd von_mises;        ///< of this stress, Pa
+  Eigen::Matrix3Xd principal;          ///< its principal stresses, the largest first, Pa
+  Eigen::RowVectorXd tresca;           ///< the first of these minus the last, Pa
   Eigen::RowVectorXd scaled_jacobian;  ///< det J over the product of its columns' lengths, -1 .. 1
   Eigen::RowVectorXd weights;          ///< the denominator of rational functions
   BorrowedStress borrowed;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "iga/post/stress_peaks.hpp"
 #include "iga/post/stress_points.hpp"
 #include "iga/problem/unresolved_energy.hpp"
 
@@ -27,6 +28,7 @@ struct ElasticityResults {
   Extremum max_displacement;  ///< length of the displacement, m; on a grid of degree + 1 points per element
                               ///< and direction, ends included
   Extremum max_von_mises;     ///< Pa; of the Gauss points and of a grid on the faces of all patches
+  StressPeaks peaks;          ///< of the same points as `max_von_mises`
   LeftOut left_out;           ///< points that `max_von_mises` does not look at
   Extremum max_strain;        ///< Frobenius norm of the strain; at the Gauss points that are not left out
   UnresolvedEnergy unresolved;

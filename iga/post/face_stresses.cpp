@@ -82,10 +82,17 @@ class FaceOfPatch {
     } else {
       const Eigen::Matrix3d gradient =
           rational_point(buffers, q, 4).derivatives * place.derivatives.inverse();
-      const double stress = von_mises(stress_of_gradient(gradient, material_));
+      const Eigen::Matrix3d sigma = stress_of_gradient(gradient, material_);
+      const double stress = von_mises(sigma);
       require_finite(stress, index_, place.value);
       if (is_larger(stress, result.max_von_mises.value))
         result.max_von_mises = {stress, place.value, index_, tensors_.parameter(element, point)};
+      take(
+          StressPoint{sigma, stress, material_.yield},
+          [&]() -> Extremum {
+            return {0, place.value, index_, tensors_.parameter(element, point)};
+          },
+          result.peaks);
     }
   }
 
@@ -97,7 +104,8 @@ class FaceOfPatch {
 };
 
 FaceStresses together(const FaceStresses& a, const FaceStresses& b) {
-  return {larger(a.max_von_mises, b.max_von_mises), together(a.left_out, b.left_out)};
+  return {larger(a.max_von_mises, b.max_von_mises), together(a.left_out, b.left_out),
+          together(a.peaks, b.peaks)};
 }
 
 }  // namespace
@@ -130,7 +138,8 @@ FaceStresses stresses_on_faces(const ElasticField& field) {
 
 FaceStresses summed(const FaceStresses& share, const solvers::Processes& processes) {
   if (processes.count() == 1) return share;
-  return {largest(share.max_von_mises, processes), summed(share.left_out, processes)};
+  return {largest(share.max_von_mises, processes), summed(share.left_out, processes),
+          largest(share.peaks, processes)};
 }
 
 }  // namespace isopatch::iga

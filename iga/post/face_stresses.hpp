@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "iga/post/stress_peaks.hpp"
 #include "iga/post/stress_points.hpp"
 #include "iga/spaces/elastic_field.hpp"
 #include "iga/spaces/patch_space.hpp"
@@ -12,6 +13,7 @@ namespace isopatch::iga {
 struct FaceStresses {
   Extremum max_von_mises;  ///< Pa; a value of -1 in no patch if there is no point
   LeftOut left_out;        ///< points where the map is folded or collapsed
+  StressPeaks peaks = {};  ///< over the same points
 };
 
 /// Evaluates stresses on all six faces of patches, on a grid of 2 degree + 1 points per element and

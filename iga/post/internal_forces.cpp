@@ -36,6 +36,7 @@ struct ElementForces {
   double energy = 0;
   double thermal_work = 0;
   Largest von_mises, strain;
+  StressPeaks peaks;
   std::int64_t folded = 0;
   Largest worst = {-2, 0, Eigen::Vector3d::Zero()};  // minus the scaled Jacobian
   UnresolvedEnergy modes;
@@ -62,6 +63,7 @@ class PatchForces {
     for (auto& at : scratch.test.at) at.resize(static_cast<std::size_t>(tensors_.point_count()));
     out.energy = out.thermal_work = 0;
     out.von_mises = out.strain = {};
+    out.peaks = {};
     out.folded = 0;
     out.worst = {-2, 0, Eigen::Vector3d::Zero()};
     scratch.stresses.resize(6, tensors_.point_count());
@@ -116,6 +118,12 @@ class PatchForces {
     const double equivalent = von_mises(sigma);
     require_finite(equivalent, index_, place.value);
     out.von_mises.take(equivalent, point, place.value);
+    iga::take(
+        StressPoint{sigma, equivalent, material_.yield},
+        [&]() -> Extremum {
+          return {0, place.value, index_, tensors_.parameter(element, point)};
+        },
+        out.peaks);
     out.strain.take((0.5 * (gradient + gradient.transpose())).norm(), point, place.value);
   }
 
@@ -180,6 +188,7 @@ InternalForces internal_forces(const Discretization& d, const std::vector<Materi
             take(element.von_mises, result.max_von_mises);
             take(element.strain, result.max_strain);
             take(element.worst, result.left_out.worst);
+            result.peaks = together(result.peaks, element.peaks);
             result.left_out.folded += element.folded;
             result.unresolved += element.modes;
             ++first;
@@ -212,6 +221,7 @@ InternalForces summed(InternalForces share, const solvers::Processes& processes)
   share.max_von_mises = largest(share.max_von_mises, processes);
   share.max_strain = largest(share.max_strain, processes);
   share.left_out = summed(share.left_out, processes);
+  share.peaks = largest(share.peaks, processes);
   for (double& along : share.unresolved.along) along = processes.sum(along);
   share.unresolved.volumetric = processes.sum(share.unresolved.volumetric);
   return share;

@@ -5,6 +5,7 @@
 
 #include "geometry/base/progress.hpp"
 #include "iga/post/elasticity_results.hpp"
+#include "iga/post/stress_peaks.hpp"
 #include "iga/spaces/discretization.hpp"
 #include "iga/spaces/elastic_field.hpp"
 #include "iga/spaces/patch_space.hpp"
@@ -21,6 +22,7 @@ struct InternalForces {
   Extremum max_von_mises;       ///< over the Gauss points that are not left out, Pa
   Extremum max_strain;          ///< Frobenius norm, over the same points
   LeftOut left_out;             ///< Gauss points where the map is folded
+  StressPeaks peaks;            ///< over the points that are not
   UnresolvedEnergy unresolved;  ///< of the highest modes
 };
 

@@ -1,6 +1,7 @@
 #include "iga/solution/assembled_system.hpp"
 
 #include <numeric>
+#include <utility>
 
 #include "geometry/base/stopwatch.hpp"
 #include "iga/assembly/assembly.hpp"
@@ -41,6 +42,14 @@ Eigen::VectorXd load_of_rows(const Eigen::Matrix3Xd& load, const RowNumbering& n
   return result;
 }
 
+Eigen::VectorXd prescribed_of_rows(const Eigen::Matrix3Xd& of_globals, const CoupledProblem& coupled) {
+  if (coupled.coupling == Coupling::elimination) return of_globals.reshaped();
+  Eigen::Matrix3Xd result(3, static_cast<Eigen::Index>(coupled.global.global_of.size()));
+  for (Eigen::Index node = 0; node < result.cols(); ++node)
+    result.col(node) = of_globals.col(coupled.global.global_of[static_cast<std::size_t>(node)]);
+  return result.reshaped();
+}
+
 }  // namespace
 
 AssembledSystem assembled_system(const CoupledProblem& coupled, const Progress& progress) {
@@ -55,8 +64,15 @@ AssembledSystem assembled_system(const CoupledProblem& coupled, const Progress& 
                                         local.numbering, coupled.points, progress);
   SupportStiffness(coupled.spaces, coupled.parts, sprung_faces(*coupled.problem))
       .add_to(system.stiffness, local.numbering);
-  system.load = local.rows.part(load_of_rows(coupled.load, result.numbering));
-  apply_supports(system, frames_of(local.rows, result.frame_of_row));
+  std::vector<LoadOfRows> loads;
+  for (const RightSide& side : coupled.right_sides) {
+    result.prescribed.push_back(prescribed_of_rows(side.prescribed, coupled));
+    loads.push_back({local.rows.part(load_of_rows(side.load, result.numbering)),
+                     local.rows.part(result.prescribed.back())});
+  }
+  apply_supports(system.stiffness, system.rows, frames_of(local.rows, result.frame_of_row), loads);
+  for (LoadOfRows& load : loads) result.loads.push_back(std::move(load.load));
+  system.load = result.loads.front();
   if (coupled.coupling == Coupling::lagrange) {
     SharedMultipliers multipliers =
         shared_multipliers(coupled.multipliers, local, first_node, coupled.distribution);

@@ -1,32 +1,60 @@
 #include "iga/solution/coupled_problem.hpp"
 
 #include "iga/post/internal_forces.hpp"
-#include "iga/problem/loads.hpp"
 
 namespace isopatch::iga {
+namespace {
 
-CoupledProblem coupled_problem(const ElasticityProblem& problem, Coupling coupling, int points,
-                               const solvers::Processes& processes) {
+// All but the right sides and the supports that they need.
+CoupledProblem without_loads(const ElasticityProblem& problem, Coupling coupling, int points,
+                             const solvers::Processes& processes) {
   CoupledProblem result;
   result.problem = &problem;
   result.coupling = coupling;
   result.points = points;
   result.processes = processes;
   result.global = global_nodes(problem.discretization);
-  result.frames = support_frames(problem, result.global);
-  result.multipliers = multiplier_rows(result.global, result.frames);
-  result.load = load_vector(problem, points);
   result.spaces = isoparametric_spaces(problem.discretization);
   result.distribution = distribute(result.spaces, processes.count());
   result.parts = layers_of(result.distribution, result.spaces, processes.rank());
+  return result;
+}
+
+// What acts on a problem, temperatures included.
+RightSide whole_right_side(const ElasticityProblem& problem, const CoupledProblem& coupled) {
+  RightSide result = right_side(problem, coupled.global, coupled.frames, coupled.points);
   result.thermal = thermal_strains(problem.temperatures, problem.materials);
-  if (!result.thermal.empty()) {
-    result.thermal_load =
-        thermal_forces(problem.discretization, problem.materials, result.thermal, result.parts, points);
-    if (processes.count() > 1)
-      processes.sum(Eigen::Map<Eigen::VectorXd>(result.thermal_load.data(), result.thermal_load.size()));
-    result.load += result.thermal_load;
+  if (result.thermal.empty()) return result;
+  result.thermal_load = thermal_forces(problem.discretization, problem.materials, result.thermal,
+                                       coupled.parts, coupled.points);
+  if (coupled.processes.count() > 1)
+    coupled.processes.sum(
+        Eigen::Map<Eigen::VectorXd>(result.thermal_load.data(), result.thermal_load.size()));
+  result.load += result.thermal_load;
+  return result;
+}
+
+}  // namespace
+
+CoupledProblem coupled_problem(const ElasticityProblem& problem, Coupling coupling, int points,
+                               const solvers::Processes& processes) {
+  CoupledProblem result = without_loads(problem, coupling, points, processes);
+  result.frames = support_frames(problem, result.global);
+  result.multipliers = multiplier_rows(result.global, result.frames);
+  result.right_sides = {whole_right_side(problem, result)};
+  return result;
+}
+
+CoupledProblem coupled_cases(const ElasticityProblem& problem, const std::vector<LoadCase>& cases,
+                             Coupling coupling, int points, const solvers::Processes& processes) {
+  CoupledProblem result = without_loads(problem, coupling, points, processes);
+  for (const LoadCase& load_case : cases) {
+    const ElasticityProblem own = of_case(problem, load_case);
+    // Which directions are held does not depend on by how much.
+    result.frames = support_frames(own, result.global);
+    result.right_sides.push_back(whole_right_side(own, result));
   }
+  result.multipliers = multiplier_rows(result.global, result.frames);
   return result;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
 
 #include "iga/coupling/coupling_kind.hpp"
@@ -8,7 +7,9 @@
 #include "iga/coupling/support_frames.hpp"
 #include "iga/coupling/supported_system.hpp"
 #include "iga/distribution/distribution.hpp"
+#include "iga/problem/load_case.hpp"
 #include "iga/problem/problem.hpp"
+#include "iga/solution/right_side.hpp"
 #include "iga/spaces/patch_space.hpp"
 #include "solvers/processes.hpp"
 
@@ -22,11 +23,9 @@ struct CoupledProblem {
   int points = 0;  ///< Gauss points per element and direction; 0: what suits each space
   solvers::Processes processes;
   GlobalNodes global;
-  std::vector<SupportFrame> frames;  ///< one per global node
+  std::vector<SupportFrame> frames;  ///< one per global node; what they prescribe is in the right sides
   std::vector<MultiplierRow> multipliers;
-  Eigen::Matrix3Xd load;               ///< per node, those of temperatures included, (3, nodes), N
-  std::vector<ThermalStrain> thermal;  ///< one per patch, or none
-  Eigen::Matrix3Xd thermal_load;       ///< share of `load` that temperatures cause; empty without
+  std::vector<RightSide> right_sides;  ///< one per load case, at least one
   std::vector<PatchSpace> spaces;
   Distribution distribution;
   std::vector<PatchLayers> parts;  ///< what this process integrates
@@ -44,5 +43,10 @@ struct CoupledProblem {
 /// @cost   O(nodes), and the integration of the loads
 CoupledProblem coupled_problem(const ElasticityProblem& problem, Coupling coupling, int points = 0,
                                const solvers::Processes& processes = {});
+
+/// The same with a right side for each of some cases in place of the problem's own.
+/// @throws Error invalid_argument  as `of_case` does
+CoupledProblem coupled_cases(const ElasticityProblem& problem, const std::vector<LoadCase>& cases,
+                             Coupling coupling, int points = 0, const solvers::Processes& processes = {});
 
 }  // namespace isopatch::iga

@@ -6,18 +6,17 @@
 #include "iga/multigrid/elasticity_multigrid.hpp"
 #include "iga/multigrid/level_operator.hpp"
 #include "solvers/block_product.hpp"
+#include "solvers/load_sequence.hpp"
 #include "solvers/operator_system.hpp"
 
 namespace isopatch::iga {
 namespace {
 
 // Displacements that supports prescribe, per local row.
-Eigen::VectorXd prescribed_rows(const Level& level, const std::vector<SupportFrame>& frames) {
+Eigen::VectorXd prescribed_rows(const Level& level, const Eigen::Matrix3Xd& of_globals) {
   Eigen::VectorXd result(3 * static_cast<Eigen::Index>(level.rows.local_rows()));
   for (Eigen::Index row = 0; row < level.rows.local_rows(); ++row)
-    result.segment<3>(3 * row) =
-        frames[static_cast<std::size_t>(level.rows.global_of_local()[static_cast<std::size_t>(row)])]
-            .prescribed;
+    result.segment<3>(3 * row) = of_globals.col(level.rows.global_of_local()[static_cast<std::size_t>(row)]);
   return result;
 }
 
@@ -54,18 +53,17 @@ solvers::SymmetricBlockMatrix assembled(const Level& level, const CoupledProblem
 
 }  // namespace
 
-DiscreteSolution solve_eliminated(const CoupledProblem& coupled, const solvers::SolverOptions& options,
-                                  const Progress& progress) {
+std::vector<DiscreteSolution> solve_eliminated(const CoupledProblem& coupled,
+                                               const solvers::SolverOptions& options,
+                                               const Progress& progress) {
   const bool is_assembled = options.form == solvers::Operator::assembled;
   Stopwatch watch;
   const Level level =
       finest_level(coupled.spaces, coupled.global, coupled.frames, coupled.distribution, coupled.processes);
   const LevelOperator stiffness(level, coupled.problem->materials, coupled.points,
                                 sprung_faces(*coupled.problem));
-  const Eigen::VectorXd prescribed = prescribed_rows(level, coupled.frames);
   solvers::OperatorSystem system;
   system.rows = level.rows;
-  system.load = free_load(level, stiffness, coupled.load, prescribed);
   solvers::SymmetricBlockMatrix matrix;
   if (is_assembled) {
     matrix = assembled(level, coupled, progress);
@@ -91,11 +89,15 @@ DiscreteSolution solve_eliminated(const CoupledProblem& coupled, const solvers::
     system.costs.matrix_nonzeros = matrix.nonzeros();
     system.costs.bytes += matrix.bytes();
   }
-  solvers::LinearSolution solved = solve_with_cg(system, options, progress);
-  DiscreteSolution result;
-  result.report = std::move(solved.report);
-  const Eigen::VectorXd of_rows = prescribed + level.free.to_space(std::move(solved.x));
-  result.displacement = whole_at_nodes(level, level.rows.whole(of_rows));
+  solvers::LoadSequence sequence(system, solvers::KrylovMethod::cg);
+  std::vector<DiscreteSolution> result;
+  for (const RightSide& side : coupled.right_sides) {
+    const Eigen::VectorXd prescribed = prescribed_rows(level, side.prescribed);
+    solvers::LinearSolution solved =
+        sequence.solve(free_load(level, stiffness, side.load, prescribed), options, progress);
+    const Eigen::VectorXd of_rows = prescribed + level.free.to_space(std::move(solved.x));
+    result.push_back({whole_at_nodes(level, level.rows.whole(of_rows)), {}, std::move(solved.report)});
+  }
   return result;
 }
 

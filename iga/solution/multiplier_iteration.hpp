@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "geometry/base/progress.hpp"
 #include "iga/solution/coupled_problem.hpp"
 #include "iga/solution/discrete_solution.hpp"
@@ -17,7 +19,8 @@ namespace isopatch::iga {
 ///
 /// @source  Benzi, Golub, Liesen, Numerical solution of saddle point problems, Acta Numerica 2005, sections
 /// 8, 10
-DiscreteSolution solve_with_multipliers(const CoupledProblem& coupled, const solvers::SolverOptions& options,
-                                        const Progress& progress);
+std::vector<DiscreteSolution> solve_with_multipliers(const CoupledProblem& coupled,
+                                                     const solvers::SolverOptions& options,
+                                                     const Progress& progress);
 
 }  // namespace isopatch::iga

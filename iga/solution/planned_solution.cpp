@@ -20,8 +20,8 @@ using solvers::Preconditioner;
 constexpr int most_iterations_instead = 500;
 
 // The plan replaces all that options leave open: nothing below this chooses.
-DiscreteSolution solve_by(const SolverPlan& plan, const CoupledProblem& coupled,
-                          solvers::SolverOptions options, const Progress& progress) {
+std::vector<DiscreteSolution> solve_by(const SolverPlan& plan, const CoupledProblem& coupled,
+                                       solvers::SolverOptions options, const Progress& progress) {
   options.method = plan.method;
   options.preconditioner = plan.preconditioner;
   options.form = plan.form;
@@ -67,11 +67,13 @@ PlannedSolution solve_as_planned(const CoupledProblem& coupled, const std::vecto
     if (!failures.empty()) own.max_iterations = std::min(own.max_iterations, most_iterations_instead);
     try {
       result.predicted_bytes = std::max(result.predicted_bytes, plan.predicted_bytes);
-      result.solution = solve_by(plan, coupled, own, progress);
+      result.solutions = solve_by(plan, coupled, own, progress);
       result.is_first = failures.empty();
-      std::string& reason = result.solution.report.reason;
-      const std::string remark = reason.empty() ? "" : "; " + reason;
-      reason = (failures.empty() ? plan.reason : joined(failures) + "; so " + plan.reason) + remark;
+      for (DiscreteSolution& solution : result.solutions) {
+        std::string& reason = solution.report.reason;
+        const std::string remark = reason.empty() ? "" : "; " + reason;
+        reason = (failures.empty() ? plan.reason : joined(failures) + "; so " + plan.reason) + remark;
+      }
       return result;
     } catch (const Error& error) {
       failures.push_back(fmt::format("{} failed: {}", solvers::name(plan.method), error.what()));

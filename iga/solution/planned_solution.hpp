@@ -9,11 +9,11 @@
 
 namespace isopatch::iga {
 
-/// The solution and how it came about.
+/// The solutions and how they came about.
 struct PlannedSolution {
-  DiscreteSolution solution;
-  double predicted_bytes = 0;  ///< the most of all plans that were tried
-  bool is_first = true;        ///< whether the first plan gave it
+  std::vector<DiscreteSolution> solutions;  ///< one per right side
+  double predicted_bytes = 0;               ///< the most of all plans that were tried
+  bool is_first = true;                     ///< whether the first plan gave it
 };
 
 /// Solves a problem by the first of some plans, and by the next ones where that fails: factors that are

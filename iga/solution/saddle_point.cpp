@@ -161,25 +161,26 @@ void SaddlePoint::add_tie_inverse(const TiedNodes& tied, const VectorXd& in, Vec
         tied.jump_stiffness * (in.segment<3>(3 * (tied.first_tie + i)) - mean);
 }
 
-VectorXd SaddlePoint::load() const {
+VectorXd SaddlePoint::load(const RightSide& side) const {
   VectorXd result = VectorXd::Zero(3 * static_cast<Index>(rows_.local_rows()));
-  Eigen::Matrix3Xd prescribed = Eigen::Matrix3Xd::Zero(3, coupled_->load.cols());
+  Eigen::Matrix3Xd prescribed = Eigen::Matrix3Xd::Zero(3, side.load.cols());
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const auto& [node, row, frame] = nodes_[i];
-    prescribed.col(node) = frame->prescribed;
+    prescribed.col(node) = side.prescribed.col(coupled_->global.global_of[static_cast<std::size_t>(node)]);
     // Every process has the loads of all nodes.
     result.segment(3 * static_cast<Index>(i), frame->free) =
-        frame->axes.leftCols(frame->free).transpose() * coupled_->load.col(node);
+        frame->axes.leftCols(frame->free).transpose() * side.load.col(node);
   }
   return result - along_axes(forces_of(prescribed));
 }
 
-Eigen::Matrix3Xd SaddlePoint::displacement(const VectorXd& z) const {
+Eigen::Matrix3Xd SaddlePoint::displacement(const VectorXd& z, const RightSide& side) const {
   const VectorXd whole = rows_.whole(z);
   Eigen::Matrix3Xd u(3, static_cast<Index>(coupled_->global.global_of.size()));
   for (Index node = 0; node < u.cols(); ++node) {
     const SupportFrame& f = coupled_->frame_of(static_cast<int>(node));
-    u.col(node) = f.prescribed + f.axes.leftCols(f.free) * whole.segment(3 * node, f.free);
+    u.col(node) = side.prescribed.col(coupled_->global.global_of[static_cast<std::size_t>(node)]) +
+                  f.axes.leftCols(f.free) * whole.segment(3 * node, f.free);
   }
   return u;
 }

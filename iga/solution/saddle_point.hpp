@@ -36,10 +36,10 @@ class SaddlePoint {
   Eigen::VectorXd preconditioned(const Eigen::VectorXd& r) const;
 
   /// The right side: loads, less what prescribed displacements cause.
-  Eigen::VectorXd load() const;
+  Eigen::VectorXd load(const RightSide& side) const;
 
-  /// Displacements of all nodes, the same on every process. (3, nodes), m
-  Eigen::Matrix3Xd displacement(const Eigen::VectorXd& z) const;
+  /// Displacements of all nodes with what the side prescribes, the same on every process. (3, nodes), m
+  Eigen::Matrix3Xd displacement(const Eigen::VectorXd& z, const RightSide& side) const;
 
   /// One per MultiplierRow, the same on every process: those without g Q, which takes its share of the force
   /// as long as jumps are not quite closed. N

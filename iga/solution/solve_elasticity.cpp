@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/larger.hpp"
 #include "geometry/base/stopwatch.hpp"
-#include "iga/coupling/idle_loads.hpp"
 #include "iga/coupling/rigid_motions.hpp"
 #include "iga/post/elastic_reactions.hpp"
 #include "iga/post/face_stresses.hpp"
@@ -79,27 +80,27 @@ PlannedSolution solved(const CoupledProblem& coupled, const solvers::SolverOptio
 }
 
 // Prescribed displacements do work through the reactions, free ones through the loads. J
-double external_work(const CoupledProblem& coupled, const Eigen::Matrix3Xd& load,
+double external_work(const GlobalNodes& global, const RightSide& side, const Eigen::Matrix3Xd& load,
                      const Eigen::Matrix3Xd& displacement, const Eigen::Matrix3Xd& unbalanced) {
   double work = load.cwiseProduct(displacement).sum();
   for (Eigen::Index node = 0; node < displacement.cols(); ++node)
-    work += unbalanced.col(node).dot(coupled.frame_of(static_cast<int>(node)).prescribed);
+    work += unbalanced.col(node).dot(side.prescribed.col(global.global_of[static_cast<std::size_t>(node)]));
   return 0.5 * work;
 }
 
 // Multipliers, and what follows from the stresses of `solution.field`.
-void add_results(const CoupledProblem& coupled, const DiscreteSolution& discrete,
+void add_results(const CoupledProblem& coupled, const RightSide& side, const DiscreteSolution& discrete,
                  ElasticitySolution& solution, const Progress& progress) {
   const ElasticityProblem& problem = *coupled.problem;
   ElasticReactions springs = elastic_reactions(problem, discrete.displacement, coupled.spaces, coupled.parts);
   InternalForces share = internal_forces(problem.discretization, problem.materials, discrete.displacement,
-                                         coupled.parts, coupled.points, progress, coupled.thermal);
+                                         coupled.parts, coupled.points, progress, side.thermal);
   share.forces += springs.forces;
   const InternalForces internal = summed(std::move(share), coupled.processes);
   springs = summed(std::move(springs), coupled.processes);
   // The internal forces are those of stresses, of which thermal strains cause none.
   const Eigen::Matrix3Xd load =
-      coupled.thermal.empty() ? coupled.load : Eigen::Matrix3Xd(coupled.load - coupled.thermal_load);
+      side.thermal.empty() ? side.load : Eigen::Matrix3Xd(side.load - side.thermal_load);
   const Eigen::Matrix3Xd unbalanced = internal.forces - load;
   solution.multipliers = multipliers_in_space(
       coupled, discrete.multipliers.size() == static_cast<Eigen::Index>(coupled.multipliers.size())
@@ -109,10 +110,11 @@ void add_results(const CoupledProblem& coupled, const DiscreteSolution& discrete
   results.max_displacement = largest(max_displacement(solution.field, coupled.parts), coupled.processes);
   const FaceStresses on_faces = summed(stresses_on_faces(solution.field, coupled.parts), coupled.processes);
   results.max_von_mises = larger(internal.max_von_mises, on_faces.max_von_mises);
+  results.peaks = together(internal.peaks, on_faces.peaks);
   results.max_strain = internal.max_strain;
   results.left_out = together(internal.left_out, on_faces.left_out);
   results.unresolved = internal.unresolved;
-  results.idle_loads = idle_loads(problem, coupled.global, coupled.frames);
+  results.idle_loads = side.idle_loads;
   results.internal_energy = internal.energy;
   results.reactions = support_reactions(problem, coupled.global, coupled.frames, unbalanced);
   for (std::size_t s = 0; s < results.reactions.size(); ++s) {
@@ -120,10 +122,10 @@ void add_results(const CoupledProblem& coupled, const DiscreteSolution& discrete
     results.reactions[s].moment += springs.reactions[s].moment;
   }
   results.support_energy = springs.energy;
-  results.load_size = coupled.load.colwise().norm().sum();
+  results.load_size = side.load.colwise().norm().sum();
   results.total_load = load.rowwise().sum();
   results.thermal_work = internal.thermal_work;
-  results.external_work = external_work(coupled, load, discrete.displacement, unbalanced);
+  results.external_work = external_work(coupled.global, side, load, discrete.displacement, unbalanced);
 }
 
 // What a method that stands in for another one gives must hold by itself: the energy of the stresses is the
@@ -140,36 +142,94 @@ void require_balance(const ElasticityResults& results, const solvers::SolveRepor
                           report.reason, stored, work));
 }
 
+// The sum of solutions with factors; its report is that of the first with the worst residual that one may
+// have.
+DiscreteSolution combined(const std::vector<DiscreteSolution>& solutions, const LoadCombination& sum) {
+  DiscreteSolution result = solutions.front();
+  result.displacement *= sum.factors[0];
+  result.multipliers *= sum.factors[0];
+  solvers::SolveReport& report = result.report;
+  for (std::size_t i = 1; i < sum.factors.size(); ++i) {
+    result.displacement += sum.factors[i] * solutions[i].displacement;
+    result.multipliers += sum.factors[i] * solutions[i].multipliers;
+    report.relative_residual =
+        isopatch::larger(report.relative_residual, solutions[i].report.relative_residual);
+    report.energy_error = isopatch::larger(report.energy_error, solutions[i].report.energy_error);
+  }
+  report.reason = "a sum of cases: nothing was solved for it; residuals are the largest of the cases'";
+  report.residual_history.clear();
+  report.iterations = 0;
+  report.solve_seconds = 0;
+  return result;
+}
+
+// Fields and results of every solution of a problem, with the phases' times at the first.
+std::vector<ElasticitySolution> with_results(const CoupledProblem& coupled,
+                                             const std::vector<RightSide>& sides,
+                                             const std::vector<DiscreteSolution>& discrete,
+                                             const PlannedSolution& planned, const Progress& progress) {
+  std::vector<ElasticitySolution> result;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    if (!discrete[i].displacement.allFinite())
+      throw Error(ErrorCode::singular_system,
+                  "the displacements are not finite numbers: the equations have no solution; look at the "
+                  "supports and at the materials' constants");
+    ElasticitySolution& solution = result.emplace_back();
+    solution.size = problem_size(coupled);
+    solution.predicted_bytes = static_cast<std::int64_t>(planned.predicted_bytes);
+    solution.solver = discrete[i].report;
+    solution.field = field_of(*coupled.problem, discrete[i].displacement);
+    solution.field.thermal = sides[i].thermal;
+    add_results(coupled, sides[i], discrete[i], solution, progress);
+    if (!planned.is_first) require_balance(solution.results, discrete[i].report);
+  }
+  return result;
+}
+
+std::vector<ElasticitySolution> solutions_of(CoupledProblem coupled,
+                                             const std::vector<LoadCombination>& combinations,
+                                             const ElasticityOptions& options, Stopwatch watch,
+                                             const Progress& progress) {
+  require_supported(*coupled.problem, coupled.global, coupled.frames);
+  std::vector<PhaseTime> timings = {{"coupling and loads", watch.lap()}};
+  PlannedSolution planned = solved(coupled, options.solver, progress);
+  const double assembly_seconds = planned.solutions.front().report.assembly_seconds;
+  timings.push_back({"assembly", assembly_seconds});
+  timings.push_back({"solve", watch.lap() - assembly_seconds});
+  std::vector<RightSide> sides = std::move(coupled.right_sides);
+  std::vector<DiscreteSolution> discrete = std::move(planned.solutions);
+  for (const LoadCombination& sum : combinations) {
+    RightSide side = combined(sides, sum.factors);
+    DiscreteSolution solution = combined(discrete, sum);
+    sides.push_back(std::move(side));
+    discrete.push_back(std::move(solution));
+  }
+  std::vector<ElasticitySolution> result = with_results(coupled, sides, discrete, planned, progress);
+  timings.push_back({"results", watch.lap()});
+  result.front().timings = std::move(timings);
+  return result;
+}
+
 }  // namespace
 
 ElasticitySolution solve_elasticity(const ElasticityProblem& problem, const ElasticityOptions& options,
                                     const Progress& progress) {
   check(problem, options);
-  ElasticitySolution solution;
-  Stopwatch watch;
-  const auto coupled =
-      coupled_problem(problem, options.coupling, options.quadrature_points, options.processes);
-  require_supported(problem, coupled.global, coupled.frames);
-  solution.size = problem_size(coupled);
-  solution.timings.push_back({"coupling and loads", watch.lap()});
+  const Stopwatch watch;
+  return std::move(
+      solutions_of(coupled_problem(problem, options.coupling, options.quadrature_points, options.processes),
+                   {}, options, watch, progress)
+          .front());
+}
 
-  const PlannedSolution planned = solved(coupled, options.solver, progress);
-  const DiscreteSolution& discrete = planned.solution;
-  solution.predicted_bytes = static_cast<std::int64_t>(planned.predicted_bytes);
-  solution.solver = discrete.report;
-  const double assembly_seconds = discrete.report.assembly_seconds;
-  solution.timings.push_back({"assembly", assembly_seconds});
-  solution.timings.push_back({"solve", watch.lap() - assembly_seconds});
-  if (!discrete.displacement.allFinite())
-    throw Error(ErrorCode::singular_system,
-                "the displacements are not finite numbers: the equations have no solution; look at the "
-                "supports and at the materials' constants");
-  solution.field = field_of(problem, discrete.displacement);
-  solution.field.thermal = coupled.thermal;
-  add_results(coupled, discrete, solution, progress);
-  if (!planned.is_first) require_balance(solution.results, discrete.report);
-  solution.timings.push_back({"results", watch.lap()});
-  return solution;
+std::vector<ElasticitySolution> solve_cases(const ElasticityProblem& problem, const LoadCases& cases,
+                                            const ElasticityOptions& options, const Progress& progress) {
+  check(problem, options);
+  validate(cases);
+  const Stopwatch watch;
+  return solutions_of(
+      coupled_cases(problem, cases.cases, options.coupling, options.quadrature_points, options.processes),
+      cases.combinations, options, watch, progress);
 }
 
 }  // namespace isopatch::iga

@@ -9,6 +9,7 @@
 #include "iga/coupling/coupling_kind.hpp"
 #include "iga/post/elasticity_results.hpp"
 #include "iga/post/stress_points.hpp"
+#include "iga/problem/load_case.hpp"
 #include "iga/problem/problem.hpp"
 #include "iga/problem/unresolved_energy.hpp"
 #include "iga/spaces/elastic_field.hpp"
@@ -69,5 +70,19 @@ struct ElasticitySolution {
 /// @throws Error             whatever `solvers::solve` throws
 ElasticitySolution solve_elasticity(const ElasticityProblem& problem, const ElasticityOptions& options = {},
                                     const Progress& progress = {});
+
+/// Solves for several load cases with one set-up: the problem is numbered, assembled and factorized, or its
+/// multigrid made, once. Each solution is that of `solve_elasticity` on `of_case`, but for the round-off of
+/// sums in another order.
+///
+/// Combinations are sums of the cases' displacements, so that nothing is solved for them; energies, largest
+/// values and reactions are computed from the sums.
+///
+/// @return  a solution for every case, then for every combination; the first has the times of all
+/// @throws Error as `solve_elasticity` and `of_case` do, and `validate` of the cases
+/// @cost   of every case: its load, its iterations or a share in going through the factors, and its results
+std::vector<ElasticitySolution> solve_cases(const ElasticityProblem& problem, const LoadCases& cases,
+                                            const ElasticityOptions& options = {},
+                                            const Progress& progress = {});
 
 }  // namespace isopatch::iga

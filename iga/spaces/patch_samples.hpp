@@ -13,9 +13,10 @@ struct PatchSamples {
   /// Which of the parameters are ends of elements, increasing; in a grid coarser than the elements not all
   /// ends are there.
   std::array<std::vector<int>, 3> element_ends;
-  Eigen::Matrix3Xd points;          ///< undeformed, m
-  Eigen::Matrix3Xd displacements;   ///< m; no columns without a solution
-  Eigen::VectorXd von_mises;        ///< Pa; empty without a solution
+  Eigen::Matrix3Xd points;         ///< undeformed, m
+  Eigen::Matrix3Xd displacements;  ///< m; no columns without a solution
+  Eigen::VectorXd von_mises;       ///< Pa; empty without a solution
+  Eigen::Matrix3Xd principal;  ///< principal stresses, the largest first, Pa; no columns without a solution
   Eigen::VectorXd scaled_jacobian;  ///< det J over the product of its columns' lengths, -1 .. 1
 
   std::array<int, 3> sizes() const {

@@ -148,7 +148,7 @@ TEST(PlannedSolution, EveryPlanRunsAsItIsWritten) {
                                  solvers::name(plan.method), solvers::name(plan.preconditioner),
                                  solvers::name(plan.form), refine));
         const PlannedSolution planned = solve_as_planned(coupled, {plan}, {}, {});
-        const solvers::SolveReport& report = planned.solution.report;
+        const solvers::SolveReport& report = planned.solutions.front().report;
         EXPECT_EQ(report.method, plan.method);
         EXPECT_EQ(report.form, plan.form);
         const bool multigrid =
@@ -159,7 +159,8 @@ TEST(PlannedSolution, EveryPlanRunsAsItIsWritten) {
         EXPECT_GT(report.memory_bytes, 0);
         EXPECT_LE(static_cast<double>(report.memory_bytes), plan.predicted_bytes);
         EXPECT_EQ(planned.predicted_bytes, plan.predicted_bytes);
-        const double work = coupled.load.cwiseProduct(planned.solution.displacement).sum();
+        const double work =
+            coupled.right_sides.front().load.cwiseProduct(planned.solutions.front().displacement).sum();
         if (first_work == 0) first_work = work;
         EXPECT_NEAR(work / first_work, 1, 1e-8);
       }

@@ -157,6 +157,48 @@ TEST(Solve, AllMethodsAgreeOnAGrid) {
   }
 }
 
+// Several right sides, of very different sizes and one of them zero, are those of solving one by one.
+TEST(Solve, SolvesEachOfSeveralLoadsAsAlone) {
+  for (const bool saddle : {false, true}) {
+    LinearSystem system = saddle ? random_saddle_system(60, 9, 5) : random_spd_system(60, 5);
+    std::mt19937 random(17);
+    std::vector<Eigen::VectorXd> loads;
+    for (const double size : {1.0, 0.0, 1e9, 1e-9})
+      loads.emplace_back(size * random_matrix(system.stiffness.rows(), 1, random));
+    for (const Method method : saddle
+                                   ? std::vector<Method>(std::begin(saddle_methods), std::end(saddle_methods))
+                                   : std::vector<Method>(std::begin(spd_methods), std::end(spd_methods))) {
+      const std::vector<LinearSolution> together = solve_each(system, loads, by(method, 1e-13));
+      ASSERT_EQ(together.size(), loads.size());
+      EXPECT_EQ(together[1].x.norm(), 0) << name(method);
+      for (const std::size_t i : {0u, 2u, 3u}) {
+        system.load = loads[i];
+        const LinearSolution alone = solve(system, by(method, 1e-13));
+        // The BLAS sums columns of a block in another order; the condition is some 1e3.
+        EXPECT_LE(relative_difference(together[i].x, alone.x), 1e-11) << name(method) << ", load " << i;
+        if (saddle) {
+          EXPECT_LE(relative_difference(together[i].multipliers, alone.multipliers), 1e-11) << name(method);
+        }
+        EXPECT_LE(together[i].report.relative_residual, 1e-13) << name(method);
+        EXPECT_EQ(together[i].report.method, method);
+      }
+    }
+  }
+}
+
+TEST(Solve, RefusesOneOfSeveralLoadsThatIsNoNumber) {
+  const LinearSystem system = random_spd_system(6, 1);
+  Eigen::VectorXd bad = system.load;
+  bad[4] = std::nan("");
+  try {
+    solve_each(system, {system.load, bad}, by(Method::cholmod));
+    FAIL() << "nothing was thrown";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::invalid_argument);
+    EXPECT_THAT(error.what(), HasSubstr("block row 1"));
+  }
+}
+
 TEST(Solve, SaddleMethodsAgreeOnAFloatingGrid) {
   std::mt19937 random(12);
   LinearSystem system{spring_grid({7, 7, 7}, 1, 0), {}, {}};

@@ -117,7 +117,7 @@ Phases measure(const std::string& path, const std::vector<std::string>& override
   phase("results.h5", [&] {
     const auto connections = geometry::connections_of(problem.discretization.model);
     AtomicWriter file(directory / "results.h5");
-    iga::write_hdf5(run.solution.field, {}, connections, study.text, "{}",
+    iga::write_hdf5({{"", run.solution.field, run.solution.multipliers}}, connections, study.text, "{}",
                     [&](std::string_view bytes) { file.write(bytes); });
     file.finish();
     return 0;

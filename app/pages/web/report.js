@@ -12,12 +12,13 @@ globalThis.isopatch = globalThis.isopatch || {};
     return point ? [" at ", element("span", {class: "nowrap"}, isopatch.placeWithUnit(point, size(scene)))] : [];
   }
 
-  function modelRows(model) {
+  function modelRows(model, mass, scene) {
     if (!model) return [];
     const {box} = model;
     const rows = [["patches", `${counts(model.patches)}, ${many(model.interfaces, "interface")}, ${many(model.boundary_faces, "boundary face")}`],
                   ["volume, surface", `${isopatch.withUnit(model.volume, "m^3")}, ${isopatch.withUnit(model.boundary_area, "m^2")}`]];
     if (box) rows.push(["box", isopatch.vectorWithUnit(box.max.map((x, i) => x - box.min[i]), "m")]);
+    if (mass) rows.push(["mass, centre", [isopatch.withUnit(1e3 * mass.mass, "g"), at(scene, mass.centre)]]);
     rows.push(["smallest scaled Jacobian", isopatch.general(model.min_scaled_jacobian, 4) + " (at the Gauss points)"]);
     return rows;
   }
@@ -43,6 +44,16 @@ globalThis.isopatch = globalThis.isopatch || {};
         + `largest von Mises stress \u00b1 ${isopatch.withUnit(error.max_von_mises, "Pa")}`
       : `not estimated: ${error.missing}`]);
     if (error && error.singular) rows.push(["", `the largest von Mises stress grows with refinement: it is at ${error.singular}`]);
+    if (Number.isFinite(results.max_tresca))
+      rows.splice(2, 0,
+        ["largest principal stress", [isopatch.withUnit(results.max_principal, "Pa"), at(scene, results.max_principal_point)]],
+        ["smallest principal stress", [isopatch.withUnit(results.min_principal, "Pa"), at(scene, results.min_principal_point)]],
+        ["largest Tresca stress", [isopatch.withUnit(results.max_tresca, "Pa"), at(scene, results.max_tresca_point)]]);
+    if (Number.isFinite(results.min_safety_factor))
+      rows.push(["safety factor against yield", [isopatch.general(results.min_safety_factor, 4), at(scene, results.min_safety_factor_point)]]);
+    for (const cut of summary.sections || [])
+      rows.push([cut.name, [`${isopatch.vectorWithUnit(cut.force, "N")}, moment ${isopatch.vectorWithUnit(cut.moment, "N m")}`,
+                            at(scene, cut.point), `, area ${isopatch.withUnit(cut.area, "m^2")}`]]);
     if (Number.isFinite(results.external_work)) rows.push(["work of the loads", isopatch.withUnit(results.external_work, "J")]);
     for (const probe of summary.probes || []) {
       const moved = probe.displacement.map((x) => isopatch.withoutRoundOff(x, scale));
@@ -57,7 +68,7 @@ globalThis.isopatch = globalThis.isopatch || {};
   function figures(data, scene) {
     const summary = data.summary || {};
     const results = resultRows(summary, scene);
-    const model = [...modelRows(summary.model), ...spaceRows(summary.discretization, summary.coupling)];
+    const model = [...modelRows(summary.model, summary.mass, scene), ...spaceRows(summary.discretization, summary.coupling)];
     const materials = (summary.materials || []).map((m) => [m.name, isopatch.withUnit(m.young, "Pa"), isopatch.general(m.poisson, 4),
                                                             m.density > 0 ? isopatch.general(m.density, 4) + " kg/m^3" : "not given", counts(m.patches.length)]);
     const levels = (summary.levels || []).map((level) => [counts(level.refine), counts(level.dofs), isopatch.withUnit(level.max_displacement, "m"),
@@ -105,15 +116,18 @@ globalThis.isopatch = globalThis.isopatch || {};
     const reactions = (summary.results || {}).reactions || [];
     const supports = (summary.supports || []).map((support) => {
       const found = reactions.find((reaction) => reaction.support === support.name);
-      return [support.name, support.kind, extent(support), found ? force(found.force) : ""];
+      const moment = found && found.moment_about_point ? isopatch.vectorWithUnit(found.moment_about_point, "N m") : "";
+      return [support.name, support.kind, extent(support), found ? force(found.force) : "", moment];
     });
+    const point = (summary.results || {}).moments_about;
+    const about = point && point.some((x) => x !== 0) ? "moment about " + isopatch.placeWithUnit(point, size(scene)) : "moment about the origin";
     const totals = new Map((scene ? scene.loads : []).map((load) => [load.name, load.total]));
     const loads = (summary.loads || []).map((load) => (
       [load.name, load.kind.replace("_", " "), extent(load), totals.get(load.name) ? force(totals.get(load.name)) : ""]));
     if (supports.length + loads.length === 0) return null;
     if (summary.results && summary.results.total_load) loads.push(["all loads", "", "", force(summary.results.total_load)]);
     return isopatch.section("Supports and loads",
-      isopatch.table(["support", "kind", "on", "reaction on the part"], supports),
+      isopatch.table(["support", "kind", "on", "reaction on the part", about], supports),
       isopatch.table(["load", "kind", "on", "total force"], loads));
   }
 

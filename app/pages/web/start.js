@@ -28,6 +28,14 @@ globalThis.isopatch = globalThis.isopatch || {};
     return button;
   }
 
+  // Of a study with load cases: the pages of all of them.
+  function caseLinks(data) {
+    const links = data.cases || [];
+    if (links.length === 0) return data.summary && data.summary.case ? isopatch.element("p", {}, "load case " + data.summary.case) : null;
+    return isopatch.element("nav", {class: "cases", "aria-label": "Load cases"}, "load case", links.map((link) => isopatch.element(
+      "a", {href: link.address, "aria-current": link.current ? "page" : null}, link.name)));
+  }
+
   function firstLook(data, scene) {
     const traction = scene.quantities.find((quantity) => quantity.on === "interfaces");
     if (data.kind === "compare" && traction) return {quantity: traction.id, interfaces: true, surface: "translucent"};
@@ -43,7 +51,7 @@ globalThis.isopatch = globalThis.isopatch || {};
     const theme = themeButton(() => isopatch.viewer && isopatch.viewer.setBackground());
     document.getElementById("page-header").append(
       isopatch.element("div", {}, isopatch.element("h1", {}, data.title || data.program), isopatch.element(
-        "p", {}, `${titles[data.kind] || ""} by ${data.program}`)), theme);
+        "p", {}, `${titles[data.kind] || ""} by ${data.program}`), caseLinks(data)), theme);
     if (scene) {
       const stage = isopatch.makeViewerSection(scene, firstLook(data, scene));
       main.append(stage.root);

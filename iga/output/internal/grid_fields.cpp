@@ -9,6 +9,7 @@
 #include "iga/internal/dense_along.hpp"
 #include "iga/internal/parallel_for.hpp"
 #include "iga/material/internal/point_fields.hpp"
+#include "iga/post/stress_measures.hpp"
 
 namespace isopatch::iga {
 namespace {
@@ -110,6 +111,7 @@ PatchSamples fields_on_grid(const SampledPatch& sampled,
   result.scaled_jacobian.resize(count);
   result.displacements.resize(3, solved ? count : 0);
   result.von_mises.resize(solved ? count : 0);
+  result.principal.resize(3, solved ? count : 0);
   const std::array<int, 3> sizes = result.sizes();
   const auto at = [&](Index point) {
     return geometry::Parameter<3>(parameters[0][static_cast<std::size_t>(point % sizes[0])],
@@ -124,11 +126,13 @@ PatchSamples fields_on_grid(const SampledPatch& sampled,
       result.scaled_jacobian[i] = geometry::scaled_jacobian(jacobian);
       if (!solved) continue;
       result.displacements.col(i) = displacement.value(i, weight);
-      result.von_mises[i] =
+      const Matrix3d stress =
           std::abs(result.scaled_jacobian[i]) < singular
-              ? evaluate(*sampled.field, sampled.index, at(i)).von_mises
-              : von_mises(stress_of_gradient(displacement.derivatives(i, weight) * jacobian.inverse(),
-                                             sampled.field->materials[p]));
+              ? evaluate(*sampled.field, sampled.index, at(i)).stress
+              : stress_of_gradient(displacement.derivatives(i, weight) * jacobian.inverse(),
+                                   sampled.field->materials[p]);
+      result.von_mises[i] = von_mises(stress);
+      result.principal.col(i) = principal_values(stress);
     }
   });
   return result;

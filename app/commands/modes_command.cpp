@@ -1,0 +1,97 @@
+#include "app/commands/modes_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/base/engineering_units.hpp"
+#include "app/problem/build_problem.hpp"
+#include "app/results/modes_json.hpp"
+#include "app/results/output_directory.hpp"
+#include "app/results/write_fields.hpp"
+#include "app/study/parse_study.hpp"
+#include "iga/post/results.hpp"
+#include "iga/solution/natural_modes.hpp"
+
+namespace isopatch::app {
+namespace {
+
+constexpr const char* modes_examples = R"(Examples:
+  isopatch modes study.toml
+  isopatch modes study.toml --set modes.number=20 --output modes
+  isopatch modes study.toml --set modes.free=true    without its supports: the six rigid motions are named as such
+The study is that of a run; materials need densities, loads count for nothing. [modes] has the options. Writes
+modes.json and, unless output.fields is false, modes/N/results.vtm with the shape of mode N. On one process.)";
+
+std::string modes_text(const iga::NaturalModes& found) {
+  std::string text;
+  int number = 0;
+  for (const iga::NaturalMode& mode : found.modes)
+    text += mode.is_rigid
+                ? fmt::format("  rigid motion      {}, residual {:.1e}\n", with_unit(0, "Hz"), mode.residual)
+                : fmt::format("  mode {:<12} {}, residual {:.1e}\n", ++number,
+                              with_unit(mode.frequency, "Hz"), mode.residual);
+  text += fmt::format("  orthogonal        to {:.1e} in the mass\n", found.worst_orthogonality);
+  if (found.counted > 0)
+    text += fmt::format("  counted           {} modes up to {}, rigid motions among them\n", found.counted,
+                        with_unit(found.counted_to, "Hz"));
+  return text;
+}
+
+// The shape with a largest displacement of a tenth of the part.
+iga::ElasticField field_of(const iga::ElasticityProblem& problem, const iga::NaturalMode& mode) {
+  iga::ElasticField field{problem.discretization.patches, mode.shape, problem.materials};
+  const double largest = iga::max_displacement(field).value;
+  const double factor = largest > 0 ? 0.1 * problem.discretization.model.size() / largest : 1;
+  for (Eigen::Matrix3Xd& of_patch : field.displacement) of_patch *= factor;
+  return field;
+}
+
+void write_shapes(const Study& study, const iga::ElasticityProblem& problem, const iga::NaturalModes& found,
+                  const Progress& progress) {
+  int number = 0;
+  for (const iga::NaturalMode& mode : found.modes)
+    if (!mode.is_rigid)
+      write_fields(field_of(problem, mode), problem.discretization.model, {}, study.output.field_options,
+                   study.output.directory / "modes" / fmt::format("{}", ++number), progress);
+}
+
+}  // namespace
+
+ExitCode modes_command(const ModesCommand& command, const Console& console) {
+  Study study = read_study(command.study, command.overrides);
+  if (command.output) study.output.directory = *command.output;
+  const OutputFolder folder(study.output.directory);
+  ProgressDisplay display(console);
+  const Progress progress = display.progress();
+  BuiltProblem built = build_problem(study, progress);
+  if (study.modes.is_free) built.problem.supports.clear();
+  const iga::NaturalModes found = iga::natural_modes(built.problem,
+                                                     {.number = study.modes.number,
+                                                      .quadrature_points = study.options.quadrature_points,
+                                                      .count = study.modes.count},
+                                                     progress);
+  if (study.output.fields) write_shapes(study, built.problem, found, progress);
+  write_in(study.output.directory, "modes.json", modes_json(study, found));
+  display.clear();
+  if (!console.quiet)
+    console.out << (study.title.empty() ? "" : study.title + "\n") << modes_text(found)
+                << fmt::format("  results in        {}: modes.json\n", study.output.directory.string());
+  return ExitCode::ok;
+}
+
+void add_modes_command(CLI::App& app, CommandLine& line) {
+  const auto command = std::make_shared<ModesCommand>();
+  CLI::App& modes =
+      add_command(app, line, "modes", "Natural frequencies and shapes of a study's part", modes_examples,
+                  [command](const Console& console) { return modes_command(*command, console); });
+  modes.add_option("study", command->study, "The study file (TOML)")->required();
+  modes.add_option("--set", command->overrides, "Replaces a key: --set modes.number=20")
+      ->take_all()
+      ->expected(1)
+      ->type_name("KEY=VALUE");
+  modes.add_option("-o,--output", command->output, "Directory of the results")->type_name("DIR");
+}
+
+}  // namespace isopatch::app

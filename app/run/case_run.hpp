@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "iga/post/plane_section.hpp"
+#include "iga/solution/solve_elasticity.hpp"
+
+namespace isopatch::app {
+
+/// Values on another side of an interface of materials at which a probe lies.
+struct ProbeSide {
+  int patch = 0;
+  geometry::Parameter<3> parameter;  ///< in the input's naming
+  std::string material;              ///< its name
+  iga::FieldValues values;
+};
+
+/// Values at a probe.
+struct ProbeValues {
+  std::string name;
+  int patch = 0;
+  geometry::Parameter<3> parameter;  ///< in the input's naming
+  iga::FieldValues values;
+  std::optional<Eigen::Matrix3d> stress_error = {};  ///< estimated, Pa
+  std::vector<ProbeSide> sides = {};                 ///< one for each other material that meets there
+};
+
+/// Forces of a cut.
+struct SectionValues {
+  std::string name;
+  iga::CuttingPlane plane;
+  iga::SectionForces forces;
+};
+
+/// A load case or a combination of a study.
+struct CaseName {
+  std::string name = {};                                     ///< "" in a study without cases
+  std::vector<std::pair<std::string, double>> factors = {};  ///< of a combination, by case
+  std::vector<std::string> loads = {};                       ///< of a case, as results call them
+};
+
+/// Its solution and what was looked up there.
+struct CaseRun {
+  CaseName name;
+  iga::ElasticitySolution solution;
+  std::vector<ProbeValues> probes;
+  std::vector<SectionValues> sections = {};
+};
+
+}  // namespace isopatch::app
