@@ -1,21 +1,21 @@
 #include "iga/post/stress_measures.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <limits>
+
+#include "geometry/base/dense_matrices.hpp"
 
 namespace isopatch::iga {
 
 PrincipalStresses principal_stresses(const Eigen::Matrix3d& stress) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> found(stress);
-  PrincipalStresses result{found.eigenvalues().reverse(), found.eigenvectors().rowwise().reverse()};
+  const PrincipalAxes found = principal_axes(stress);
+  PrincipalStresses result{found.values.reverse(), found.axes.rowwise().reverse()};
   if (result.directions.determinant() < 0) result.directions.col(2) *= -1;
   return result;
 }
 
 Eigen::Vector3d principal_values(const Eigen::Matrix3d& stress) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(stress, Eigen::EigenvaluesOnly)
-      .eigenvalues()
-      .reverse();
+  return principal_axes(stress).values.reverse();
 }
 
 double tresca(const Eigen::Matrix3d& stress) {

@@ -44,7 +44,7 @@ void check(const ElasticityProblem& problem, const ModesOptions& options) {
 
 int rigid_motions_left(const CoupledProblem& coupled) {
   int count = 0;
-  for (const FreeBody& body : free_bodies(coupled.discretization(), coupled.global, coupled.frames))
+  for (const FreeBody& body : free_bodies(*coupled.problem, coupled.global, coupled.frames))
     count += static_cast<int>(body.motions.size());
   return count;
 }

@@ -48,7 +48,7 @@ class CurveEquations {
       matrix_(row, row) = 1;
       right_.row(row) = value.transpose();
     }
-    return solve_by_lu(matrix_.sparseView(), right_)->transpose();
+    return solve_by_lu(Eigen::SparseMatrix<double>(matrix_.sparseView()), right_)->transpose();
   }
 
  private:
