@@ -90,7 +90,9 @@ class PartEdges {
       }
     }
     const std::vector<int> nodes = nodes_of(of);
-    if (!on_boundary || nodes == std::vector<int>(nodes.size(), nodes.front())) return std::nullopt;
+    if (!on_boundary ||
+        std::all_of(nodes.begin(), nodes.end(), [&](int node) { return node == nodes.front(); }))
+      return std::nullopt;
     const Angle angle = largest_angle(members);
     if (angle > straight_angle + angle_tolerance)
       return fmt::format("a re-entrant edge of {:.0f} degrees", angle.degrees());
