@@ -83,7 +83,7 @@ class Overlayer {
   /// last one ended, and reports success.
   double joined() const {
     const auto& box = source_.tables().box;
-    return 1e-6 * (box[1] - box[0]).norm() / metres_;
+    return 2e-7 * (box[1] - box[0]).norm() / metres_;
   }
 
   /// A whole circle has a vertex where it begins, which must be none but where a line ends or crosses it.
