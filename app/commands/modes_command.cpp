@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <variant>
 
 #include "app/base/engineering_units.hpp"
 #include "app/problem/build_problem.hpp"
@@ -11,6 +12,7 @@
 #include "app/results/output_directory.hpp"
 #include "app/results/write_fields.hpp"
 #include "app/study/parse_study.hpp"
+#include "geometry/base/error.hpp"
 #include "iga/post/results.hpp"
 #include "iga/solution/natural_modes.hpp"
 
@@ -21,7 +23,8 @@ constexpr const char* modes_examples = R"(Examples:
   isopatch modes study.toml
   isopatch modes study.toml --set modes.number=20 --output modes
   isopatch modes study.toml --set modes.free=true    without its supports: the six rigid motions are named as such
-The study is that of a run; materials need densities, loads count for nothing. [modes] has the options. Writes
+The study is that of a run; materials need densities, loads, [coupling] and [solver] count for nothing, and a free
+body moves freely. [modes] has the options. Writes
 modes.json and, unless output.fields is false, modes/N/results.vtm with the shape of mode N. On one process.)";
 
 std::string modes_text(const iga::NaturalModes& found) {
@@ -59,14 +62,22 @@ void write_shapes(const Study& study, const iga::ElasticityProblem& problem, con
 
 }  // namespace
 
-ExitCode modes_command(const ModesCommand& command, const Console& console) {
+ExitCode modes_command(const ModesCommand& command, const Console& console,
+                       const solvers::Processes& processes) {
+  if (processes.count() > 1)
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("modes are found on one process, and there are {}: start it without a launcher",
+                            processes.count()));
   Study study = read_study(command.study, command.overrides);
   if (command.output) study.output.directory = *command.output;
   const OutputFolder folder(study.output.directory);
   ProgressDisplay display(console);
   const Progress progress = display.progress();
   BuiltProblem built = build_problem(study, progress);
-  if (study.modes.is_free) built.problem.supports.clear();
+  // A free body's points are for loads: it moves freely here.
+  std::erase_if(built.problem.supports, [&](const iga::Support& support) {
+    return study.modes.is_free || std::holds_alternative<iga::FreeBodySupport>(support.condition);
+  });
   const iga::NaturalModes found = iga::natural_modes(built.problem,
                                                      {.number = study.modes.number,
                                                       .quadrature_points = study.options.quadrature_points,
@@ -83,9 +94,11 @@ ExitCode modes_command(const ModesCommand& command, const Console& console) {
 
 void add_modes_command(CLI::App& app, CommandLine& line) {
   const auto command = std::make_shared<ModesCommand>();
-  CLI::App& modes =
-      add_command(app, line, "modes", "Natural frequencies and shapes of a study's part", modes_examples,
-                  [command](const Console& console) { return modes_command(*command, console); });
+  CLI::App& modes = add_spread_command(
+      app, line, "modes", "Natural frequencies and shapes of a study's part", modes_examples,
+      [command](const Console& console, const solvers::Processes& processes) {
+        return modes_command(*command, console, processes);
+      });
   modes.add_option("study", command->study, "The study file (TOML)")->required();
   modes.add_option("--set", command->overrides, "Replaces a key: --set modes.number=20")
       ->take_all()

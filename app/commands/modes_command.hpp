@@ -17,7 +17,8 @@ struct ModesCommand {
   std::optional<std::filesystem::path> output;
 };
 /// Natural frequencies and shapes of a study's part: a table, modes.json and fields of the shapes.
-ExitCode modes_command(const ModesCommand& command, const Console& console);
+ExitCode modes_command(const ModesCommand& command, const Console& console,
+                       const solvers::Processes& processes);
 
 void add_modes_command(CLI::App& app, CommandLine& line);
 

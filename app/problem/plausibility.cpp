@@ -84,13 +84,15 @@ void add_left_out(const BuiltProblem& built, const iga::ElasticityResults& resul
 // What the points that hold a free body have to take.
 void add_imbalance(const BuiltProblem& built, const iga::ElasticityResults& results,
                    std::vector<Warning>& warnings) {
-  constexpr double unbalanced = 1e-6;  // of all loads: their numbers have six digits
+  constexpr double unbalanced = 1e-6;  // of all loads and reactions: their numbers have six digits
+  double forces = results.load_size;
+  for (const iga::Reaction& reaction : results.reactions) forces += reaction.force.norm();
   const double size = built.report.box.diagonal().norm();
   for (std::size_t s = 0; s < results.reactions.size(); ++s) {
     if (!std::holds_alternative<iga::FreeBodySupport>(built.problem.supports[s].condition)) continue;
     const iga::Reaction& reaction = results.reactions[s];
     const double left = std::max(reaction.force.norm(), reaction.moment.norm() / size);
-    if (!(left > unbalanced * results.load_size)) continue;
+    if (!(left > unbalanced * forces)) continue;
     warnings.push_back({fmt::format(
         "{}: the loads do not balance: a force of {} and a moment of {} about the origin are "
         "left, which single points take; stresses near them grow without limit",

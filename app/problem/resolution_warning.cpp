@@ -29,9 +29,9 @@ int halvings(double share, int degree) {
 }  // namespace
 
 double unresolved_share(const iga::ElasticityResults& results) {
-  // Where a part is free to grow with its warmth, what is left is round-off.
-  const double least = 1e-12 * (std::abs(results.external_work) + std::abs(results.thermal_work));
-  return results.internal_energy > least ? results.unresolved.total() / results.internal_energy : 0;
+  // Where a part is free to grow with its warmth, little is stored in it, and springs may hold the rest.
+  const double stored = results.internal_energy + results.support_energy + std::abs(results.thermal_work);
+  return stored > 0 ? results.unresolved.total() / stored : 0;
 }
 
 std::optional<Warning> resolution_warning(const iga::ElasticityProblem& problem,

@@ -9,7 +9,7 @@ namespace {
 
 std::string case_name(const ConfigValue& value, const std::string& what) {
   constexpr std::string_view allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.";
-  const std::string name = read_text(value, what);
+  std::string name = read_text(value, what);
   if (name.empty() || name.front() == '.' || name.find_first_not_of(allowed) != std::string::npos)
     throw error_at(value.place,
                    fmt::format("{}: \"{}\" cannot be the name of a load case: letters, digits, _ - "

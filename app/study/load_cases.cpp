@@ -55,6 +55,8 @@ iga::LoadCombination combination(const CombinationInput& input, const std::vecto
                                               name, did_you_mean(name, names), fmt::join(names, ", ")));
     result.factors[static_cast<std::size_t>(found - names.begin())] = factor;
   }
+  if (std::all_of(result.factors.begin(), result.factors.end(), [](double factor) { return factor == 0; }))
+    throw error_at(input.place, fmt::format("[[combination]]: \"{}\" has no factor but 0", input.name));
   return result;
 }
 
@@ -65,6 +67,11 @@ void check(const Study& study, const std::vector<std::string>& names) {
                      fmt::format("{} is in no load case, and others are; give it a case, or several: "
                                  "case = [\"{}\"]",
                                  load.name, fmt::join(names, "\", \"")));
+  for (const SupportInput& support : study.supports)
+    if (!support.cases.empty() && !moves(support))
+      throw error_at(support.selection.place,
+                     fmt::format("{} prescribes no displacement, so it has no case: it holds in all of them",
+                                 support.name));
   std::vector<std::string> taken = names;
   for (const CombinationInput& input : study.combinations) {
     if (is_among(input.name, taken))

@@ -82,6 +82,9 @@ TEST(LoadCases, WhatCannotBeMeantIsRefusedWithItsPlace) {
   expect("[\"squeezed\", \"both\"]", "[]", "names no case");
   expect("case = \"both\"", "case = \"../both\"", "cannot be the name of a load case");
   expect("{ pressed = 1.5, both = -2 }", "{ }", "factors names no case");
+  expect("{ pressed = 1.5, both = -2 }", "{ pressed = 0 }", "\"worst\" has no factor but 0");
+  expect("name = \"guides\"", "name = \"guides\"\ncase = \"both\"",
+         "prescribes no displacement, so it has no case");
   EXPECT_ERROR(load_cases(parsed(bar + "[[combination]]\nfactors = { a = 1 }\n")),
                ErrorCode::invalid_argument, "study.toml:19:1: [[combination]] needs load cases");
 }

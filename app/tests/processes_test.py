@@ -212,6 +212,9 @@ class Processes(unittest.TestCase):
     def test_a_method_of_one_process_is_refused_once(self):
         self.expect_failure(2, "works on one process", "run", self.study(), "--set", "solver.method='cholmod'")
 
+    def test_modes_of_several_processes_are_refused_once(self):
+        self.expect_failure(2, "on one process", "modes", self.study())
+
     def test_a_loose_part_is_said_once(self):
         loose = self.study(ONE_PATCH.replace("displacement = [0, 0, 0]", "roller = true")
                            .replace("displacement = [0.01, 0, -0.02]", "roller = true"))

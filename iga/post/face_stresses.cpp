@@ -54,6 +54,7 @@ class FaceOfPatch {
         patch_(field.patches[static_cast<std::size_t>(patch)]),
         displacement_(field.displacement[static_cast<std::size_t>(patch)].data()),
         material_(field.materials[static_cast<std::size_t>(patch)]),
+        thermal_(field.thermal_strain(static_cast<std::size_t>(patch))),
         tensors_(patch_, points_on(patch_, side)) {}
 
   FaceStresses on_element(std::int64_t element, TensorBuffers<8>& buffers) const {
@@ -82,7 +83,7 @@ class FaceOfPatch {
     } else {
       const Eigen::Matrix3d gradient =
           rational_point(buffers, q, 4).derivatives * place.derivatives.inverse();
-      const Eigen::Matrix3d sigma = stress_of_gradient(gradient, material_);
+      const Eigen::Matrix3d sigma = stress_of_gradient(gradient, material_, thermal_.at(place.value));
       const double stress = von_mises(sigma);
       require_finite(stress, index_, place.value);
       if (is_larger(stress, result.max_von_mises.value))
@@ -100,6 +101,7 @@ class FaceOfPatch {
   const NurbsVolume& patch_;
   const double* displacement_;
   const Material& material_;
+  ThermalStrain thermal_;
   ElementTensors tensors_;
 };
 

@@ -51,7 +51,8 @@ std::vector<VolumeLoad> gravity(const std::string& name, const std::vector<Patch
     if (!(material.density > 0))
       throw Error(
           ErrorCode::invalid_argument,
-          fmt::format("'{}': patch {} has no density; gravity needs one in its material", name, patch.value));
+          fmt::format("'{}': patch {} has no density; gravity and acceleration need one in its material",
+                      name, patch.value));
     const Eigen::Vector3d force = material.density * acceleration;
     loads.push_back({name, {patch}, [force](const Eigen::Vector3d&) { return force; }});
   }

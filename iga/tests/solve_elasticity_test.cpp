@@ -125,7 +125,7 @@ TEST(Loads, NeedWhatTheyActOn) {
                "'pull': a force needs faces with an area to act on");
   const std::vector<Material> light(d.patches.size(), isotropic(1e9, 0.3));
   EXPECT_ERROR(gravity("weight", {PatchId(1)}, {0, 0, -9.81}, light), ErrorCode::invalid_argument,
-               "'weight': patch 1 has no density; gravity needs one in its material");
+               "'weight': patch 1 has no density; gravity and acceleration need one in its material");
   ElasticityProblem p = problem(box, {}, light.front());
   p.supports = {{"clamp", boundary(box, "x_min"), PrescribedDisplacement{}}};
   const double nan = std::numeric_limits<double>::quiet_NaN();

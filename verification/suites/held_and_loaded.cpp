@@ -126,6 +126,7 @@ TEST(HeldAndLoaded, BoxThatIsWarmed) {
     const HeldClaims claim("heated_box", coupling, "a linear temperature causes no stress");
     // E alpha T is 500 Pa.
     claim("largest von Mises stress, of E alpha T", "", 0, claim.results().max_von_mises.value / 500);
+    claim("largest principal stress, of E alpha T", "", 0, claim.results().peaks.tension.value / 500);
     claim("s_xx at an end, of E alpha T", "", 0, claim.at("far end").stress(0, 0) / 500);
     claim("lengthening of the lower edge", "m", 1e-5 * 40,
           claim.at("far end").displacement[0] - claim.at("near end").displacement[0], in_the_space);
@@ -137,6 +138,8 @@ TEST(HeldAndLoaded, BoxThatIsWarmed) {
          "load.0.temperature={change=50}", "discretization.degree=1"});
     clamped("s_xx of the box held all around", "Pa", -1e6 * 1e-5 * 50 / 0.5,
             clamped.at("far end").stress(0, 0));
+    clamped("largest compression of the box held all around", "Pa", 1e6 * 1e-5 * 50 / 0.5,
+            clamped.results().peaks.compression.value);
     clamped("energy of the box held all around", "J", 0.5 * 1000 * 3 * 5e-4,
             clamped.results().internal_energy);
   }

@@ -75,8 +75,8 @@ TEST(LoadCases, SectionsAndReactionsBalanceTheLoads) {
     const auto cases = app::cases_of(s.run);
     const auto claim = [&](const std::string& what, const char* unit, double reference, double value,
                            double allowed) {
-      expect(Claim{what + ", " + coupling, unit, ReferenceKind::closed_form, "statics", reference, value,
-                   allowed, s.named});
+      expect(Claim{fmt::format("{}, {}", what, coupling), unit, ReferenceKind::closed_form, "statics",
+                   reference, value, allowed, s.named});
     };
     // Stresses are in equilibrium in the mean over elements, not at a plane inside: at p = 3 to 1e-4.
     const auto& of_weight = cases[0].sections[0].forces;
