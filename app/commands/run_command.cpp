@@ -9,7 +9,7 @@
 
 #include "app/commands/write_results.hpp"
 #include "app/reports/cutting_page.hpp"
-#include "app/results/summary.hpp"
+#include "app/results/summary_text.hpp"
 #include "app/run/run_levels.hpp"
 #include "app/solids/fault_page.hpp"
 #include "geometry/brep/solid_error.hpp"

@@ -11,7 +11,4 @@ namespace isopatch::app {
 /// text; the phases are those that its timings have.
 std::string summary_json(const Study& study, const StudyRun& run);
 
-/// The few lines that a person reads: sizes, largest values, reactions, time, in engineering units.
-std::string summary_text(const Study& study, const StudyRun& run);
-
 }  // namespace isopatch::app

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <new>
 #include <optional>
 
+#include "app/run/if_it_fits.hpp"
 #include "geometry/base/error.hpp"
 
 namespace isopatch::app {
@@ -20,20 +20,6 @@ void check(const LevelOptions& options) {
     if (degree < 1 || degree > 10)
       throw Error(ErrorCode::invalid_argument,
                   fmt::format("--degrees has {}; the range of each is 1 .. 10", degree));
-}
-
-// One level, or nothing and the reason if there is no memory for it.
-std::optional<ComparedStudy> compare_if_it_fits(const Study& study, bool condition, std::string& reason,
-                                                const Progress& progress) {
-  try {
-    return compare_couplings(study, condition, progress);
-  } catch (const std::bad_alloc&) {
-    reason = "out of memory";
-  } catch (const Error& error) {
-    if (error.code() != ErrorCode::out_of_memory) throw;
-    reason = error.what();
-  }
-  return std::nullopt;
 }
 
 }  // namespace
@@ -65,8 +51,8 @@ LevelReport compare_levels(
     level.discretization = discretization;
     const bool may_fail = !report.levels.empty() && study.options.processes.count() == 1;
     std::string reason;
-    const auto compared = may_fail ? compare_if_it_fits(level, options.condition, reason, progress)
-                                   : std::optional(compare_couplings(level, options.condition, progress));
+    const auto compare = [&] { return compare_couplings(level, options.condition, progress); };
+    const auto compared = may_fail ? if_it_fits(compare, reason) : std::optional(compare());
     if (!compared) {
       report.stopped = fmt::format("no memory for refine = {}, and coarser levels are finished: {}",
                                    discretization.refine, reason);

@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <new>
 #include <optional>
 
 #include "app/run/compare_levels.hpp"
-#include "geometry/base/error.hpp"
+#include "app/run/if_it_fits.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -23,19 +22,6 @@ RunLevel level_of(const StudyRun& run, int refine) {
   return level;
 }
 
-// One level, or nothing and the reason if there is no memory for it.
-std::optional<StudyRun> run_if_it_fits(const Study& study, std::string& reason, const Progress& progress) {
-  try {
-    return run_study(study, progress);
-  } catch (const std::bad_alloc&) {
-    reason = "out of memory";
-  } catch (const Error& error) {
-    if (error.code() != ErrorCode::out_of_memory) throw;
-    reason = error.what();
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 StudyRun run_levels(const Study& study, int count, const Progress& progress) {
@@ -46,8 +32,8 @@ StudyRun run_levels(const Study& study, int count, const Progress& progress) {
     level.discretization = discretization;
     const bool may_fail = finest && study.options.processes.count() == 1;
     std::string reason;
-    std::optional<StudyRun> run =
-        may_fail ? run_if_it_fits(level, reason, progress) : std::optional(run_study(level, progress));
+    const auto run_level = [&] { return run_study(level, progress); };
+    std::optional<StudyRun> run = may_fail ? if_it_fits(run_level, reason) : std::optional(run_level());
     if (!run) {
       finest->built.warnings.push_back(
           {fmt::format("no memory for refine = {}; the results are those of the level before: {}",

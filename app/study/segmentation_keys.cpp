@@ -112,8 +112,9 @@ const Keys<SegmentationKeys>& segmentation_keys() {
       custom_key<S>(
           "method", quoted_list(names(method_choices())),
           "How blocks are looked for. Bodies with floors across one direction and walls along it or "
-          "inclined to it are swept, whatever their bores and pockets, and bodies whose faces are all "
-          "turned about one axis are turned, unless cuts take fewer blocks; "
+          "inclined to it are swept, whatever their bores and pockets, bodies whose faces are all "
+          "turned about one axis are turned, with bosses and bores across it, and others are cut by planes "
+          "into such, unless cuts along loops take fewer blocks; "
           "or cuts along loops alone, as published. Where T-joints are kept, bodies are only cut.",
           [](S& target, const ConfigValue& value) {
             target.options.method = read_choice(value, "method", method_choices());
@@ -121,7 +122,8 @@ const Keys<SegmentationKeys>& segmentation_keys() {
           .with_default("\"automatic\""),
       custom_key<S>(
           "blends", quoted_list(names(blend_choices())),
-          "What becomes of rounds that keep a body from being swept: nothing, or they are taken off "
+          "What becomes of rounds that keep a body from being swept: they stay (concave ones between floors "
+          "and walls get blocks of their own, others may keep it from being cut), or they are taken off "
           "and the faces around them extended until they meet. A warning says how many, how large, and "
           "what that does to the volume.",
           [](S& target, const ConfigValue& value) {

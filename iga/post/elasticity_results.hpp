@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <string>
 #include <vector>
 
@@ -22,6 +22,9 @@ struct Reaction {
   std::string support;
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< on the part, N
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< about the origin, N m
+
+  /// About another point, N m.
+  Eigen::Vector3d moment_about(const Eigen::Vector3d& point) const { return moment - point.cross(force); }
 };
 
 struct ElasticityResults {

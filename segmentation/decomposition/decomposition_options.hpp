@@ -17,8 +17,9 @@ enum class TJoints {
 
 /// How hexahedra are looked for.
 enum class Method {
-  automatic,  ///< solids that are stacks are swept, turned ones are turned, unless cuts take fewer
-  cuts,       ///< by cutting loops and extended faces alone
+  automatic,  ///< stacks are swept, turned solids turned, with or without branches, others cut into such by
+              ///< planes; unless cuts along loops take fewer
+  cuts,  ///< by cutting loops and extended faces alone
 };
 
 /// What becomes of rounds along edges.

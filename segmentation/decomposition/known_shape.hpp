@@ -11,8 +11,8 @@ namespace isopatch::segmentation {
 
 /// What is known of a solid without a search.
 struct KnownShape {
-  /// Of a solid whose hexahedra follow from what it is: one that is swept or turned, whatever its
-  /// graph; of both ways the one with fewer.
+  /// Of a solid whose hexahedra follow from what it is: one that is swept or turned, with branches or in
+  /// pieces, whatever its graph; of several ways the cheapest.
   std::optional<Decomposition> decomposition;
   /// Where it looks like one, a sentence: what stopped it, or what is in the way and what to do.
   std::string why_not;

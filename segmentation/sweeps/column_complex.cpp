@@ -34,10 +34,6 @@ using Flat = Rounding::Flat;
 /// Drafted walls of CAD programs are splines, and their edges run at paces of their own.
 constexpr double off_the_wall = 1e-4;
 
-bool is_straight(const NurbsCurve& curve) {
-  return curve.degree(0) == 1 && curve.size() == 2;
-}
-
 /// Makes every vertex, edge and face once, by its number in the drawing and its levels.
 class ColumnComplex {
  public:
@@ -92,7 +88,7 @@ class ColumnComplex {
     NurbsCurve curve = moving_.curve(number, height(level));
     const int start = drawn(number).start, end = drawn(number).end;
     if (!is_moved(start, level) && !is_moved(end, level)) return curve;
-    if (!is_straight(curve) && drawn(number).profile_edge >= 0)
+    if (!is_segment(curve) && drawn(number).profile_edge >= 0)
       throw Error(ErrorCode::unsupported, "a round ends on a curved wall");
     Eigen::Matrix3Xd points = curve.control_points();
     points.col(0) = complex_.vertex(vertex(start, level));
@@ -223,7 +219,7 @@ class ColumnComplex {
     const std::array<NurbsCurve, 4> sides{use_curve(loop[0]), use_curve(loop[1]), use_curve(loop[2]),
                                           use_curve(loop[3])};
     const NurbsCurve above = reversed(sides[2], 0);
-    const bool ruled = is_straight(sides[1]) && is_straight(sides[3]);
+    const bool ruled = is_segment(sides[1]) && is_segment(sides[3]);
     const std::optional<PlaneSurface> plane = plane_through(sides);
     if (outer && !plane && !ruled) throw Error(ErrorCode::unsupported, "a round ends on a curved wall");
     std::optional<FaceId> origin;

@@ -1,10 +1,14 @@
 #include "segmentation/sweeps/internal/column_volume.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <map>
 #include <utility>
 #include <vector>
 
 #include "geometry/base/adaptive_integral.hpp"
+#include "geometry/base/error.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -65,6 +69,14 @@ double column_volume(const SweepFrame& frame, const Quadrangulation& quads, cons
       volume += (high - low) / 6 * (area(q, low) + 4 * area(q, (low + high) / 2) + area(q, high));
     }
   return volume;
+}
+
+void require_whole(const geometry::Brep& solid, const SweepFrame& frame, const Quadrangulation& quads,
+                   const MovingDrawing& moving, const Layers& layers) {
+  const double volume = column_volume(frame, quads, moving, layers);
+  if (!(std::abs(volume - solid.volume()) <= 1e-5 * solid.volume()))
+    throw Error(ErrorCode::unsupported, fmt::format("{:.3g} of {:.3g} m^3 are no part of the stack",
+                                                    solid.volume() - volume, solid.volume()));
 }
 
 }  // namespace isopatch::segmentation

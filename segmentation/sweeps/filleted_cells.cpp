@@ -73,9 +73,7 @@ class FilletedStack {
   SweptCells make() {
     const MovingDrawing moving(sharp_, frame_, drawing_, rings_.quads, rings_.offsets);
     const Layers found = layers(rings_.quads, drawing_.slabs, moving, asked(), 1e-7 * solid_.size());
-    const double volume = column_volume(frame_, rings_.quads, moving, found);
-    if (!(std::abs(volume - sharp_.volume()) <= 1e-5 * sharp_.volume()))
-      throw Error(ErrorCode::unsupported, "without its rounds it is no stack");
+    require_whole(sharp_, frame_, rings_.quads, moving, found);
     for (const FilletOver& over : overs_) round(over, found);
     require_all_rounds();
     SweptCells result{column_complex(sharp_, frame_, rings_.quads, moving, found, rounding_), frame_.along,
@@ -239,8 +237,7 @@ class FilletedStack {
     rows[1] *= across.middle_weight;
     Eigen::Matrix4Xd net(4, 3 * rows[0].cols());
     net << rows[0], rows[1], rows[2];
-    NurbsSurface made =
-        NurbsSurface::from_homogeneous({over.sharp.knots(0), KnotVector::bezier(2)}, net);
+    NurbsSurface made = NurbsSurface::from_homogeneous({over.sharp.knots(0), KnotVector::bezier(2)}, net);
     areas_[over.fillet->face] += area_of(made);
     return made;
   }

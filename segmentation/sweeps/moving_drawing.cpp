@@ -263,7 +263,7 @@ NurbsCurve MovingDrawing::curve(int number, double height) const {
     points << place(drawn.start, height), apex(drawn, height), place(drawn.end, height);
     return NurbsCurve({geometry::KnotVector(2, {0, 0, 0, 1, 1, 1})}, points);
   }
-  if (drawn.profile_edge < 0 || (still.degree(0) == 1 && still.size() == 2))
+  if (drawn.profile_edge < 0 || is_segment(still))
     return geometry::segment(place(drawn.start, height), place(drawn.end, height));
   return pushed(still, frame_, height);
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "segmentation/sweeps/internal/straight_wall.hpp"
+
 namespace isopatch::segmentation {
 namespace {
 
@@ -24,7 +26,7 @@ Eigen::Vector3d centre_of_arc(const NurbsCurve& curve, const Eigen::Vector3d& no
 }  // namespace
 
 std::optional<NurbsCurve> offset_curve(const NurbsCurve& curve, const Eigen::Vector3d& normal, double by) {
-  if (curve.degree(0) == 1 && curve.size() == 2) {
+  if (is_segment(curve)) {
     const Eigen::Vector3d along = curve.control_points().col(1) - curve.control_points().col(0);
     const Eigen::Vector3d left = normal.cross(along).normalized();
     return NurbsCurve(curve.knots(), curve.control_points().colwise() + by * left, curve.weights());

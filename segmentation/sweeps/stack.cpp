@@ -13,23 +13,13 @@
 #include "segmentation/sweeps/internal/column_complex.hpp"
 #include "segmentation/sweeps/internal/column_volume.hpp"
 #include "segmentation/sweeps/internal/divided_drawing.hpp"
+#include "segmentation/sweeps/internal/straight_wall.hpp"
 
 namespace isopatch::segmentation {
 namespace {
 
 using geometry::Brep;
 using geometry::PlaneSurface;
-
-/// What is seen along a direction that is not the stack's looks like one and leaves something out.
-void require_whole(const Brep& solid, double volume) {
-  if (!(std::abs(volume - solid.volume()) <= 1e-5 * solid.volume()))
-    throw Error(ErrorCode::unsupported, fmt::format("{:.3g} of {:.3g} m^3 are no part of the stack",
-                                                    solid.volume() - volume, solid.volume()));
-}
-
-bool is_flat(const geometry::NurbsCurve& curve) {
-  return curve.degree(0) == 1 && curve.size() == 2;
-}
 
 }  // namespace
 
@@ -121,7 +111,7 @@ class SideFinder {
             return moving_.place(sides[k].reversed ? edge.end : edge.start, height(level));
           };
           const bool straight = std::all_of(sides.begin(), sides.end(), [&](const geometry::EdgeUse& use) {
-            return is_flat(moving_.curve(use.edge.value, height(level)));
+            return is_segment(moving_.curve(use.edge.value, height(level)));
           });
           if (straight)
             add({corner(0), corner(1), corner(2), corner(3)}, static_cast<int>(q), sides[0].edge.value,
@@ -187,7 +177,7 @@ std::vector<Line> Stack::lines_on(const PlaneSurface& plane, double tolerance) c
   std::vector<Line> result;
   for (const auto& [edge, at] : found) {
     const geometry::NurbsCurve curve = moving.curve(edge, at.first);
-    if (at.second == 2 && is_flat(curve))
+    if (at.second == 2 && is_segment(curve))
       result.push_back({curve.control_points().col(0), curve.control_points().col(1)});
   }
   return result;
@@ -220,7 +210,7 @@ void Stack::divide(const PlaneSurface& plane, const StackSide& side, int axis, d
 geometry::CellComplex Stack::complex() const {
   const MovingDrawing moving = parts_->moving();
   const Layers layers = parts_->layers(moving);
-  require_whole(parts_->solid, column_volume(parts_->frame, parts_->quads, moving, layers));
+  require_whole(parts_->solid, parts_->frame, parts_->quads, moving, layers);
   return column_complex(parts_->solid, parts_->frame, parts_->quads, moving, layers);
 }
 

@@ -9,6 +9,10 @@
 
 namespace isopatch::segmentation {
 
+bool is_segment(const geometry::NurbsCurve& curve) {
+  return curve.degree(0) == 1 && curve.size() == 2;
+}
+
 geometry::NurbsSurface straight_wall(const geometry::NurbsCurve& below, const geometry::NurbsCurve& above) {
   const std::vector<double>& known = below.knots(0).knots();
   std::vector<double> knots = above.knots(0).knots();

@@ -10,4 +10,9 @@ namespace isopatch::segmentation {
 double column_volume(const SweepFrame& frame, const Quadrangulation& quads, const MovingDrawing& moving,
                      const Layers& layers);
 
+/// What is seen along a direction that is not the stack's looks like one and leaves something out.
+/// @throws Error unsupported  the columns have not the solid's volume to 1e-5
+void require_whole(const geometry::Brep& solid, const SweepFrame& frame, const Quadrangulation& quads,
+                   const MovingDrawing& moving, const Layers& layers);
+
 }  // namespace isopatch::segmentation

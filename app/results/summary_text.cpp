@@ -1,0 +1,195 @@
+#include "app/results/summary_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "app/base/engineering_units.hpp"
+#include "app/problem/selection.hpp"
+#include "app/results/level_report.hpp"
+#include "iga/material/material.hpp"
+#include "iga/post/stress_measures.hpp"
+
+namespace isopatch::app {
+namespace {
+
+std::string regions_text(const StudyRun& run) {
+  std::string text;
+  for (const AppliedRegion& region : run.built.supports)
+    text += fmt::format("  support           {}\n", region_text(region));
+  for (const AppliedRegion& region : run.built.loads)
+    text += fmt::format("  load              {}\n", region_text(region));
+  return text;
+}
+
+std::string reactions_text(const StudyRun& run, const iga::ElasticityResults& results) {
+  // Reactions that balance inside one support vanish beside the stresses on the surface.
+  double scale =
+      std::max(results.total_load.norm(), results.max_von_mises.value * run.built.report.boundary_area);
+  for (const iga::Reaction& reaction : results.reactions) scale = std::max(scale, reaction.force.norm());
+  std::string text;
+  for (const iga::Reaction& reaction : results.reactions)
+    text += fmt::format("  reaction          {} at {}\n",
+                        vector_with_unit(without_round_off(reaction.force, scale), "N"), reaction.support);
+  return text;
+}
+
+// "12.34 MPa +- 0.5": the uncertainty in the unit of the value.
+std::string with_uncertainty(double value, const std::optional<Eigen::Matrix3d>& stress_error, double scale) {
+  const std::string text = with_unit(without_round_off(value, scale), "Pa");
+  if (!stress_error) return text;
+  const double error = without_round_off(iga::von_mises(*stress_error), scale);
+  return fmt::format("{} +- {:.2g}", text, error / unit_for(value, "Pa").factor);
+}
+
+std::string error_text(const StudyRun& run) {
+  if (!run.error)
+    return run.error_missing.empty()
+               ? ""
+               : fmt::format("  discretization    its error is not estimated: {}\n", run.error_missing);
+  // The norm is the root of the energy: 1 % of it is 0.01 % of the energy.
+  return fmt::format("  discretization    error about {:.2g} % in the energy norm, {:.2g} % of the energy\n",
+                     100 * run.error->relative, 100 * run.error->relative * run.error->relative);
+}
+
+std::string probes_text(const std::vector<ProbeValues>& probes, const iga::ElasticityResults& results) {
+  std::string text;
+  for (const ProbeValues& probe : probes)
+    text += fmt::format(
+        "  {:<17} displacement {}, von Mises {}\n", probe.name,
+        vector_with_unit(without_round_off(probe.values.displacement, results.max_displacement.value), "m"),
+        with_uncertainty(probe.values.von_mises, probe.stress_error, results.max_von_mises.value));
+  return text;
+}
+
+/// @param error  estimated, or none
+std::string von_mises_text(const iga::ElasticityResults& results, const std::optional<RunError>& error,
+                           double size) {
+  std::string text = fmt::format("  max von Mises     {} at {} (of Gauss points and faces)\n",
+                                 with_uncertainty(results.max_von_mises.value,
+                                                  error ? std::optional(error->stress_at_max) : std::nullopt,
+                                                  results.max_von_mises.value),
+                                 place_with_unit(results.max_von_mises.place, size));
+  if (error && error->singular)
+    text += fmt::format("    grows           with refinement: it is at {}\n", *error->singular);
+  const iga::LeftOut& left_out = results.left_out;
+  if (left_out.folded > 0)
+    text += fmt::format(
+        "    without         {} points where patches are folded, the worst at {} in patch {}\n",
+        with_separators(left_out.folded), place_with_unit(left_out.worst.place, size), left_out.worst.patch);
+  if (left_out.collapsed > 0)
+    text += fmt::format("    without         {} points on collapsed edges and faces\n",
+                        with_separators(left_out.collapsed));
+  return text;
+}
+
+std::string principal_text(const iga::ElasticityResults& results, double size) {
+  const iga::StressPeaks& peaks = results.peaks;
+  if (peaks.tension.patch < 0) return "";
+  std::string text =
+      fmt::format("  principal         from {} at {} to {} at {}\n  max Tresca        {} at {}\n",
+                  with_unit(-peaks.compression.value, "Pa"), place_with_unit(peaks.compression.place, size),
+                  with_unit(peaks.tension.value, "Pa"), place_with_unit(peaks.tension.place, size),
+                  with_unit(peaks.tresca.value, "Pa"), place_with_unit(peaks.tresca.place, size));
+  if (peaks.utilization.patch >= 0)
+    text += fmt::format("  safety factor     {:.4g} against yield at {}\n", 1 / peaks.utilization.value,
+                        place_with_unit(peaks.utilization.place, size));
+  return text;
+}
+
+// Reactions' moments, where the study names a point for them, and the forces of cuts.
+std::string moments_text(const Study& study, const CaseView& one, double size) {
+  std::string text;
+  const Eigen::Vector3d& point = study.output.moments_about;
+  if (!point.isZero(0))
+    for (const iga::Reaction& reaction : one.solution.results.reactions)
+      text += fmt::format("  moment            {} about {} at {}\n",
+                          vector_with_unit(reaction.moment_about(point), "N m"), place_with_unit(point, size),
+                          reaction.support);
+  for (const SectionValues& section : one.sections)
+    text += fmt::format("  {:<17} {} and {} about {}, on {}\n", section.name,
+                        vector_with_unit(section.forces.force, "N"),
+                        vector_with_unit(section.forces.moment, "N m"),
+                        place_with_unit(section.plane.point, size), with_unit(section.forces.area, "m^2"));
+  return text;
+}
+
+std::string solver_text(const solvers::SolveReport& report) {
+  // What was asked for by name and did as it was told needs no explanation.
+  const std::string why =
+      report.reason == "asked for by name" ? "" : fmt::format("  chosen            {}\n", report.reason);
+  if (report.levels == 0)
+    return fmt::format("  solver            {}, relative residual {:.2g}\n", solvers::name(report.method),
+                       report.relative_residual) +
+           why;
+  return fmt::format(
+             "  solver            {} with {} multigrid levels, {}: {} iterations to {:.2g} in energy\n",
+             solvers::name(report.method), report.levels,
+             report.form == solvers::Operator::assembled ? "matrix stored" : "matrix-free", report.iterations,
+             report.energy_error) +
+         why;
+}
+
+std::string case_heading(const CaseName& name) {
+  if (name.name.empty()) return "";
+  std::string of;
+  for (const auto& [one, factor] : name.factors)
+    of += fmt::format("{}{:g} {}",
+                      of.empty()   ? ""
+                      : factor < 0 ? " - "
+                                   : " + ",
+                      of.empty() ? factor : std::abs(factor), one);
+  if (name.factors.empty())
+    of = name.loads.empty() ? "what supports prescribe" : fmt::format("{}", fmt::join(name.loads, ", "));
+  return fmt::format("{} {}: {}\n", name.factors.empty() ? "case" : "combination", name.name, of);
+}
+
+// Largest values, reactions and probes of one case.
+std::string case_text(const Study& study, const StudyRun& run, const CaseView& one) {
+  const iga::ElasticityResults& results = one.solution.results;
+  const double size = run.built.problem.discretization.model.size();
+  const bool is_estimated = &one.solution == &run.solution;
+  return case_heading(one.name) +
+         fmt::format("  max displacement  {} at {}\n", with_unit(results.max_displacement.value, "m"),
+                     place_with_unit(results.max_displacement.place, size)) +
+         von_mises_text(results, is_estimated ? run.error : std::nullopt, size) +
+         principal_text(results, size) +
+         fmt::format("  internal energy   {}\n", with_unit(results.internal_energy, "J")) +
+         (is_estimated ? error_text(run) : "") + reactions_text(run, results) +
+         moments_text(study, one, size) + probes_text(one.probes, results);
+}
+
+}  // namespace
+
+std::string summary_text(const Study& study, const StudyRun& run) {
+  const auto& model = run.built.problem.discretization.model;
+  const iga::ProblemSize& size = run.solution.size;
+  double total = 0;
+  for (const iga::PhaseTime& time : run.timings) total += time.seconds;
+  std::string text = study.title.empty() ? "" : study.title + "\n";
+  const std::size_t bodies = run.built.report.bodies.size();
+  text += fmt::format("  model             {} patches, {} interfaces, {} boundary faces, {}, volume {}\n",
+                      model.patch_count(), model.interfaces().size(), model.boundary_faces().size(),
+                      bodies == 1 ? "one body" : fmt::format("{} bodies", bodies),
+                      with_unit(run.built.report.volume, "m^3"));
+  if (run.built.mass)
+    text += fmt::format("  mass              {}, centre at {}\n", with_unit(1e3 * run.built.mass->mass, "g"),
+                        place_with_unit(run.built.mass->centre, model.size()));
+  text += regions_text(run);
+  text += fmt::format("  unknowns          {} ({} free), {} elements, coupled by {}\n",
+                      with_separators(size.dofs), with_separators(size.dofs_free),
+                      with_separators(size.elements), iga::name(study.options.coupling));
+  text += solver_text(run.solution.solver);
+  for (const CaseView& one : cases_of(run)) text += case_text(study, run, one);
+  text += run_levels_text(run.levels);
+  text += fmt::format("  time, memory      {}, {}{}\n", seconds_text(total), bytes_text(run.peak_bytes),
+                      study.options.processes.count() == 1
+                          ? ""
+                          : fmt::format(" in {} processes", study.options.processes.count()));
+  return text;
+}
+
+}  // namespace isopatch::app
