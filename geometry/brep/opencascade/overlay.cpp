@@ -127,6 +127,8 @@ class Overlayer {
     for (const EdgeUse& use : loop) {
       const TopoDS_Edge made = edge(use.edge);
       maker.Add(use.reversed == turned ? made : TopoDS::Edge(made.Reversed()));
+      // The next edge that can be added takes an error back (findings/occt_make_wire_loses_edge.sh).
+      if (maker.Error() != BRepBuilderAPI_WireDone) fail();
     }
     if (!maker.IsDone()) fail();
     return maker.Wire();
