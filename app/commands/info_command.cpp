@@ -140,8 +140,7 @@ std::string outlooks_text(const BlocksInput& input, const Progress& progress) {
   for (const geometry::BrepFile& body : segmentation::read_solids(input.files, progress).solids) {
     const geometry::RecognisedBrep found = geometry::recognise_carriers(body.brep);
     std::optional<segmentation::Prospect> prospect;
-    if (!is_block(found.brep))
-      prospect = segmentation::prospect(found.brep, *input.decomposition);
+    if (!is_block(found.brep)) prospect = segmentation::prospect(found.brep, *input.decomposition);
     text += fmt::format("solid '{}': {}{}{}\n", body.name, found.text(), found.text().empty() ? "" : "; ",
                         outlook_text(prospect));
   }

@@ -39,7 +39,7 @@ std::string reactions_text(const StudyRun& run, const iga::ElasticityResults& re
 
 // "12.34 MPa +- 0.5": the uncertainty in the unit of the value.
 std::string with_uncertainty(double value, const std::optional<Eigen::Matrix3d>& stress_error, double scale) {
-  const std::string text = with_unit(without_round_off(value, scale), "Pa");
+  std::string text = with_unit(without_round_off(value, scale), "Pa");
   if (!stress_error) return text;
   const double error = without_round_off(iga::von_mises(*stress_error), scale);
   return fmt::format("{} +- {:.2g}", text, error / unit_for(value, "Pa").factor);

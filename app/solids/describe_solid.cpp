@@ -285,8 +285,8 @@ std::string outlook_text(const std::optional<segmentation::Prospect>& prospect) 
     return fmt::format("{} {} ({}{})", edges.size(), edges.size() == 1 ? one : several,
                        fmt::join(numbers, ", "), shown < edges.size() ? ", ..." : "");
   };
-  std::string text = known ? prospect->seen_as + ", or cut if that takes fewer hexahedra: "
-                           : "cuts will be looked for: ";
+  std::string text =
+      known ? prospect->seen_as + ", or cut if that takes fewer hexahedra: " : "cuts will be looked for: ";
   text += fmt::format("{} faces, ", prospect->sides);
   text += prospect->concave.empty() ? "all edges convex"
                                     : listed(prospect->concave, "concave edge", "concave edges");

@@ -47,8 +47,7 @@ void hold_by_springs(const FreeMotions& body, const ElasticityProblem& problem, 
       // Soft springs hold as well as stiff ones.
       const PrincipalAxes springs = principal_axes(sprung.stiffness(point.place, point.normal));
       for (int k = 0; k < 3; ++k)
-        if (springs.values[k] > 1e-12 * springs.values[2])
-          hold(body, point.place, springs.axes.col(k), gram);
+        if (springs.values[k] > 1e-12 * springs.values[2]) hold(body, point.place, springs.axes.col(k), gram);
     }
   }
 }

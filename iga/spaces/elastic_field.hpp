@@ -26,7 +26,7 @@ struct ElasticField {
   ThermalStrain thermal_strain(std::size_t patch) const {
     return thermal.empty() ? ThermalStrain{} : thermal[patch];
   }
-  std::vector<ElementErrors> errors = {};      ///< one per patch, or none where they are not estimated
+  std::vector<ElementErrors> errors = {};  ///< one per patch, or none where they are not estimated
 };
 
 /// All values at one point.

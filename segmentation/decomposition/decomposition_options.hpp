@@ -19,7 +19,7 @@ enum class TJoints {
 enum class Method {
   automatic,  ///< stacks are swept, turned solids turned, with or without branches, others cut into such by
               ///< planes; unless cuts along loops take fewer
-  cuts,  ///< by cutting loops and extended faces alone
+  cuts,       ///< by cutting loops and extended faces alone
 };
 
 /// What becomes of rounds along edges.

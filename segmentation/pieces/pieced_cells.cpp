@@ -5,8 +5,8 @@
 
 #include "geometry/base/error.hpp"
 #include "segmentation/pieces/internal/cut_into_stacks.hpp"
-#include "segmentation/pieces/joined_complex.hpp"
 #include "segmentation/pieces/internal/meeting.hpp"
+#include "segmentation/pieces/joined_complex.hpp"
 
 namespace isopatch::segmentation {
 namespace {
