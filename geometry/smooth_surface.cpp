@@ -57,6 +57,20 @@ Triplets bending(const std::array<KnotVector, 2>& knots) {
   return result;
 }
 
+/// Of how far points are from each other: nearer to one line than this they leave the surface free to turn
+/// about it, and round-off would decide.
+constexpr double on_line = 1e-9;
+
+/// @param uv  over the domain as a unit square
+bool lie_on_one_line(const Eigen::Matrix2Xd& uv) {
+  const Eigen::Matrix2Xd ways = uv.colwise() - Eigen::Vector2d(uv.col(0));
+  Eigen::Index farthest = 0;
+  const double length = ways.colwise().squaredNorm().maxCoeff<Eigen::PropagateNaN>(&farthest);
+  const Eigen::Vector2d along = ways.col(farthest);
+  const Eigen::RowVectorXd across = along.x() * ways.row(1) - along.y() * ways.row(0);
+  return !(across.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() > on_line * length);
+}
+
 }  // namespace
 
 NurbsSurface smooth_surface(const SurfacePoints& through, const std::array<KnotVector, 2>& knots) {
@@ -64,6 +78,9 @@ NurbsSurface smooth_surface(const SurfacePoints& through, const std::array<KnotV
   const int count = static_cast<int>(through.points.cols());
   if (count < 3 || through.uv.cols() != count || !through.uv.allFinite() || !through.points.allFinite())
     throw Error(ErrorCode::invalid_argument, "a surface is put through three finite points or more");
+  const Eigen::Array2d range(knots[0].last() - knots[0].first(), knots[1].last() - knots[1].first());
+  if (lie_on_one_line(through.uv.array().colwise() / range))
+    throw Error(ErrorCode::invalid_argument, "the points of a surface lie on one line of its domain");
   Triplets triplets = bending(knots);
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(size + count, 3);
   for (int p = 0; p < count; ++p) {
@@ -83,7 +100,7 @@ NurbsSurface smooth_surface(const SurfacePoints& through, const std::array<KnotV
   matrix.setFromTriplets(triplets.begin(), triplets.end());
   const auto solution = solve_by_lu(matrix, right);
   if (!solution || !solution->allFinite())
-    throw Error(ErrorCode::invalid_argument, "the points of a surface lie on one line of its domain");
+    throw Error(ErrorCode::invalid_argument, "no surface that bends least goes through its points");
   return NurbsSurface(knots, Eigen::Matrix3Xd(solution->topRows(size).transpose()));
 }
 

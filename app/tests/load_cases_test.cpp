@@ -8,19 +8,7 @@ namespace isopatch::app {
 namespace {
 
 // A bar on guides, pulled, pushed sideways, and pressed shorter; E = 1 GPa, nu = 0.25, 2 m long, 1 m^2.
-const std::string three_cases = R"(title = "bar"
-[model]
-generate = "box"
-size = [2, 1, 1]
-patches = [2, 1, 1]
-[[material]]
-young = 1e9
-poisson = 0.25
-[[support]]
-name = "guides"
-faces = ["x_min", "y_min", "z_min"]
-roller = true
-[[support]]
+const std::string three_cases = guided_bar + R"([[support]]
 name = "press"
 case = "pressed"
 faces = ["x_max"]
@@ -47,12 +35,6 @@ Study parsed(const std::string& text) {
   return parse_study(text, "study.toml", {});
 }
 
-std::string with(std::string text, const std::string& from, const std::string& to) {
-  const auto at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
-
 TEST(LoadCases, CollectWhatNamesThem) {
   const iga::LoadCases cases = load_cases(parsed(three_cases));
   ASSERT_EQ(cases.cases.size(), 3u);
@@ -72,7 +54,7 @@ TEST(LoadCases, CollectWhatNamesThem) {
 
 TEST(LoadCases, WhatCannotBeMeantIsRefusedWithItsPlace) {
   const auto expect = [](const std::string& from, const std::string& to, const std::string& word) {
-    EXPECT_ERROR(load_cases(parsed(with(three_cases, from, to))), ErrorCode::invalid_argument, word);
+    EXPECT_ERROR(load_cases(parsed(replaced(three_cases, from, to))), ErrorCode::invalid_argument, word);
   };
   expect("case = \"both\"\n", "", "load 2 (top) is in no load case");
   expect("pressed = 1.5", "presed = 1.5", "did you mean 'pressed'?");

@@ -20,7 +20,8 @@ using testing::HasSubstr;
 using testing::StartsWith;
 namespace fs = std::filesystem;
 
-inline const std::string bar = R"(title = "bar"
+/// 2 x 1 x 1 m of two patches on guides, free to contract.
+inline const std::string guided_bar = R"(title = "bar"
 [model]
 generate = "box"
 size = [2, 1, 1]
@@ -32,13 +33,22 @@ poisson = 0.25
 name = "guides"
 faces = ["x_min", "y_min", "z_min"]
 roller = true
-[[load]]
+)";
+/// Pulled by 10 MPa.
+inline const std::string bar = guided_bar + R"([[load]]
 faces = ["x_max"]
 traction = [1e7, 0, 0]
 [[probe]]
 name = "end"
 point = [2, 1, 1]
 )";
+
+/// A text in which another stands for a part that it must have.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const auto at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
 
 /// Runs the program in a folder of its own with a study in it.
 class Program : public testing::Test {
@@ -68,11 +78,6 @@ class Program : public testing::Test {
     std::vector<std::string> arguments = {"run", study()};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run(arguments);
-  }
-  std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    const auto at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    return text.replace(at, from.size(), to);
   }
 
   fs::path folder_;

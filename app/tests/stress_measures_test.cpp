@@ -4,27 +4,8 @@ namespace isopatch::app {
 namespace {
 
 // A bar of 2 x 1 x 1 m in tension of 10 MPa, of density 1000 and yield 25 MPa, cut in its middle.
-const std::string measured = R"(title = "bar"
-[model]
-generate = "box"
-size = [2, 1, 1]
-patches = [2, 1, 1]
-[[material]]
-young = 1e9
-poisson = 0.25
-density = 1000
-yield = "25 MPa"
-[[support]]
-name = "guides"
-faces = ["x_min", "y_min", "z_min"]
-roller = true
-[[load]]
-faces = ["x_max"]
-traction = [1e7, 0, 0]
-[[probe]]
-name = "end"
-point = [2, 1, 1]
-[[section]]
+const std::string measured =
+    replaced(bar, "poisson = 0.25\n", "poisson = 0.25\ndensity = 1000\nyield = \"25 MPa\"\n") + R"([[section]]
 name = "middle"
 point = [1, 0, 0]
 normal = "x"

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
+#include <string>
+
 #include "geometry/base/error.hpp"
 #include "geometry/io/internal/hdf5_handle.hpp"
 
@@ -15,7 +18,9 @@ Hdf5Handle file_in_memory() {
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   if (!access || H5Pset_fapl_core(access, growth, 0) < 0)
     throw Error(ErrorCode::internal, "HDF5: no core driver");
-  Hdf5Handle file(H5Fcreate("isopatch in memory", H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
+  static std::atomic<int> files = 0;  // of one name, one at a time could be open
+  const std::string name = fmt::format("isopatch in memory {}", files++);
+  Hdf5Handle file(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
   if (!file) throw Error(ErrorCode::internal, "HDF5: cannot create a file in memory");
   return file;
 }

@@ -12,7 +12,7 @@ namespace isopatch::geometry {
 
 /// The boundary of one solid of a G+Smo file, face by face in the order of the file.
 struct SolidBoundary {
-  std::string name;  ///< "solid 2" if the file has several, else ""
+  std::string name;  ///< "volume 1" if the file has several, counted from 0, else ""
   /// All points of the file, and the corners of this solid's faces; no faces where the file has only trimmed
   /// surfaces.
   Polyhedron corners;

@@ -148,7 +148,7 @@ TEST(Connect, TurnsLeftHandedPatchesAroundAndTranslatesNames) {
   NurbsVolume left = reversed(box_between({1, 0, 0}, {3, 1, 1}), 0);  // its west is at x = 3
   left = NurbsVolume({rescaled(left.knots(0), 2, 6), left.knots(1), left.knots(2)}, left.control_points());
   const MultiPatch model = connect(
-      {{plain, left}, {{"far", {west, north}}}, {{{PatchId(0), Side::east}, {PatchId(1), Side::east}}}});
+      {{plain, left}, {{"far", {west, north}}}, {{{PatchId(0), Side::east}, {PatchId(1), Side::east}, {}}}});
   EXPECT_FALSE(model.was_reversed(PatchId(0)));
   EXPECT_TRUE(model.was_reversed(PatchId(1)));
   EXPECT_EQ(model.from_input(west), (PatchFace{PatchId(1), Side::east}));
@@ -300,9 +300,9 @@ TEST(Connect, RefusesFacesWithOtherParametersOrOutlines) {
 TEST(Connect, HoldsTheListOfInterfacesAgainstTheGeometry) {
   const PatchFace a{PatchId(0), Side::east};
   const PatchFace b{PatchId(1), Side::west};
-  PatchSet set{{box_between({0, 0, 0}, {1, 1, 1}), box_between({1, 0, 0}, {2, 1, 1})}, {}, {{b, a}}};
+  PatchSet set{{box_between({0, 0, 0}, {1, 1, 1}), box_between({1, 0, 0}, {2, 1, 1})}, {}, {{b, a, {}}}};
   EXPECT_EQ(connect(set).interfaces().size(), 1u);
-  set.interfaces = {{a, {PatchId(1), Side::east}}};
+  set.interfaces = {{a, {PatchId(1), Side::east}, {}}};
   EXPECT_THAT(refusal(set), AllOf(HasSubstr("0:east - 1:east"), HasSubstr("differ by up to 1 ")));
   set.interfaces = {{a, b, {.flip_first = true}}};
   EXPECT_THAT(refusal(set), AllOf(HasSubstr("0:east - 1:west lie on each other, but not as it says"),
@@ -337,13 +337,26 @@ TEST(Connect, RefusesWhatDoesNotExist) {
   EXPECT_THAT(refusal({}, ErrorCode::invalid_argument), HasSubstr("at least one patch"));
   EXPECT_THAT(refusal({{box}, {{"clamp", {{PatchId(1), Side::west}}}}, {}}, ErrorCode::invalid_argument),
               AllOf(HasSubstr("'clamp'"), HasSubstr("1:west")));
-  EXPECT_THAT(refusal({{box}, {}, {{{PatchId(0), Side::west}, {PatchId(-1), Side::west}}}},
+  EXPECT_THAT(refusal({{box}, {}, {{{PatchId(0), Side::west}, {PatchId(-1), Side::west}, {}}}},
                       ErrorCode::invalid_argument),
               HasSubstr("-1:west"));
   const NurbsVolume point(box.knots(), Eigen::Matrix3Xd::Ones(3, 8));
   EXPECT_THAT(refusal({{point}, {}, {}}, ErrorCode::invalid_argument), HasSubstr("diagonal"));
   EXPECT_THAT(refusal({{box}, {}, {}}, ErrorCode::invalid_argument, {.same_point = 0.5}),
               HasSubstr("(0, 1e-2)"));
+  EXPECT_THAT(refusal({{box}, {}, {}}, ErrorCode::invalid_argument, {.same_point = 1e-3, .near_miss = 1e-3}),
+              HasSubstr("near_miss is 0.001; its range is (same_point, 0.1)"));
+  EXPECT_THAT(refusal({{box}, {}, {}}, ErrorCode::invalid_argument, {.same_knot = 0}),
+              HasSubstr("same_knot is 0; its range is (0, 1e-3)"));
+}
+
+TEST(Connect, KeepsTheNamesOfPatches) {
+  PatchSet set{{box_between({0, 0, 0}, {1, 1, 1}), box_between({5, 0, 0}, {6, 1, 1})}, {}, {}};
+  set.names = {"wheel"};
+  const MultiPatch model = connect(set);
+  EXPECT_EQ(model.patch_name(PatchId(0)), "wheel");
+  EXPECT_EQ(model.patch_name(PatchId(1)), "");
+  EXPECT_EQ(box(model).max(), Eigen::Vector3d(6, 1, 1));
 }
 
 TEST(Connect, TellsBodiesApart) {

@@ -61,6 +61,37 @@ TEST(Measures, VolumesOfPolynomialPatchesAreExactAtAnyDegree) {
   }
 }
 
+TEST(Measures, MomentsOfASkewBlockAreThoseOfACubeMapped) {
+  Eigen::Matrix3d map;
+  map << 2, 0.5, -0.3, 0.1, 1, 0.4, -0.6, 0.2, 3;
+  const Eigen::Vector3d low(0.7, -2, 4), origin(1, 1, 1);
+  const NurbsVolume block =
+      test::mapped({KnotVector::bezier(1), KnotVector::bezier(2), KnotVector::bezier(1)},
+                   [&](const Eigen::Vector3d& t) { return Eigen::Vector3d(low + map * t); });
+  const double expected = map.determinant();
+  const Eigen::Vector3d middle = low + map * Eigen::Vector3d::Constant(0.5) - origin;
+  const VolumeMoments found = volume_moments(block, origin);
+  // Round-off of sums of numbers up to 100.
+  EXPECT_NEAR(found.volume, expected, 1e-12);
+  EXPECT_LT((found.first - expected * middle).norm(), 1e-12);
+  const Eigen::Matrix3d second = expected * (map * map.transpose() / 12 + middle * middle.transpose());
+  EXPECT_LT((found.second - second).norm(), 1e-12);
+  // A left-handed patch counts negative, as its volume does.
+  const VolumeMoments turned = volume_moments(reversed(block, 1), origin);
+  EXPECT_NEAR(turned.volume, -expected, 1e-12);
+  EXPECT_LT((turned.second + second).norm(), 1e-12);
+}
+
+TEST(Measures, MomentsOfARingSectorAreItsClosedForms) {
+  const VolumeMoments found = volume_moments(ring_sector(1, 2, 0, pi / 2, 0.5), Eigen::Vector3d(0, 0, 0.5));
+  EXPECT_NEAR(found.first.x(), 7. / 3 * 0.5, 1e-14);
+  EXPECT_NEAR(found.first.z(), -0.25 * pi / 4 * 3 * 0.5, 1e-14);
+  EXPECT_NEAR(found.second(0, 0), 15. / 4 * pi / 4 * 0.5, 1e-14);
+  EXPECT_NEAR(found.second(0, 1), 15. / 8 * 0.5, 1e-14);
+  EXPECT_NEAR(found.second(1, 2), -0.25 * 7. / 3 * 0.5, 1e-14);
+  EXPECT_LT((found.second - found.second.transpose()).norm(), 1e-14);
+}
+
 TEST(Measures, NormalsPointOutOfRightHandedPatches) {
   const NurbsVolume ring = ring_sector(1, 2, 0, pi / 2, 0.5);
   const Parameter<2> at(0.3, 0.6);

@@ -27,6 +27,10 @@ TEST(SmoothSurface, PointsOnOneLineAreRefused) {
   const std::array<KnotVector, 2> knots = {KnotVector::uniform(2, 2), KnotVector::uniform(2, 2)};
   EXPECT_ERROR(smooth_surface({Eigen::Matrix2Xd::Zero(2, 2), Eigen::Matrix3Xd::Zero(3, 2)}, knots),
                ErrorCode::invalid_argument, "three");
+  // Along u: any plane through the line bends as little.
+  const SurfacePoints line{(Eigen::Matrix2Xd(2, 4) << 0, 0.2, 0.7, 1, 0.5, 0.5, 0.5, 0.5).finished(),
+                           (Eigen::Matrix3Xd(3, 4) << 0, 0.2, 0.7, 1, 0, 0, 0, 0, 0, 0, 0, 0).finished()};
+  EXPECT_ERROR(smooth_surface(line, knots), ErrorCode::invalid_argument, "lie on one line of its domain");
 }
 
 }  // namespace

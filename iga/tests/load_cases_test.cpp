@@ -101,6 +101,33 @@ TEST(LoadCases, EachIsTheSolutionOfItsOwnProblem) {
   }
 }
 
+// What all solvers of cases begin with; that they agree shows nothing of it.
+TEST(LoadCases, AbsentLoadsAreGoneAndSupportsThatDoNotMoveStandStill) {
+  ElasticityProblem p = boxed();
+  const auto& model = p.discretization.model;
+  Eigen::Matrix3d stretch = Eigen::Matrix3d::Zero();
+  stretch(1, 1) = 1e-3;
+  p.supports.push_back({"grip", boundary(model, "y_min"),
+                        PrescribedDisplacement{{std::nullopt, 2e-4, std::nullopt}, stretch}});
+  p.supports.push_back({"roller", boundary(model, "z_min"), PlaneSupport{-3e-4}});
+  p.temperatures = {{"heat", {PatchId(0)}, {}}, {"frost", {PatchId(1)}, {}}};
+  const LoadCase wanted{"one", {"wind", "frost"}, {"roller"}};
+  const ElasticityProblem one = of_case(p, wanted);
+  ASSERT_EQ(one.surface_loads.size(), 1u);
+  EXPECT_EQ(one.surface_loads[0].name, "wind");
+  EXPECT_TRUE(one.volume_loads.empty());
+  ASSERT_EQ(one.temperatures.size(), 1u);
+  EXPECT_EQ(one.temperatures[0].name, "frost");
+  ASSERT_EQ(one.supports.size(), 4u);
+  EXPECT_EQ(std::get<PrescribedDisplacement>(one.supports[1].condition),
+            (PrescribedDisplacement{{0, std::nullopt, std::nullopt}}));
+  EXPECT_EQ(std::get<PrescribedDisplacement>(one.supports[2].condition),
+            (PrescribedDisplacement{{std::nullopt, 0, std::nullopt}}));
+  EXPECT_EQ(std::get<PlaneSupport>(one.supports[3].condition).normal_displacement, -3e-4);
+  const ElasticityProblem none = of_case(p, {"none", {}, {}});
+  EXPECT_EQ(std::get<PlaneSupport>(none.supports[3].condition).normal_displacement, 0);
+}
+
 // A case that is a sum of others and one with little new in it: few iterations, if any, and the same
 // solution.
 TEST(LoadCases, WhatEarlierCasesHaveSolvedIsNotSolvedAgain) {

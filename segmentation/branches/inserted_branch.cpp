@@ -30,192 +30,30 @@ using geometry::Parameter;
 using geometry::PlaneSurface;
 using geometry::SurfaceId;
 
-/// Of a layer's half width, beside what is as it is drawn: less would fold hexahedra.
-constexpr double least_left = 0.05;
-
-/// A layer of the column, or the top of the branch.
-struct Level {
-  std::optional<LayerShape> shape;  // nothing of the top
-  std::optional<double> flat;       // height of the top, or of a floor inside its outlines
-  int layer = -1;                   // of the column
-  double kept = 0, stretch = 1;     // half width that is as it is drawn, and what becomes of the rest
-};
-
 class Insertion {
  public:
   Insertion(const Brep& solid, const CellComplex& body, const Branch& branch, const BranchPlace& place,
             FaceId cut_face)
       : solid_(solid),
-        branch_(branch),
         view_(branch.view),
-        place_(place),
         cut_face_(cut_face),
-        tolerance_(1e-6 * solid.size()),
-        column_(column_below(body, view_, place.corners, tolerance_)),
+        has_cut_top_(!place.on_top.empty()),
+        column_(column_below(body, view_, place.corners, 1e-6 * solid.size())),
+        levels_(solid, body, branch, place, column_, 1e-6 * solid.size()),
+        drawing_(levels_.drawing()),
         complex_(body) {}
 
   CellComplex make() {
-    find_levels();
-    draw();
-    find_nodes();
-    for (std::size_t l = 0; l < levels_.size(); ++l) find_stretch(l);
     take_out();
     for (std::size_t q = 0; q < drawing_.quads.quads.size(); ++q)
       for (std::size_t l = 0; l + 1 < levels_.size(); ++l)
-        if (has_material(static_cast<int>(q), l)) add_cell(static_cast<int>(q), l);
+        if (levels_.has_material(static_cast<int>(q), l)) add_cell(static_cast<int>(q), l);
     return std::move(complex_);
   }
 
  private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
   const QuadEdge& drawn(int edge) const { return drawing_.quads.edges[index(edge)]; }
-  const Outline& outline(int o) const { return branch_.outlines[index(o)]; }
-  int outline_count() const { return static_cast<int>(branch_.outlines.size()); }
-
-  void find_levels() {
-    if (place_.top) levels_.push_back({{}, place_.top, -1});
-    for (std::size_t l = 0; l < column_.layers.size(); ++l)
-      levels_.push_back(
-          {LayerShape(complex_, view_, column_.layers[l], tolerance_), {}, static_cast<int>(l)});
-    for (std::size_t f = 0; f < place_.floor_radii.size(); ++f) {
-      const auto level = std::find_if(levels_.begin(), levels_.end(), [&](const Level& candidate) {
-        const auto radius = candidate.shape ? candidate.shape->radius() : std::nullopt;
-        return radius && std::abs(*radius - place_.floor_radii[f]) < tolerance_;
-      });
-      if (level == levels_.end())
-        throw Error(ErrorCode::unsupported, "the body cannot be divided at the floor of a branch");
-      level->flat = branch_.floors[f];
-    }
-  }
-
-  std::size_t first_layer() const { return place_.top ? 1 : 0; }
-
-  /// Height of the body's layer, or of a floor where one is asked for.
-  double height(std::size_t level, const Eigen::Vector2d& plan, bool on_floor) const {
-    const Level& at = levels_[level];
-    return on_floor && at.flat ? *at.flat : at.shape->height(plan);
-  }
-
-  /// Whether a wall of an outline is beside what lies between two levels.
-  bool has_wall(int o, std::size_t level) const {
-    const auto key = std::pair(o, level);
-    if (const auto known = walls_.find(key); known != walls_.end()) return known->second;
-    const Eigen::Vector2d plan = outline(o).curves.front().point(0.37);
-    const double middle = (height(level, plan, true) + height(level + 1, plan, true)) / 2;
-    const Eigen::Vector3d place = view_.point(plan, middle);
-    const bool result = std::any_of(outline(o).walls.begin(), outline(o).walls.end(), [&](FaceId face) {
-      const geometry::FaceProjection nearest = solid_.project(face, place);
-      return nearest.distance < tolerance_ && solid_.contains(face, nearest.uv);
-    });
-    return walls_[key] = result;
-  }
-
-  /// Whether an outline's walls begin, end or pass at a level.
-  bool is_real(int o, std::size_t level) const {
-    return (level > 0 && has_wall(o, level - 1)) || (level + 1 < levels_.size() && has_wall(o, level));
-  }
-
-  /// Just inside an outline (-1: outside of all) and below a level.
-  bool has_material_in(int o, std::size_t level) const {
-    bool stands_out = level >= first_layer();
-    for (int around = o; around >= 0; around = parent_[index(around)]) {
-      if (!has_wall(around, level)) continue;
-      if (outline(around).is_void) return false;
-      stands_out = true;
-    }
-    return stands_out;
-  }
-
-  bool has_material(int quad, std::size_t level) const {
-    return has_material_in(drawing_.around[index(drawing_.quads.quads[index(quad)].region)], level);
-  }
-
-  std::array<Eigen::Vector2d, 4> corners_at(std::size_t level) const {
-    std::array<Eigen::Vector2d, 4> result;
-    for (std::size_t i = 0; i < 4; ++i)
-      result[i] = view_.flat(complex_.vertex(column_.layers[index(levels_[level].layer)].corners[i]));
-    return result;
-  }
-
-  static double area(const std::array<Eigen::Vector2d, 4>& corners) {
-    const Eigen::Vector2d a = corners[2] - corners[0], b = corners[3] - corners[1];
-    return std::abs(a.x() * b.y() - a.y() * b.x()) / 2;
-  }
-
-  /// In the narrowest layer that has all outlines that any layer has.
-  void draw() {
-    std::set<int> everywhere;
-    for (std::size_t l = first_layer(); l < levels_.size(); ++l)
-      for (int o = 0; o < outline_count(); ++o)
-        if (is_real(o, l)) everywhere.insert(o);
-    std::optional<std::size_t> best;
-    for (std::size_t l = first_layer(); l < levels_.size(); ++l) {
-      const bool all =
-          std::all_of(everywhere.begin(), everywhere.end(), [&](int o) { return is_real(o, l); });
-      if (all && (!best || area(corners_at(l)) < (1 - 1e-9) * area(corners_at(*best)))) best = l;
-    }
-    reference_ = corners_at(best.value_or(first_layer()));
-    parent_ = nesting(branch_.outlines);
-    std::vector<bool> wanted;
-    for (int o = 0; o < outline_count(); ++o) {
-      bool any = false;
-      for (std::size_t l = 0; l + 1 < levels_.size(); ++l) any = any || has_material_in(o, l);
-      wanted.push_back(any);
-    }
-    drawing_ = plan_drawing(reference_, branch_.outlines, wanted, place_.on_top);
-  }
-
-  void find_nodes() {
-    nodes_.assign(drawing_.quads.vertices.begin(), drawing_.quads.vertices.end());
-    node_outline_.assign(nodes_.size(), -1);
-    for (std::size_t e = 0; e < drawing_.quads.edges.size(); ++e) {
-      const QuadEdge& edge = drawing_.quads.edges[e];
-      if (edge.profile_edge < 4) continue;
-      const NurbsCurve curve = drawing_.curve(static_cast<int>(e));
-      for (const auto& [node, t] : {std::pair(edge.start, 0.0), std::pair(edge.end, 1.0)}) {
-        nodes_[index(node)] = curve.point(Parameter<1>(t)).head<2>();
-        if (const int on = drawing_.outline_of[index(edge.profile_edge)]; on >= 0)
-          node_outline_[index(node)] = on;
-      }
-    }
-  }
-
-  /// Walls that a layer has stay where they are; beside them the drawing is squeezed or stretched across the
-  /// axis, so that its sides are the layer's.
-  void find_stretch(std::size_t l) {
-    Level& level = levels_[l];
-    if (!level.shape) return;
-    for (int o = 0; o < outline_count(); ++o)
-      if (is_real(o, l)) level.kept = std::max(level.kept, half_width(outline(o)));
-    const double drawn = half_width(reference_), here = half_width(corners_at(l));
-    level.stretch = (here - level.kept) / (drawn - level.kept);
-    if (!(level.kept < (1 - least_left) * std::min(drawn, here)))
-      throw Error(ErrorCode::unsupported,
-                  fmt::format("{} leaves no room in a layer of its body that is {:.3g} m wide",
-                              describe(solid_, outline(0).walls.front()), 2 * here));
-  }
-
-  static double half_width(const Outline& outline) {
-    double result = 0;
-    for (const PlanCurve& curve : outline.curves)
-      for (int i = 0; i <= 64; ++i) result = std::max(result, std::abs(curve.point(i / 64.0).y()));
-    return result;
-  }
-
-  static double half_width(const std::array<Eigen::Vector2d, 4>& corners) {
-    return (std::abs(corners[0].y()) + std::abs(corners[1].y()) + std::abs(corners[2].y()) +
-            std::abs(corners[3].y())) /
-           4;
-  }
-
-  /// Where a place of the drawing is at a level.
-  Eigen::Vector2d at_level(const Eigen::Vector2d& plan, std::size_t l) const {
-    const Level& level = levels_[l];
-    const double beyond = std::abs(plan.y()) - level.kept;
-    if (!level.shape || beyond < 0) return plan;
-    return {plan.x(), std::copysign(level.kept + level.stretch * beyond, plan.y())};
-  }
-
   /// The complex without the column's cells and the faces between them.
   void take_out() {
     std::set<FaceId> gone;
@@ -241,21 +79,6 @@ class Insertion {
 
   // What is new, each made once.
 
-  Eigen::Vector2d plan_of(int node, std::size_t level) const { return at_level(nodes_[index(node)], level); }
-
-  /// Whether something of the drawing lies on a floor where a level has one.
-  bool is_on_floor(int node) const {
-    if (inside_.empty()) {
-      inside_.assign(nodes_.size(), false);
-      for (const Quad& quad : drawing_.quads.quads)
-        if (drawing_.around[index(quad.region)] >= 0)
-          for (const EdgeUse& side : quad.sides)
-            inside_[index(drawn(side.edge.value).start)] = inside_[index(drawn(side.edge.value).end)] = true;
-      for (std::size_t n = 0; n < nodes_.size(); ++n) inside_[n] = inside_[n] || node_outline_[n] >= 0;
-    }
-    return inside_[index(node)];
-  }
-
   bool is_side(int edge) const { return drawn(edge).profile_edge >= 0 && drawn(edge).profile_edge < 4; }
 
   VertexId vertex(int node, std::size_t level) {
@@ -263,8 +86,8 @@ class Insertion {
     const auto [found, fresh] =
         vertices_.try_emplace({node, level}, VertexId(static_cast<int>(complex_.vertices.size())));
     if (fresh) {
-      const Eigen::Vector2d plan = plan_of(node, level);
-      complex_.vertices.push_back(view_.point(plan, height(level, plan, is_on_floor(node))));
+      const Eigen::Vector2d plan = levels_.plan_of(node, level);
+      complex_.vertices.push_back(view_.point(plan, levels_.height(level, plan, levels_.is_on_floor(node))));
     }
     return found->second;
   }
@@ -294,24 +117,11 @@ class Insertion {
     return {edges_[{number, level}] = add_edge(level_curve(number, level), from, to), false};
   }
 
-  /// Where an edge of the drawing is at a level, seen along the view.
-  NurbsCurve plan_curve(int number, std::size_t level) const {
-    NurbsCurve plan = drawing_.curve(number);
-    double widest = 0;
-    for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0})
-      widest = std::max(widest, std::abs(plan.point(Parameter<1>(t)).y()));
-    if (widest <= levels_[level].kept + tolerance_) return plan;
-    Eigen::Matrix3Xd points = plan.control_points();
-    for (Eigen::Index i = 0; i < points.cols(); ++i)
-      points.col(i).head<2>() = at_level(points.col(i).head<2>(), level);
-    return NurbsCurve(plan.knots(), points, plan.weights());
-  }
-
   NurbsCurve level_curve(int number, std::size_t level) {
-    const Level& at = levels_[level];
-    const NurbsCurve plan = plan_curve(number, level);
+    const BranchLevel& at = levels_[level];
+    const NurbsCurve plan = levels_.plan_curve(number, level);
     if (at.flat) {
-      const bool from = is_on_floor(drawn(number).start), to = is_on_floor(drawn(number).end);
+      const bool from = levels_.is_on_floor(drawn(number).start), to = levels_.is_on_floor(drawn(number).end);
       if (!at.shape || (from && to)) {
         Eigen::Matrix3Xd points = plan.control_points();
         for (Eigen::Index i = 0; i < points.cols(); ++i)
@@ -386,11 +196,11 @@ class Insertion {
   FaceId level_face(int quad, std::size_t level) {
     const auto known = level_faces_.find({quad, level});
     if (known != level_faces_.end()) return known->second;
-    const bool above = level > 0 && has_material(quad, level - 1);
-    const bool below = level + 1 < levels_.size() && has_material(quad, level);
+    const bool above = level > 0 && levels_.has_material(quad, level - 1);
+    const bool below = level + 1 < levels_.size() && levels_.has_material(quad, level);
     const bool looks_up = below;
-    const Level& at = levels_[level];
-    const bool on_floor = at.flat && drawing_.around[index(drawing_.quads.quads[index(quad)].region)] >= 0;
+    const BranchLevel& at = levels_[level];
+    const bool on_floor = at.flat && levels_.is_inside(quad);
     std::vector<EdgeUse> loop;
     for (const EdgeUse& side : drawing_.quads.quads[index(quad)].sides) {
       const EdgeUse use = edge(side.edge.value, level);
@@ -400,14 +210,15 @@ class Insertion {
     if (!looks_up) turn(face.loop);
     if (above != below) {
       const Eigen::Vector2d middle = middle_of(quad, level);
-      face.origin = level == 0 && !place_.on_top.empty()
+      face.origin = level == 0 && has_cut_top_
                         ? cut_face_
-                        : origin_at(view_.point(middle, height(level, middle, on_floor)));
+                        : origin_at(view_.point(middle, levels_.height(level, middle, on_floor)));
     }
     return level_faces_[{quad, level}] = add_face(std::move(face));
   }
 
-  SurfaceId level_surface(const std::vector<EdgeUse>& loop, const Level& at, bool on_floor, bool looks_up) {
+  SurfaceId level_surface(const std::vector<EdgeUse>& loop, const BranchLevel& at, bool on_floor,
+                          bool looks_up) {
     if (on_floor || at.shape->is_flat()) {
       const double height = on_floor ? *at.flat : at.shape->height({0, 0});
       return add_surface(PlaneSurface{view_.point({0, 0}, height), view_.x, looks_up ? view_.y : -view_.y});
@@ -490,7 +301,7 @@ class Insertion {
 
   bool has_neighbour(int quad, EdgeUse side, std::size_t level) const {
     for (std::size_t q = 0; q < drawing_.quads.quads.size(); ++q)
-      if (static_cast<int>(q) != quad && has_material(static_cast<int>(q), level))
+      if (static_cast<int>(q) != quad && levels_.has_material(static_cast<int>(q), level))
         for (const EdgeUse& other : drawing_.quads.quads[q].sides)
           if (other.edge == side.edge) return true;
     return false;
@@ -504,7 +315,7 @@ class Insertion {
     };
     add({level_face(quad, level), false, 0});
     // The one below looks up into this cell unless it looks out.
-    const bool below_is_free = level + 2 >= levels_.size() || !has_material(quad, level + 1);
+    const bool below_is_free = level + 2 >= levels_.size() || !levels_.has_material(quad, level + 1);
     add({level_face(quad, level + 1), !below_is_free, 0});
     for (const EdgeUse& side : drawing_.quads.quads[index(quad)].sides)
       add(wall(side, level, !is_side(side.edge.value) && !has_neighbour(quad, side, level)));
@@ -513,21 +324,13 @@ class Insertion {
 
   using OnLevel = std::pair<int, std::size_t>;  // something of the drawing, and a level
   const Brep& solid_;
-  const Branch& branch_;
   const PlanView& view_;
-  const BranchPlace& place_;
   FaceId cut_face_;
-  double tolerance_;
+  bool has_cut_top_;
   Column column_;
+  BranchLevels levels_;
+  const PlanDrawing& drawing_;
   CellComplex complex_;
-  std::vector<Level> levels_;
-  std::array<Eigen::Vector2d, 4> reference_;
-  std::vector<int> parent_;
-  PlanDrawing drawing_;
-  std::vector<Eigen::Vector2d> nodes_;
-  std::vector<int> node_outline_;
-  mutable std::vector<bool> inside_;
-  mutable std::map<std::pair<int, std::size_t>, bool> walls_;
   std::map<OnLevel, VertexId> vertices_;
   std::map<OnLevel, EdgeId> edges_, uprights_;
   std::map<OnLevel, FaceId> level_faces_, walls_made_;

@@ -40,8 +40,6 @@ void check_edge(const Profile& profile, int number, double size) {
   if (edge.points.size() < (edge.start == edge.end ? 4U : 2U))
     refuse_profile(
         fmt::format("edge {} has {} points; a line needs 2, a closed curve 4", number, edge.points.size()));
-  for (const Vector2d& point : edge.points)
-    if (!point.allFinite()) refuse_profile(fmt::format("edge {} has a point that is not finite", number));
   for (std::size_t i = 0; i + 1 < edge.points.size(); ++i)
     if ((edge.points[i + 1] - edge.points[i]).norm() <= 1e-12 * size)
       refuse_profile(fmt::format("edge {} has a point twice, number {}", number, i));
@@ -89,9 +87,13 @@ void check_loop(const Profile& profile, std::size_t region, std::size_t number) 
 }  // namespace
 
 void validate(const Profile& profile) {
-  const double size = size_of(profile);
+  // First, since all lengths are held against the size.
   for (const Vector2d& vertex : profile.vertices)
     if (!vertex.allFinite()) refuse_profile("a vertex is not finite");
+  for (std::size_t e = 0; e < profile.edges.size(); ++e)
+    for (const Vector2d& point : profile.edges[e].points)
+      if (!point.allFinite()) refuse_profile(fmt::format("edge {} has a point that is not finite", e));
+  const double size = size_of(profile);
   for (std::size_t e = 0; e < profile.edges.size(); ++e) check_edge(profile, static_cast<int>(e), size);
   for (std::size_t r = 0; r < profile.regions.size(); ++r) {
     if (profile.regions[r].loops.empty()) refuse_profile(fmt::format("region {} has no loop", r));

@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <numeric>
 
 #include "segmentation/reconstruction/internal/carrier_distance.hpp"
 #include "segmentation/reconstruction/internal/fit_carrier.hpp"
+#include "segmentation/reconstruction/internal/seed_patches.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -32,10 +31,6 @@ constexpr std::size_t few_in_freeform = 20;
 constexpr double leaf_area = 0.03;
 // Neighbouring surfaces that are held against one torus or sphere.
 constexpr int most_joins = 3000;
-// Facets of a band that are looked at to either side.
-constexpr std::size_t strip_length = 6;
-// A facet so many times as large as what is beside it is a plane.
-constexpr double plane_ratio = 10;
 // A set of small facets that no carrier explains is a freeform surface from this number on, and plane faces
 // below.
 constexpr std::size_t least_freeform = 12;
@@ -54,19 +49,17 @@ class CarrierGrower {
         facets_(facets.facets),
         tolerance_(tolerance),
         options_(options),
+        seeds_(facets_, options.smooth),
         owner_(facets_.size(), -1),
-        large_(facets_.size(), false),
-        plane_(facets_.size(), false),
         mark_(facets_.size(), 0),
-        vertex_mark_(static_cast<std::size_t>(mesh.vertices.cols()), 0) {}
+        vertex_mark_(static_cast<std::size_t>(mesh.vertices.cols()), 0) {
+    for (std::size_t f = 0; f < facets_.size(); ++f)
+      plane_.push_back(seeds_.is_large(static_cast<int>(f)) || facets_[f].triangles.size() > 2);
+  }
 
   void search(const Progress& progress) {
-    for (std::size_t f = 0; f < facets_.size(); ++f) {
-      large_[f] = is_large(static_cast<int>(f));
-      plane_[f] = large_[f] || facets_[f].triangles.size() > 2;
-    }
     int failures = 0;
-    const std::vector<int> order = seeds();
+    const std::vector<int> order = seeds_.in_order();
     for (std::size_t i = 0; i < order.size(); ++i) {
       if (i % 256 == 0) progress("looking for surfaces", double(i) / double(order.size()));
       if (owner(order[i]) >= 0) continue;
@@ -147,83 +140,6 @@ class CarrierGrower {
   int& owner(int f) { return owner_[static_cast<std::size_t>(f)]; }
   bool is_smooth(const FacetLink& link) const { return link.angle < options_.smooth.radians(); }
 
-  /// All facets with smooth neighbours, in an order without a pattern: surfaces of many facets are met first.
-  std::vector<int> seeds() const {
-    std::vector<int> order;
-    for (std::size_t f = 0; f < facets_.size(); ++f)
-      if (!large_[f] && std::any_of(facets_[f].links.begin(), facets_[f].links.end(),
-                                    [&](const FacetLink& l) { return is_smooth(l); }))
-        order.push_back(static_cast<int>(f));
-    std::uint64_t state = 1;
-    for (std::size_t i = order.size(); i > 1; --i) {
-      state = state * 6364136223846793005u + 1442695040888963407u;
-      std::swap(order[i - 1], order[(state >> 33) % i]);
-    }
-    return order;
-  }
-
-  std::vector<int> smooth_neighbours(int f) const {
-    std::vector<int> result;
-    for (const FacetLink& link : facet(f).links)
-      if (is_smooth(link) && !large_[static_cast<std::size_t>(link.other)]) result.push_back(link.other);
-    return result;
-  }
-
-  /// A facet with its neighbours and theirs; with its neighbours; with two of them.
-  std::vector<std::vector<int>> patches(int seed) const {
-    const std::vector<int> near = smooth_neighbours(seed);
-    std::vector<std::vector<int>> result;
-    std::vector<int> one{seed};
-    one.insert(one.end(), near.begin(), near.end());
-    std::vector<int> two = one;
-    for (const int f : near)
-      for (const int g : smooth_neighbours(f))
-        if (std::find(two.begin(), two.end(), g) == two.end() && two.size() < 32) two.push_back(g);
-    if (two.size() > one.size()) result.push_back(two);
-    if (one.size() > 2) result.push_back(one);
-    if (near.size() > 2 && near.size() <= 5)
-      for (std::size_t i = 0; i < near.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j) result.push_back({seed, near[j], near[i]});
-    for (const FacetLink& link : facet(seed).links)
-      if (is_smooth(link)) result.push_back(strip(seed, link));
-    return result;
-  }
-
-  /// Facets of a narrow band: each next one is across the edge that runs most like the one before.
-  std::vector<int> strip(int seed, const FacetLink& first) const {
-    std::vector<int> result{seed};
-    const auto walk = [&](const FacetLink& start) {
-      FacetLink last = start;
-      for (std::size_t k = 0; k < strip_length; ++k) {
-        if (std::find(result.begin(), result.end(), last.other) != result.end()) return;
-        result.push_back(last.other);
-        const FacetLink next = most_alike(last.other, last);
-        if (next.other < 0) return;
-        last = next;
-      }
-    };
-    walk(first);
-    const FacetLink back = most_alike(seed, first);
-    if (back.other >= 0) walk(back);
-    return result;
-  }
-
-  /// The smooth link of a facet whose edge runs most like another's, but for that one.
-  FacetLink most_alike(int f, const FacetLink& like) const {
-    FacetLink best{-1};
-    double most = 0.5;
-    for (const FacetLink& link : facet(f).links) {
-      if (!is_smooth(link) || (link.edge + like.edge).norm() < 1e-9 * like.edge.norm() ||
-          link.edge == like.edge)
-        continue;
-      const double along = std::abs(link.edge.dot(like.edge)) / (link.edge.norm() * like.edge.norm());
-      if (!(along > most)) continue;
-      most = along;
-      best = link;
-    }
-    return best;
-  }
-
   SurfaceSample sample(const std::vector<int>& facets) {
     SurfaceSample result;
     const std::vector<int> vertices = vertices_of(facets);
@@ -253,7 +169,7 @@ class CarrierGrower {
   }
 
   std::optional<Grown> from_seed(int seed) {
-    for (const std::vector<int>& patch : patches(seed)) {
+    for (const std::vector<int>& patch : seeds_.patches(seed)) {
       const SurfaceSample points = sample(patch);
       if (points.points.cols() > static_cast<Eigen::Index>(4 * most_points)) continue;
       std::optional<Grown> best;
@@ -428,18 +344,6 @@ class CarrierGrower {
     return result;
   }
 
-  /// Whether a facet is much larger than what is beside it.
-  bool is_large(int f) const {
-    double sum = 0;
-    int count = 0;
-    for (const FacetLink& link : facet(f).links)
-      if (is_smooth(link)) {
-        sum += facet(link.other).area;
-        ++count;
-      }
-    return count == 0 || facet(f).area * count > plane_ratio * sum;
-  }
-
   /// Small facets without a carrier that hang together.
   struct FreeSize {
     std::size_t facets = 0;
@@ -486,9 +390,9 @@ class CarrierGrower {
   const std::vector<Facet>& facets_;
   double tolerance_;
   const ReconstructionOptions& options_;
+  SeedPatches seeds_;
   std::vector<int> owner_;  ///< by facet: the carrier
   std::vector<Grown> found_;
-  std::vector<bool> large_;  ///< by facet: much larger than its neighbours
   std::vector<bool> plane_;  ///< by facet: a plane, unless it lies on a curved surface: large, or of more
                              ///< triangles than others have
   std::vector<int> mark_, vertex_mark_;

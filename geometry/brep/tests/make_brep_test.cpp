@@ -144,8 +144,8 @@ TEST(MakeBrep, BrokenPolyhedraAreRefusedByName) {
               testing::AllOf(HasSubstr("has no length"), HasSubstr("vertex 1 at (0, 0, 0)")));
 
   Polyhedron crooked = test::prism(6);
-  crooked.vertices.col(0) =
-      crooked.vertices.col(3) + Eigen::Vector3d(0, 0, 0.2);  // as seen from above, touches it
+  crooked.vertices.col(0) = crooked.vertices.col(3) +
+                            Eigen::Vector3d(-0.1, 0, 0.2);  // as seen from above, its outline crosses itself
   EXPECT_THAT(isopatch::test::message_of([&] { make_brep(crooked); }), HasSubstr("is not plane"));
 
   Polyhedron touching;  // two tetrahedra with a common vertex

@@ -92,24 +92,59 @@ TEST(HexTopology, WrongPairsAreRefused) {
               testing::HasSubstr("side west of block 1 is in two pairs"));
 }
 
+struct TopologyBreach {
+  const char* words;
+  void (*make)(HexTopology& topology);
+};
+
 TEST(HexTopology, WhatContradictsItselfIsFound) {
   const HexTopology sound = ring(3, {});
   validate(sound);
-  HexTopology broken = sound;
-  std::swap(broken.edges[0].vertices[0], broken.edges[0].vertices[1]);
-  EXPECT_ERROR(validate(broken), ErrorCode::invalid_argument, "contradicts itself");
-  broken = sound;
-  broken.blocks[1].faces[2] = HexFaceId(99);
-  EXPECT_ERROR(validate(broken), ErrorCode::invalid_argument, "contradicts itself");
-  broken = sound;
-  broken.faces[0].uses.push_back(broken.faces[0].uses[0]);
-  EXPECT_ERROR(validate(broken), ErrorCode::invalid_argument, "contradicts itself");
-  broken = sound;
-  broken.t_joints.push_back({side(3, Side::west), {}});
-  EXPECT_ERROR(validate(broken), ErrorCode::invalid_argument, "contradicts itself");
-  broken = sound;
-  broken.edges[4].sheet = SheetId(-1);
-  EXPECT_ERROR(validate(broken), ErrorCode::invalid_argument, "contradicts itself");
+  const TopologyBreach breaches[] = {
+      {"of block 1, a vertex is 12; there are 12",
+       [](HexTopology& t) { t.blocks[1].vertices[5] = HexVertexId(12); }},
+      {"of block 2, an edge is -1", [](HexTopology& t) { t.blocks[2].edges[11] = HexEdgeId(-1); }},
+      {"of block 1, a face is 99; there are 15",
+       [](HexTopology& t) { t.blocks[1].faces[2] = HexFaceId(99); }},
+      {"edge 4's sheet is -1; there are 5", [](HexTopology& t) { t.edges[4].sheet = SheetId(-1); }},
+      {"edge 4's block is 3; there are 3",
+       [](HexTopology& t) { t.edges[4].uses[0].edge.block = BlockId(3); }},
+      {"an edge of edge 4's block is 12; a cube has 12",
+       [](HexTopology& t) { t.edges[4].uses[0].edge.edge = 12; }},
+      {"block 0 does not know edge 1", [](HexTopology& t) { t.edges[1].uses[0] = t.edges[0].uses[0]; }},
+      {"edge 0 ends elsewhere in block 0",
+       [](HexTopology& t) { std::swap(t.edges[0].vertices[0], t.edges[0].vertices[1]); }},
+      {"a block's edge is none of the complex", [](HexTopology& t) { t.edges[3].uses.pop_back(); }},
+      {"face 0 lies between 3 blocks", [](HexTopology& t) { t.faces[0].uses.push_back(t.faces[0].uses[0]); }},
+      {"face 3 lies between 0 blocks", [](HexTopology& t) { t.faces[3].uses.clear(); }},
+      {"block 0 does not know face 1", [](HexTopology& t) { t.faces[1].uses[0] = t.faces[2].uses[0]; }},
+      {"face 1's side is 6; a cube has 6",
+       [](HexTopology& t) { t.faces[1].uses[0].side.side = static_cast<Side>(6); }},
+      {"a block's side is none of the complex",
+       [](HexTopology& t) {
+         for (HexFace& face : t.faces)
+           if (face.uses.size() == 2) face.uses.pop_back();
+       }},
+      {"a T-joint's block is 3; there are 3",
+       [](HexTopology& t) {
+         t.t_joints.push_back({side(3, Side::west), {}});
+       }},
+      {"a part of a T-joint's block is -1",
+       [](HexTopology& t) {
+         t.t_joints.push_back({side(0, Side::west), {{side(-1, Side::west)}}});
+       }},
+      {"a split edge is 24; there are 24",
+       [](HexTopology& t) {
+         t.split_edges.push_back({HexEdgeId(24), {}});
+       }},
+      {"a split edge's vertex is 12", [](HexTopology& t) {
+         t.split_edges.push_back({HexEdgeId(0), {{HexVertexId(12), 0.5}}});
+       }}};
+  for (const auto& [words, make] : breaches) {
+    HexTopology broken = sound;
+    make(broken);
+    EXPECT_ERROR(validate(broken), ErrorCode::invalid_argument, std::string("contradicts itself: ") + words);
+  }
 }
 
 }  // namespace

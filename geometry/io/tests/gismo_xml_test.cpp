@@ -64,6 +64,18 @@ TEST(GismoXml, WithoutAListAllVolumesAreRead) {
   EXPECT_EQ(read_gismo_xml_text(text).patches.size(), 1u);
 }
 
+TEST(GismoXml, BoundariesOfOneNameAreOne) {
+  const PatchSet found = read_gismo_xml_text(
+      replaced(one_cube, "7 2</boundary>",
+               "7 2</boundary><boundary name=\"top\">7 6</boundary>"
+               "<boundary name=\"clamp &amp; load\">7 3</boundary><boundary>7 4</boundary>"));
+  ASSERT_EQ(found.boundaries.size(), 2u);  // one without a name is none
+  EXPECT_THAT(found.boundaries[0].faces,
+              testing::ElementsAre(PatchFace{PatchId(0), Side::west}, PatchFace{PatchId(0), Side::east},
+                                   PatchFace{PatchId(0), Side::south}));
+  EXPECT_THAT(found.boundaries[1].faces, testing::ElementsAre(PatchFace{PatchId(0), Side::back}));
+}
+
 TEST(GismoXml, ReadsNumbersHoweverWritten) {
   const PatchSet found =
       read_gismo_xml_text(replaced(one_cube, "0 1 0  1 1 0", "+0 1.0E+00 -0e5  1. .1e1 1e-400"));

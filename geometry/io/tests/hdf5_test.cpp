@@ -64,6 +64,16 @@ TEST_F(Hdf5, SameContentGivesTheSameBytes) {
   EXPECT_EQ(sample(), sample());
 }
 
+TEST_F(Hdf5, SeveralFilesMayBeWrittenAtOnce) {
+  Hdf5Writer one, other;
+  one.write("/a", 1.0);
+  other.write("/a", 2.0);
+  save(one.image());
+  EXPECT_EQ(Hdf5Reader(path_).number("/a"), 1.0);
+  save(other.image());
+  EXPECT_EQ(Hdf5Reader(path_).number("/a"), 2.0);
+}
+
 TEST_F(Hdf5, ChangedBytesAreNoticed) {
   const std::string good = sample();
   const std::string number(reinterpret_cast<const char*>(points().col(2000).data()), sizeof(double));

@@ -155,6 +155,44 @@ TEST(GismoSolid, PartedCurvesThatDoNotMeetAreRefused) {
       AllOf(HasSubstr("bad_format"), HasSubstr("loop 0, curve 0"), HasSubstr("repeated more than degree")));
 }
 
+TEST(GismoSolid, WithoutVolumesAllFacesAreOne) {
+  const std::string text = file(trimmed(7) + solid_element);
+  const std::size_t from = text.find("<Volume>"), to = text.find("</Volume>") + 9;
+  const auto solids = read_gismo_solids(std::string(text).erase(from, to - from), "s.xml");
+  ASSERT_EQ(solids.size(), 1u);
+  EXPECT_EQ(solids[0].name, "");
+  EXPECT_EQ(solids[0].corners.faces.size(), 5u);
+}
+
+TEST(GismoSolid, BreachesNameFileLineAndCause) {
+  const std::string good = file(trimmed(7) + solid_element);
+  const auto expect = [&](const std::string& from, const std::string& to, const std::string& says) {
+    EXPECT_THAT(error_of([&] { read_gismo_solids(replaced(good, from, to), "s.xml"); }), HasSubstr(says))
+        << from << " -> " << to;
+  };
+  EXPECT_THAT(error_of([] { read_gismo_solids("<a/>", "s.xml"); }),
+              HasSubstr("bad_format: s.xml:1: the root element is <a>"));
+  EXPECT_THAT(error_of([] { read_gismo_solids("<xml/>", "s.xml"); }),
+              HasSubstr("unsupported: s.xml:1: no Solid and no TrimSurface element"));
+  EXPECT_THAT(error_of([] { read_gismo_solids(file(trimmed(3) + trimmed(3)), "s.xml"); }),
+              HasSubstr("a second trimmed surface with id 3"));
+  expect("3 2 0 3 -1", "2 2 0 -1", "bad_format: s.xml:26: face 3 has 2 corners; without a surface it needs");
+  expect("3 0 1 3 7", "3 0 1 3 8", "face 1 lies on surface 8, which the file lacks");
+  expect("3 0 1 3 7", "3 0 1 5 7", "a corner of face 1 is '5', outside 0 .. 4");
+  expect("-1/2 0 0", "-1/2 0", "14 coordinates; a vertex has three");
+  expect("-1/2 0 0", "-1/0 0 0", "a coordinate is '-1/0'; it must be finite");
+  expect("2 4 3</Volume>", "2 4 5</Volume>", "a face of volume 1 is '5'");
+  expect("<Vertex>", "<Vertices>", "broken XML");
+  expect("TensorBSpline2", "TensorBSpline1", "unsupported: s.xml:4: trimmed surface 7 is of type");
+  expect("geoDim=\"3\"", "geoDim=\"2\"", "control points in 2 dimensions; 3 are needed");
+  expect("0 0 .5 .5 1 1", "0 0 1", "3 knots do not suit degree 1");
+  expect("index=\"1\"", "index=\"0\"", "direction 0 is given twice");
+  const std::string curves = good.substr(good.find("<Geometry type=\"BSpline\""));
+  expect(curves.substr(0, curves.find("</CurveLoop>")), "", "trimmed surface 7, loop 0 has no curve");
+  const std::string domain = good.substr(good.find("<CurveLoop"));
+  expect(domain.substr(0, domain.find("</PlanarDomain>")), "", "trimmed surface 7 has no loop");
+}
+
 TEST(GismoSolid, IsToldFromVolumePatches) {
   EXPECT_TRUE(is_gismo_solid(file(solid_element)));
   EXPECT_TRUE(is_gismo_solid(file(trimmed(0))));

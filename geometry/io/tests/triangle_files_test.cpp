@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
+#include <unistd.h>
 #include <cstring>
+#include <filesystem>
+
+#include "geometry/base/atomic_file.hpp"
 
 #include "geometry/base/tests/expect_error.hpp"
 #include "geometry/io/coordinate_grain.hpp"
@@ -137,6 +141,42 @@ TEST(Ply, TextAndBothByteOrdersAreTheSame) {
     EXPECT_EQ(corners(read_ply(file, "a.ply"), 0), wanted());
 }
 
+/// Bytes of a number of one of the format's types; each of them holds -1 or the largest of unsigned ones.
+std::string bytes_of(const std::string& type, double value, bool big) {
+  std::string text;
+  if (type == "char") put(text, static_cast<std::int8_t>(value), big);
+  if (type == "uchar") put(text, static_cast<std::uint8_t>(value), big);
+  if (type == "int16") put(text, static_cast<std::int16_t>(value), big);
+  if (type == "ushort") put(text, static_cast<std::uint16_t>(value), big);
+  if (type == "int") put(text, static_cast<std::int32_t>(value), big);
+  if (type == "uint32") put(text, static_cast<std::uint32_t>(value), big);
+  if (type == "float32") put(text, static_cast<float>(value), big);
+  if (type == "double") put(text, value, big);
+  return text;
+}
+
+TEST(Ply, NumbersOfEveryTypeAreRead) {
+  const std::vector<std::pair<const char*, double>> types = {
+      {"char", -127},  {"uchar", 254},         {"int16", -32767},  {"ushort", 65534},
+      {"int", -70000}, {"uint32", 4294967295}, {"float32", -0.25}, {"double", 1. / 3}};
+  for (const bool big : {false, true})
+    for (const auto& [type, value] : types) {
+      const bool signless = value > 200;
+      std::string text = fmt::format(
+          "ply\nformat binary_{}_endian 1.0\nelement vertex 3\nproperty {} x\nproperty char y\nproperty "
+          "char z\nelement face 1\nproperty list {} {} vertex_index\nend_header\n",
+          big ? "big" : "little", type, type, signless ? type : "uint32");
+      for (const double x : {0.0, 1.0, value})
+        text += bytes_of(type, x, big) + bytes_of("char", x == 1 ? 1 : 0, big) + bytes_of("char", -2, big);
+      text += bytes_of(type, 3, big);
+      for (const double corner : {0, 1, 2}) text += bytes_of(signless ? type : "uint32", corner, big);
+      const TriangleMesh mesh = read_ply(text, "a.ply");
+      EXPECT_EQ(mesh.vertices(0, 2), value) << type << big;
+      EXPECT_EQ(mesh.vertices.row(2), Eigen::RowVector3d(-2, -2, -2)) << type << big;
+      EXPECT_EQ(mesh.triangles.col(0), Eigen::Vector3i(0, 1, 2)) << type << big;
+    }
+}
+
 TEST(Ply, BrokenFilesAreRefused) {
   EXPECT_ERROR(read_ply("ply\nformat ascii 1.0\n", "a.ply"), ErrorCode::bad_format, "end_header");
   EXPECT_ERROR(read_ply("ply\nformat other 1.0\n" + ply_head, "a.ply"), ErrorCode::bad_format, "no format");
@@ -147,6 +187,41 @@ TEST(Ply, BrokenFilesAreRefused) {
   const std::string text = "ply\nformat ascii 1.0\n" + ply_head + "0 0 0 255\n1.5 0 0 1\n0 2.25 0 1\n";
   EXPECT_ERROR(read_ply(text + "3 0 1 3\n", "a.ply"), ErrorCode::bad_format, "no vertex 3");
   EXPECT_ERROR(read_ply(text + "2 0 1\n", "a.ply"), ErrorCode::bad_format, "fewer than three");
+  EXPECT_ERROR(read_ply(text + "3 0 -1 2\n", "a.ply"), ErrorCode::bad_format, "face 0 has a corner -1");
+  EXPECT_ERROR(read_ply(text + "-3 0 1 2\n", "a.ply"), ErrorCode::bad_format,
+               "a list of -3 numbers in face 0");
+  EXPECT_ERROR(read_ply(text + "1e9 0 1 2\n", "a.ply"), ErrorCode::bad_format,
+               "a list of 1000000000 numbers");
+  EXPECT_ERROR(read_ply("ply\nformat ascii 1.0\nproperty int x\nend_header\n", "a.ply"),
+               ErrorCode::bad_format, "a property before the first element");
+  EXPECT_ERROR(read_ply("ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nproperty int y\n"
+                        "end_header\n1 2\n",
+                        "a.ply"),
+               ErrorCode::bad_format, "vertices have no z");
+}
+
+TEST(TriangleFiles, AreReadByTheirEnding) {
+  const std::string folder = testing::TempDir() + fmt::format("isopatch_triangles_{}", ::getpid());
+  std::filesystem::create_directory(folder);
+  const std::vector<std::pair<const char*, std::string>> files = {
+      {"a.stl", text_stl},
+      {"a.OBJ", "v 0 0 0\nv 1.5 0 0\nv 0 2.25 0\nf 1 2 3\n"},
+      {"a.ply", binary_ply(true)},
+      {"a.off", "OFF\n3 1 3\n0 0 0\n1.5 0 0\n0 2.25 0\n3 0 1 2\n"}};
+  for (const auto& [name, text] : files) {
+    const std::filesystem::path path = std::filesystem::path(folder) / name;
+    write_file(path, text);
+    EXPECT_EQ(corners(read_triangles(path), 0), wanted()) << name;
+  }
+  // An L of six corners is four triangles; numbers are as exact as written.
+  const std::filesystem::path concave = std::filesystem::path(folder) / "l.off";
+  const std::string l = "OFF\n6 1 6\n0 0 0\n2 0 0\n2 1 0\n1 1 0\n1 2 0\n0 2 0\n6 0 1 2 3 4 5\n";
+  write_file(concave, l);
+  const TriangleMesh mesh = read_triangles(concave);
+  EXPECT_EQ(mesh.triangles.cols(), 4);
+  EXPECT_NEAR(area(mesh), 3, 1e-14);
+  EXPECT_LT(mesh.grain, 1e-15);
+  std::filesystem::remove_all(folder);
 }
 
 TEST(TriangleFiles, AreKnownByTheirEnding) {

@@ -1,4 +1,4 @@
-#include "geometry/io/vtu_file.hpp"
+#include "geometry/base/tests/expect_error.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,6 +15,7 @@
 #include <cmath>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/tests/expect_error.hpp"
 #include "geometry/splines/refine.hpp"
 
 namespace isopatch::geometry {
@@ -230,6 +231,25 @@ TEST(VtuFile, HexahedraShareTheirNodesAndFillTheGrids) {
   }
   EXPECT_NEAR(volume, 2, 1e-14);
   EXPECT_EQ(grid->GetPointData()->GetArray("x")->GetTuple1(35), 6);
+}
+
+TEST(VtuFile, CellFieldsAreCountedGridByGrid) {
+  const Cubes cubes;
+  Bytes bytes;
+  const VtuCellField numbers{"number", [](std::size_t grid, std::int64_t cell) {
+                               return static_cast<float>(100 * static_cast<std::int64_t>(grid) + cell);
+                             }};
+  VtuFile file(VtuCell::hexahedron, cubes.grids, {}, {}, bytes.sink(), Precision::full, {numbers});
+  file.points(0, cubes.points);
+  file.finish();
+  const auto grid = read_back(bytes.text);
+  for (vtkIdType c = 0; c < 8; ++c)
+    EXPECT_EQ(grid->GetCellData()->GetArray("number")->GetTuple1(c), c < 6 ? double(c) : 94 + double(c));
+  const VtuCellField nothing{"gone", [](std::size_t, std::int64_t) { return std::nanf(""); }};
+  Bytes ignored;
+  VtuFile broken(VtuCell::hexahedron, cubes.grids, {}, {}, ignored.sink(), Precision::full, {nothing});
+  broken.points(0, cubes.points);
+  EXPECT_ERROR(broken.finish(), ErrorCode::invalid_argument, "'gone' has a value that is not finite");
 }
 
 TEST(VtuFile, NumbersMayComeInAnyOrder) {

@@ -131,14 +131,14 @@ TEST(Mend, RefusesWhatBoundsNoSolidAndSaysWhere) {
   EXPECT_ERROR(mended(joined(cube(), cube({3, 0, 0})), 0), ErrorCode::not_manifold,
                "2 bodies that lie beside each other");
   EXPECT_ERROR(mended(TriangleMesh{}, 0), ErrorCode::bad_format, "no triangles");
-  TriangleMesh strip;  // closed to a Moebius strip, and doubled nowhere
-  strip.vertices = Eigen::Matrix3Xd::Random(3, 6);
-  strip.triangles.resize(3, 10);
-  // The projective plane of six vertices: closed, with one side.
-  strip.triangles << 0, 0, 0, 0, 0, 1, 1, 2, 1, 2,  //
-      1, 1, 2, 3, 4, 2, 3, 3, 2, 4,                 //
-      2, 5, 3, 4, 5, 4, 4, 5, 4, 5;
-  EXPECT_ERROR(mended(strip, 0), ErrorCode::not_manifold, "edge");
+  // The projective plane of six vertices: closed, two triangles at each edge, with one side.
+  TriangleMesh one_sided;
+  one_sided.vertices = Eigen::Matrix3Xd::Random(3, 6);
+  one_sided.triangles.resize(3, 10);
+  one_sided.triangles << 0, 0, 0, 0, 0, 1, 1, 1, 2, 3,  //
+      1, 1, 2, 2, 3, 2, 2, 3, 4, 4,                     //
+      4, 5, 3, 5, 4, 3, 4, 5, 5, 5;
+  EXPECT_ERROR(mended(one_sided, 0), ErrorCode::not_manifold, "has one side only");
 }
 
 TEST(PolygonTriangles, CoverConcavePolygonsWithTheirArea) {
