@@ -31,14 +31,15 @@ using geometry::PlaneSurface;
 using geometry::SurfaceId;
 
 /// Of a layer's half width, beside what is as it is drawn: less would fold hexahedra.
-constexpr double least_left = 0.05;
+constexpr double least_left = 0.02;
 
 /// A layer of the column, or the top of the branch.
 struct Level {
-  std::optional<LayerShape> shape;  // nothing of the top
-  std::optional<double> flat;       // height of the top, or of a floor inside its outlines
-  int layer = -1;                   // of the column
-  double kept = 0, stretch = 1;     // half width that is as it is drawn, and what becomes of the rest
+  std::optional<LayerShape> shape;         // nothing of the top
+  std::optional<double> flat;              // height of the top, or of a floor inside its outlines
+  int layer = -1;                          // of the column
+  double kept = 0;                         // half width that is as it is drawn
+  std::array<double, 2> stretch = {1, 1};  // what becomes of the rest, below it and above
 };
 
 class Insertion {
@@ -187,12 +188,15 @@ class Insertion {
     if (!level.shape) return;
     for (int o = 0; o < outline_count(); ++o)
       if (is_real(o, l)) level.kept = std::max(level.kept, half_width(outline(o)));
-    const double drawn = half_width(reference_), here = half_width(corners_at(l));
-    level.stretch = (here - level.kept) / (drawn - level.kept);
-    if (!(level.kept < (1 - least_left) * std::min(drawn, here)))
-      throw Error(ErrorCode::unsupported,
-                  fmt::format("{} leaves no room in a layer of its body that is {:.3g} m wide",
-                              describe(solid_, outline(0).walls.front()), 2 * here));
+    const std::array<double, 2> drawn = half_widths(reference_), here = half_widths(corners_at(l));
+    for (const std::size_t side : {0U, 1U}) {
+      level.stretch[side] = (here[side] - level.kept) / (drawn[side] - level.kept);
+      if (!(level.kept < (1 - least_left) * std::min(drawn[side], here[side])))
+        throw Error(
+            ErrorCode::unsupported,
+            fmt::format("{} leaves no room in a layer of its body that reaches {:.3g} m to a side of it",
+                        describe(solid_, outline(0).walls.front()), here[side]));
+    }
   }
 
   static double half_width(const Outline& outline) {
@@ -202,10 +206,11 @@ class Insertion {
     return result;
   }
 
-  static double half_width(const std::array<Eigen::Vector2d, 4>& corners) {
-    return (std::abs(corners[0].y()) + std::abs(corners[1].y()) + std::abs(corners[2].y()) +
-            std::abs(corners[3].y())) /
-           4;
+  /// Of corners, below the branch and above it.
+  static std::array<double, 2> half_widths(const std::array<Eigen::Vector2d, 4>& corners) {
+    std::array<double, 2> sum = {0, 0};
+    for (const Eigen::Vector2d& corner : corners) sum[corner.y() < 0 ? 0 : 1] += std::abs(corner.y());
+    return {sum[0] / 2, sum[1] / 2};
   }
 
   /// Where a place of the drawing is at a level.
@@ -213,7 +218,7 @@ class Insertion {
     const Level& level = levels_[l];
     const double beyond = std::abs(plan.y()) - level.kept;
     if (!level.shape || beyond < 0) return plan;
-    return {plan.x(), std::copysign(level.kept + level.stretch * beyond, plan.y())};
+    return {plan.x(), std::copysign(level.kept + level.stretch[plan.y() < 0 ? 0 : 1] * beyond, plan.y())};
   }
 
   /// The complex without the column's cells and the faces between them.
