@@ -16,7 +16,7 @@ using geometry::NurbsCurve;
 using geometry::Parameter;
 
 /// Of a layer's half width, beside what is as it is drawn: less would fold hexahedra.
-constexpr double least_left = 0.05;
+constexpr double least_left = 0.02;
 
 std::size_t number(int i) {
   return static_cast<std::size_t>(i);
@@ -34,10 +34,10 @@ double half_width(const Outline& outline) {
   return result;
 }
 
-double half_width(const std::array<Eigen::Vector2d, 4>& corners) {
-  return (std::abs(corners[0].y()) + std::abs(corners[1].y()) + std::abs(corners[2].y()) +
-          std::abs(corners[3].y())) /
-         4;
+std::array<double, 2> half_widths(const std::array<Eigen::Vector2d, 4>& corners) {
+  std::array<double, 2> sum = {0, 0};
+  for (const Eigen::Vector2d& corner : corners) sum[corner.y() < 0 ? 0 : 1] += std::abs(corner.y());
+  return {sum[0] / 2, sum[1] / 2};
 }
 
 }  // namespace
@@ -124,7 +124,7 @@ void BranchLevels::draw() {
     if (all && (!best || area(levels_[l].corners) < (1 - 1e-9) * area(levels_[*best].corners))) best = l;
   }
   const auto& frame = levels_[best.value_or(first_layer())].corners;
-  drawn_width_ = half_width(frame);
+  drawn_widths_ = half_widths(frame);
   parent_ = nesting(branch_.outlines);
   std::vector<bool> wanted;
   for (int o = 0; o < outline_count(); ++o) {
@@ -166,12 +166,14 @@ void BranchLevels::find_stretch(std::size_t l) {
   if (!level.shape) return;
   for (int o = 0; o < outline_count(); ++o)
     if (is_real(o, l)) level.kept = std::max(level.kept, half_width(outline(o)));
-  const double here = half_width(level.corners);
-  level.stretch = (here - level.kept) / (drawn_width_ - level.kept);
-  if (!(level.kept < (1 - least_left) * std::min(drawn_width_, here)))
-    throw Error(ErrorCode::unsupported,
-                fmt::format("{} leaves no room in a layer of its body that is {:.3g} m wide",
-                            describe(solid_, outline(0).walls.front()), 2 * here));
+  const std::array<double, 2> here = half_widths(level.corners);
+  for (const std::size_t side : {0U, 1U}) {
+    level.stretch[side] = (here[side] - level.kept) / (drawn_widths_[side] - level.kept);
+    if (!(level.kept < (1 - least_left) * std::min(drawn_widths_[side], here[side])))
+      throw Error(ErrorCode::unsupported,
+                  fmt::format("{} leaves no room in a layer of its body that reaches {:.3g} m to a side of it",
+                              describe(solid_, outline(0).walls.front()), here[side]));
+  }
 }
 
 /// Where a place of the drawing is at a level.
@@ -179,7 +181,7 @@ Eigen::Vector2d BranchLevels::at_level(const Eigen::Vector2d& plan, std::size_t 
   const BranchLevel& level = levels_[l];
   const double beyond = std::abs(plan.y()) - level.kept;
   if (!level.shape || beyond < 0) return plan;
-  return {plan.x(), std::copysign(level.kept + level.stretch * beyond, plan.y())};
+  return {plan.x(), std::copysign(level.kept + level.stretch[plan.y() < 0 ? 0 : 1] * beyond, plan.y())};
 }
 
 Eigen::Vector2d BranchLevels::plan_of(int node, std::size_t level) const {

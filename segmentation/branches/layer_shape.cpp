@@ -62,6 +62,20 @@ LayerShape::LayerShape(const geometry::CellComplex& complex, const PlanView& vie
     high_ = std::max(high_, a.x());
     if (!across_ || a.x() <= low_) across_ = b.y() < a.y() ? side : reversed(side, 0);
   }
+  if (across_->degree(0) > 1) find_centre(tolerance);
+}
+
+void LayerShape::find_centre(double tolerance) {
+  const auto at = [&](double t) { return Eigen::Vector2d(across_->point(Parameter<1>(t)).tail<2>()); };
+  const Eigen::Vector2d a = at(0), u = at(0.5) - a, v = at(1) - a;
+  const double twice_area = 2 * (u.x() * v.y() - u.y() * v.x());
+  const Eigen::Vector2d centre = a + Eigen::Vector2d(v.y() * u.squaredNorm() - u.y() * v.squaredNorm(),
+                                                     u.x() * v.squaredNorm() - v.x() * u.squaredNorm()) /
+                                         twice_area;
+  for (const double t : {0.2, 0.7})
+    if (!(std::abs((at(t) - centre).norm() - (a - centre).norm()) < tolerance)) return;
+  centre_ = centre;
+  if (centre.norm() < tolerance) centre_ = Eigen::Vector2d::Zero();
 }
 
 double LayerShape::share_at(double y) const {
@@ -79,6 +93,7 @@ double LayerShape::height(const Eigen::Vector2d& plan) const {
 
 std::optional<double> LayerShape::radius() const {
   if (is_flat()) return std::nullopt;
+  if (!centre_ || !centre_->isZero()) return std::nullopt;
   const Eigen::Vector3d middle = across_->point(Parameter<1>(0.5));
   return std::hypot(middle.y(), middle.z());
 }
@@ -94,13 +109,13 @@ NurbsCurve LayerShape::lifted(const NurbsCurve& plan) const {
   const bool straight = plan.degree(0) == 1 && plan.size() == 2;
   if (straight && (across_->degree(0) == 1 || std::abs(a.y() - b.y()) < 1e-9 * (b - a).norm()))
     return geometry::segment(in_space(on_layer(a)), in_space(on_layer(b)));
-  if (straight) {
-    // A circle about the body's axis, drawn out along x.
+  if (straight && centre_) {
+    // A circle drawn out along x.
     const Eigen::Vector3d start = on_layer(a), end = on_layer(b);
-    const double turn =
-        std::atan2(start.y() * end.z() - start.z() * end.y(), start.y() * end.y() + start.z() * end.z());
-    const NurbsCurve arc = geometry::arc_about(Eigen::Vector3d(start.x(), 0, 0), Eigen::Vector3d::UnitX(),
-                                               start, Angle::radians(turn));
+    const Eigen::Vector2d from = start.tail<2>() - *centre_, to = end.tail<2>() - *centre_;
+    const double turn = std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
+    const NurbsCurve arc = geometry::arc_about(Eigen::Vector3d(start.x(), centre_->x(), centre_->y()),
+                                               Eigen::Vector3d::UnitX(), start, Angle::radians(turn));
     return mapped(arc, [&](const Eigen::Vector3d& p) {
       return in_space({a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()), p.y(), p.z()});
     });

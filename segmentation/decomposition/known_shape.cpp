@@ -12,6 +12,7 @@
 #include "geometry/brep/hexahedra_quality.hpp"
 #include "geometry/brep/require_solid.hpp"
 #include "segmentation/branches/branched_cells.hpp"
+#include "segmentation/branches/cross_bored_cells.hpp"
 #include "segmentation/decomposition/prepare.hpp"
 #include "segmentation/pieces/mirror_planes.hpp"
 #include "segmentation/pieces/mirrored_cells.hpp"
@@ -93,6 +94,11 @@ std::string text_of(const BranchedCells& cells) {
                      cells.branches == 1 ? "" : "es");
 }
 
+std::string text_of(const CrossBoredCells& cells) {
+  return fmt::format("swept along {} with {} bore{} across", direction_text(cells.along), cells.bores,
+                     cells.bores == 1 ? "" : "s");
+}
+
 /// "3 pieces: swept along z, x; turned about y".
 std::string text_of(const PiecedCells& cells) {
   std::string swept, turned;
@@ -150,9 +156,12 @@ void look(const Look& at, std::optional<KnownCells>& best, std::string& why_not)
 struct WhyNot {
   std::string stopped_by;
   std::string not_branched;  ///< one that looks turned with branches
+  std::string not_bored;     ///< one that looks like a stack with bores across
 
-  /// The last of both.
-  const std::string& text() const { return not_branched.empty() ? stopped_by : not_branched; }
+  /// The last of all.
+  const std::string& text() const {
+    return !not_bored.empty() ? not_bored : not_branched.empty() ? stopped_by : not_branched;
+  }
 };
 
 /// @param seconds  to look for planes that cut it into pieces
@@ -164,8 +173,18 @@ std::optional<KnownCells> known_cells(const geometry::Brep& solid, double second
   if (!best || geometry::least_quality(best->complex) < good_quality)
     look([&] { return branched_cells(solid); }, best, why.not_branched);
   if (best || planes_are_divided(solid)) return best;
+  bool bores_meet = false;  // then no planes part them
+  look(
+      [&] {
+        auto made = cross_bored_cells(solid);
+        bores_meet = made && made->bores_meet;
+        return made;
+      },
+      best, why.not_bored);
+  if (bores_meet) return best;
+  const std::string as_bored = best ? best->seen_as : "";
   look([&] { return pieced_cells(solid, {}, seconds); }, best, why.stopped_by);
-  if (best) best->in_pieces = true;
+  if (best) best->in_pieces = best->seen_as != as_bored;
   return best;
 }
 
@@ -250,6 +269,9 @@ KnownShape known_shape(const geometry::Brep& solid, const DecompositionOptions& 
     result.decomposition = decomposition_of(std::move(*made), watch.seconds());
   else if (result.why_not = no_stack(solid, options); result.why_not.empty() && !why.stopped_by.empty())
     result.why_not = "It looks swept or turned, but " + why.stopped_by;
+  if (!result.decomposition && !why.not_bored.empty())
+    result.why_not = "It looks like a stack with bores across, but " + why.not_bored +
+                     (result.why_not.empty() ? "" : ". " + result.why_not);
   if (!result.decomposition && !why.not_branched.empty())
     result.why_not = "It looks turned with branches, but " + why.not_branched +
                      (result.why_not.empty() ? "" : ". " + result.why_not);

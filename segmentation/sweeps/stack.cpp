@@ -207,6 +207,10 @@ void Stack::divide(const PlaneSurface& plane, const StackSide& side, int axis, d
   parts.asked = std::move(asked);
 }
 
+void Stack::divide_at(double height) {
+  for (std::vector<double>& heights : parts_->asked) heights.push_back(height);
+}
+
 geometry::CellComplex Stack::complex() const {
   const MovingDrawing moving = parts_->moving();
   const Layers layers = parts_->layers(moving);

@@ -51,6 +51,9 @@ class Stack {
   /// @param axis   0 or 1: along which it is divided
   /// @param share  of the way from its low to its high end, in (0, 1)
   void divide(const geometry::PlaneSurface& plane, const StackSide& side, int axis, double share);
+  /// Divides all columns in a plane across it.
+  /// @param height  as its frame measures, m
+  void divide_at(double height);
 
   /// Its hexahedra; they are checked to fill the solid.
   /// @throws Error unsupported  they do not

@@ -3,6 +3,7 @@
 #include "verification/parts/internal/basic_parts.hpp"
 #include "verification/parts/internal/chair_stand.hpp"
 #include "verification/parts/internal/demonstrator.hpp"
+#include "verification/parts/internal/drawn_later.hpp"
 #include "verification/parts/internal/shop_parts.hpp"
 #include "verification/parts/internal/turned_parts.hpp"
 
@@ -39,6 +40,12 @@ const std::vector<Drawing>& drawings() {
       {"key_shaft", "shop", "a stepped shaft with fillets, chamfers and a keyway", key_shaft},
       {"heat_sink", "shop", "a heat sink with nine fins", heat_sink},
       {"u_bracket", "shop", "a bracket bent from a sheet", u_bracket},
+      {"gusset_bracket", "later", "a bracket with a gusset and two slots", gusset_bracket},
+      {"valve_block", "later", "a hydraulic block with three bores that meet", valve_block},
+      {"shaft_end", "later", "a shaft's end with two flats and a hole across", shaft_end},
+      {"hex_bolt", "later", "a hexagon bolt with a chamfered head", hex_bolt},
+      {"split_clamp", "later", "a clamp with a slot and its screw", split_clamp},
+      {"cover_plate", "later", "a cover with sunk screws and a groove for an O-ring", cover_plate},
       {"ball_stud", "turned", "a ball on a neck, a cone and a shank", ball_stud},
       {"turned_handle", "turned", "a handle of arcs with a round end", turned_handle},
       {"rounded_shaft", "turned", "a shaft of two sections with a fillet and round edges", rounded_shaft},

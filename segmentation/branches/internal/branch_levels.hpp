@@ -22,7 +22,8 @@ struct BranchLevel {
   std::optional<double> flat;              ///< height of the top, or of a floor inside its outlines, m
   int layer = -1;                          ///< of the column
   std::array<Eigen::Vector2d, 4> corners;  ///< of a layer, seen along the view, m
-  double kept = 0, stretch = 1;  ///< half width that is as it is drawn, m, and what becomes of the rest
+  double kept = 0;                         ///< half width that is as it is drawn, m
+  std::array<double, 2> stretch = {1, 1};  ///< what becomes of the rest, below the branch and above it
 };
 
 /// The drawing of a branch's outlines at each level, from the top down: where it is, and where it has
@@ -77,7 +78,7 @@ class BranchLevels {
   const BranchPlace& place_;
   double tolerance_;
   std::vector<BranchLevel> levels_;
-  double drawn_width_ = 0;  // half, of the frame that is drawn
+  std::array<double, 2> drawn_widths_ = {0, 0};  // of the frame that is drawn, below the branch and above it
   std::vector<int> parent_;
   PlanDrawing drawing_;
   std::vector<Eigen::Vector2d> nodes_;

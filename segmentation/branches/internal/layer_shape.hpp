@@ -21,16 +21,18 @@ class LayerShape {
   geometry::NurbsSurface surface() const;
   /// A curve on it in its domain, at the same pace.
   geometry::NurbsCurve trace(const geometry::NurbsCurve& curve) const;
-  /// Distance of a round layer's surface from its axis; nothing of plane ones.
+  /// Distance of a layer that is round about the view's x from it; nothing of others.
   std::optional<double> radius() const;
 
  private:
   double share_at(double y) const;
+  void find_centre(double tolerance);
 
   PlanView view_;
   double height_ = 0;
   double low_ = 0, high_ = 0;                        // x of its ends
   std::optional<geometry::NurbsCurve> across_ = {};  // in coordinates of the view, at x = low_, y descending
+  std::optional<Eigen::Vector2d> centre_ = {};       // (y, z) of what is round
 };
 
 }  // namespace isopatch::segmentation

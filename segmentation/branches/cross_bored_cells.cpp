@@ -1,0 +1,128 @@
+#include "segmentation/branches/cross_bored_cells.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "geometry/base/error.hpp"
+#include "geometry/brep/cell_solids.hpp"
+#include "geometry/brep/require_solid.hpp"
+#include "geometry/brep/without_faces.hpp"
+#include "segmentation/branches/internal/bore_room.hpp"
+#include "segmentation/branches/internal/cross_bores.hpp"
+#include "segmentation/sweeps/stack.hpp"
+
+namespace isopatch::segmentation {
+namespace {
+
+using geometry::Brep;
+using geometry::CellComplex;
+using geometry::PlaneSurface;
+
+class BoredStack {
+ public:
+  BoredStack(const Brep& solid, const Brep& blank, const SweepFrame& frame,
+             const std::vector<CrossBore>& bores)
+      : solid_(solid), blank_(blank), bores_(bores), frame_(frame) {}
+
+  CrossBoredCells make() {
+    const BoreRoom room = bore_room(blank_, frame_, bores_);
+    Stack stack(blank_, frame_, room.lines);
+    for (const double height : room.heights) stack.divide_at(height);
+    std::vector<BranchPlace> places;
+    for (const CrossBore& bore : bores_) places.push_back(place_of(bore, stack));
+    CellComplex complex = stack.complex();
+    name_faces(complex);
+    const FaceId no_cut(static_cast<int>(solid_.faces().size()));
+    for (std::size_t b = 0; b < bores_.size(); ++b)
+      complex = inserted_branch(solid_, complex, bores_[b].branch, places[b], no_cut);
+    require_all_of(complex);
+    const bool meet =
+        std::any_of(bores_.begin(), bores_.end(), [](const CrossBore& bore) { return !bore.ends.empty(); });
+    return {std::move(complex), frame_.along, static_cast<int>(bores_.size()), meet};
+  }
+
+ private:
+  double tolerance() const { return 1e-6 * solid_.size(); }
+
+  /// The rectangle on the plane that the bore opens in around its axis.
+  BranchPlace place_of(const CrossBore& bore, const Stack& stack) const {
+    const PlanView& view = bore.branch.view;
+    const PlaneSurface plane{view.point({0, 0}, bore.branch.surface), view.x, view.y};
+    for (const StackSide& side : stack.sides_on(plane, tolerance())) {
+      const double free = std::min(-side.low.maxCoeff(), side.high.minCoeff());
+      if (side.low.maxCoeff() > -tolerance() || side.high.minCoeff() < tolerance()) continue;
+      if (free < (1 + least_room) * bore.radius)
+        throw Error(ErrorCode::unsupported,
+                    fmt::format("{} has no room beside it: {:.3g} m to what is next, from its axis",
+                                describe(solid_, bore.faces.front()), free));
+      BranchPlace place;
+      place.corners = {plane.point(side.low), plane.point({side.high.x(), side.low.y()}),
+                       plane.point(side.high), plane.point({side.low.x(), side.high.y()})};
+      return place;
+    }
+    throw Error(ErrorCode::unsupported,
+                fmt::format("{} begins in no rectangle of its stack", describe(solid_, bore.faces.front())));
+  }
+
+  /// By the solid's faces instead of the blank's.
+  void name_faces(CellComplex& complex) const {
+    std::set<FaceId> bored;
+    for (const CrossBore& bore : bores_) bored.insert(bore.faces.begin(), bore.faces.end());
+    std::vector<FaceId> names;
+    for (int f = 0; f < static_cast<int>(solid_.faces().size()); ++f)
+      if (!bored.contains(FaceId(f))) names.emplace_back(f);
+    if (names.size() != blank_.faces().size())
+      throw Error(ErrorCode::unsupported, "its faces go on in others where its bores are filled");
+    for (geometry::CellFace& face : complex.faces)
+      if (face.origin) face.origin = names[static_cast<std::size_t>(face.origin->value)];
+  }
+
+  void require_all_of(const CellComplex& complex) const {
+    double volume = 0;
+    for (const Brep& cell : geometry::cell_solids(solid_, complex)) volume += cell.volume();
+    if (!(std::abs(volume - solid_.volume()) <= 1e-5 * solid_.volume()))
+      throw Error(ErrorCode::unsupported, fmt::format("{:.3g} of {:.3g} m^3 are not among its hexahedra",
+                                                      solid_.volume() - volume, solid_.volume()));
+  }
+
+  /// Beside a bore, as a share of its radius: less would make thin hexahedra.
+  static constexpr double least_room = 0.1;
+  const Brep& solid_;
+  const Brep& blank_;
+  const std::vector<CrossBore>& bores_;
+  SweepFrame frame_;
+};
+
+std::optional<CrossBoredCells> bored_along(const Brep& solid, const Eigen::Vector3d& along) {
+  const auto bores = cross_bores(solid, along);
+  if (!bores) return std::nullopt;
+  std::vector<FaceId> removed;
+  for (const CrossBore& bore : *bores) removed.insert(removed.end(), bore.faces.begin(), bore.faces.end());
+  const Brep blank = geometry::without_faces(solid, removed);
+  for (SweepFrame frame : sweep_frames(blank))
+    if (frame.along.cross(along).norm() < 1e-7) return BoredStack(solid, blank, frame, *bores).make();
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<CrossBoredCells> cross_bored_cells(const Brep& solid) {
+  std::optional<Error> refusal;
+  for (const Eigen::Vector3d& along : floor_directions(solid)) {
+    try {
+      if (auto made = bored_along(solid, along)) return made;
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::internal) throw;
+      if (!refusal) refusal = error;
+    }
+  }
+  if (refusal) throw *refusal;
+  return std::nullopt;
+}
+
+}  // namespace isopatch::segmentation

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+
+#include "geometry/brep/brep.hpp"
+#include "geometry/brep/cell_complex.hpp"
+
+namespace isopatch::segmentation {
+
+/// A stack with bores across it as hexahedra.
+struct CrossBoredCells {
+  geometry::CellComplex complex;  ///< of hexahedra that meet side to side
+  Eigen::Vector3d along;          ///< unit, of the stack
+  int bores = 0;                  ///< across it
+  bool bores_meet = false;        ///< others, across the stack or along it
+};
+
+/// Divides a stack with bores at right angles to its direction: hydraulic blocks, drilled bars and forks.
+/// Bores end in planes, in wider bores that they cross, or in bores along the stack. The stack without them
+/// is divided (see `Stack`) so that each begins within one rectangle; then the column of hexahedra below it
+/// is divided around the bore, wide ones first.
+/// @return  nothing for a solid that does not look so
+/// @throws Error unsupported  it looks so, but there is no room beside a bore, or a drawing cannot be
+/// divided: names the place
+/// @cost  some seconds for each direction along which it looks so; the first that will do is taken
+std::optional<CrossBoredCells> cross_bored_cells(const geometry::Brep& solid);
+
+}  // namespace isopatch::segmentation
