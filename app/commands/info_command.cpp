@@ -17,10 +17,12 @@
 #include "app/problem/build_problem.hpp"
 #include "app/problem/cut_solids.hpp"
 #include "app/problem/loose_bodies.hpp"
+#include "app/problem/reconstructed_solids.hpp"
 #include "app/problem/t_joint_text.hpp"
 #include "app/reports/describe_model.hpp"
 #include "app/reports/describe_problem.hpp"
 #include "app/solids/describe_solid.hpp"
+#include "app/solids/describe_triangles.hpp"
 #include "app/solids/solid_input.hpp"
 #include "app/study/file_kind.hpp"
 #include "app/study/parse_study.hpp"
@@ -28,7 +30,6 @@
 #include "geometry/brep/recognise_carriers.hpp"
 #include "iga/coupling/well_posed.hpp"
 #include "segmentation/decomposition/prospect.hpp"
-#include "segmentation/parameterization/read_blocks.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -39,6 +40,7 @@ constexpr const char* info_examples = R"(Examples:
   isopatch info study.toml                           its model, and where supports and loads are: a run without solving
   isopatch info study.toml --json | jq .volume
   isopatch info part.step                            a CAD solid: what is ready, what stands in the way
+  isopatch info part.stl --length-unit mm            triangles: closed or not, which faces they make, how these would be cut
   isopatch info results/results.h5                   what a result file holds
 Faces are named as in the file, so they can be copied into a study: faces = ["0:back"].)";
 
@@ -93,6 +95,21 @@ ExitCode solid_info(const InfoCommand& command, const Console& console) {
   return code;
 }
 
+/// Prints what triangles are and what would become of them; fails after that if no solid can be made of them.
+ExitCode triangle_info(const InfoCommand& command, const Console& console) {
+  ProgressDisplay display(console);
+  const TriangleReport report = triangle_report(command.input, display.progress());
+  display.clear();
+  if (command.json)
+    console.out << triangles_json_text(report);
+  else
+    console.out << fmt::format("{}: {}", command.input.path.string(), triangles_text(report));
+  if (report.failure)
+    throw Error(report.failure->code(),
+                fmt::format("{}: {}", command.input.path.string(), report.failure->what()));
+  return ExitCode::ok;
+}
+
 /// Prints what a file of blocks holds.
 ExitCode block_info(const InfoCommand& command, const Console& console) {
   const segmentation::HexModel model = read_block_file(command.input.path).model;
@@ -137,7 +154,7 @@ TriedStudy tried(const Study& study, const LoadedModel& loaded, const ModelRepor
 /// What will be done with each solid, before it is.
 std::string outlooks_text(const BlocksInput& input, const Progress& progress) {
   std::string text;
-  for (const geometry::BrepFile& body : segmentation::read_solids(input.files, progress).solids) {
+  for (const geometry::BrepFile& body : solids_of_files(input, progress).read.solids) {
     const geometry::RecognisedBrep found = geometry::recognise_carriers(body.brep);
     std::optional<segmentation::Prospect> prospect;
     if (!is_block(found.brep)) prospect = segmentation::prospect(found.brep, *input.decomposition);
@@ -178,6 +195,7 @@ ExitCode study_info(const InfoCommand& command, const Console& console) {
 ExitCode info_command(const InfoCommand& command, const Console& console) {
   const FileKind kind = kind_of(command.input.path);
   if (holds_solids(kind)) return solid_info(command, console);
+  if (kind == FileKind::triangles) return triangle_info(command, console);
   if (kind == FileKind::blocks) return block_info(command, console);
   if (kind == FileKind::study) return study_info(command, console);
   ProgressDisplay display(console);

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <optional>
 
 #include "app/problem/reconstructed_solids.hpp"
 #include "app/problem/reconstruction_text.hpp"
@@ -25,8 +26,9 @@ order of area. Writes FILE.step and reconstruction.json. A study takes triangles
 
 constexpr const char* report_name = "reconstruction.json";
 
-double metres_of(const ReconstructCommand& command) {
-  return command.length_unit.empty() ? 1 : length_unit(InputFile{{}, {}, command.length_unit});
+std::optional<double> metres_of(const ReconstructCommand& command) {
+  if (command.length_unit.empty()) return std::nullopt;
+  return length_unit(InputFile{{}, {}, command.length_unit});
 }
 
 }  // namespace
@@ -59,14 +61,14 @@ void add_reconstruct_command(CLI::App& app, CommandLine& line) {
   CLI::App& reconstruct =
       add_command(app, line, "reconstruct", "Makes a solid of triangles", reconstruct_examples,
                   [command](const Console& console) { return reconstruct_command(*command, console); });
-  reconstruct.add_option("triangles", command->triangles, "Triangles: .stl, .obj, .ply, .off")
+  reconstruct.add_option("triangles", command->triangles, "Triangles: .stl, .obj, .ply, .3mf, .off")
       ->required()
       ->type_name("FILE");
   reconstruct.add_option("-o,--output", command->output, "Folder of the solid (.step) and the report")
       ->required()
       ->type_name("FOLDER");
   reconstruct.add_option("--length-unit", command->length_unit,
-                         "What one unit of the file measures; default: m");
+                         "What one unit of the file measures; default: what a .3mf says, m otherwise");
   reconstruct
       .add_option("--tolerance", command->options.tolerance,
                   "Largest distance of vertices from surfaces, share of the size, up to 0.01")

@@ -31,9 +31,12 @@ ExitCode report_command(const ReportCommand& command, const Console& console) {
   const iga::StoredResult result = iga::read_result(command.results, command.case_name);
   progress("making the report", 0);
   const geometry::MultiPatch model = iga::model_of(result);
-  write_file(
-      path, report_html({result.field, model, result.study, summary_of_case(result.summary, result.case_name),
-                         read_summary(result.summary, result.case_name)}));
+  write_file(path, report_html({.field = result.field,
+                                .model = model,
+                                .study = result.study,
+                                .summary_json = summary_of_case(result.summary, result.case_name),
+                                .summary = read_summary(result.summary, result.case_name),
+                                .stages = read_stages(result.summary, command.results.parent_path())}));
   display.clear();
   if (!console.quiet) console.out << fmt::format("{} written; open it in a browser\n", path.string());
   return ExitCode::ok;

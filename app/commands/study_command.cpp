@@ -1,6 +1,7 @@
 #include "app/commands/study_command.hpp"
 
 #include <CLI/CLI.hpp>
+#include <variant>
 
 #include "app/study/parse_study.hpp"
 
@@ -10,6 +11,9 @@ Study study_of(const StudyCommand& command) {
   Study study = read_study(command.study, command.overrides);
   if (command.output) study.output.directory = *command.output;
   study.options.processes = command.processes;
+  if (auto* solids = std::get_if<BlocksInput>(&study.model.source); solids && study.output.stages)
+    solids->stages = {.folder = study.output.directory / stage_folder_name,
+                      .writes = command.processes.is_first()};
   return study;
 }
 

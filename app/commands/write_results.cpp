@@ -66,7 +66,7 @@ void write_run_reports(const Study& study, const StudyRun& run, const geometry::
     write_in(folder, file,
              report_html({one.solution.field, model, study.text, summary_of_case(json, one.name.name),
                           summarized(study, run, one), solids ? &*solids : nullptr,
-                          links_from(run, one, at_top)}));
+                          links_from(run, one, at_top), run.built.stages}));
   };
   const std::vector<CaseView> cases = cases_of(run);
   write("report.html", cases.front(), true);

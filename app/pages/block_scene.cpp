@@ -15,6 +15,7 @@ Json piece_json(const BlockPiece& piece) {
           {"body", piece.body},
           {"file", piece.file},
           {"volume", piece.volume},
+          {"remark", piece.remark},
           {"is_faulty", piece.is_faulty},
           {"faces", piece.faces},
           {"points", points_text(piece.points)},
@@ -27,7 +28,11 @@ Json stage_json(const BlockStage& stage) {
   for (const BlockPiece& piece : stage.pieces) pieces.push_back(piece_json(piece));
   for (const BlockLine& line : stage.lines)
     lines.push_back({{"piece", line.piece}, {"points", points_text(line.points)}});
-  return {{"name", stage.name}, {"pieces", pieces}, {"lines", lines}};
+  return {{"name", stage.name},
+          {"pieces", pieces},
+          {"lines", lines},
+          {"apart", stage.apart},
+          {"shows_triangles", stage.shows_triangles}};
 }
 
 }  // namespace

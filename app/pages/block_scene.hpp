@@ -12,14 +12,15 @@ namespace isopatch::app {
 /// A part of a solid by its boundary.
 struct BlockPiece {
   std::string name;
-  std::string body;   ///< that it is a part of
-  std::string file;   ///< that holds it, or ""
-  double volume = 0;  ///< m^3
+  std::string body;         ///< that it is a part of
+  std::string file = {};    ///< that holds it, or ""
+  double volume = 0;        ///< m^3; 0 of faces
+  std::string remark = {};  ///< what there is to say besides: "cylinder, 3 cm^2"
   bool is_faulty = false;
-  std::vector<std::string> faces;  ///< of the body, that it has a part of
-  Eigen::Matrix3Xd points;         ///< m; a point of two faces occurs twice
-  Eigen::Matrix3Xi triangles;
-  std::vector<Eigen::Matrix3Xd> edges;  ///< polylines, m
+  std::vector<std::string> faces = {};               ///< of the body, that it has a part of
+  Eigen::Matrix3Xd points = Eigen::Matrix3Xd(3, 0);  ///< m; a point of two faces occurs twice
+  Eigen::Matrix3Xi triangles = Eigen::Matrix3Xi(3, 0);
+  std::vector<Eigen::Matrix3Xd> edges = {};  ///< polylines, m
 };
 
 /// A line on a piece, which moves with it.
@@ -28,11 +29,13 @@ struct BlockLine {
   Eigen::Matrix3Xd points;  ///< m
 };
 
-/// What solids are at one step of their way to hexahedra.
+/// What solids are at one step of their way from triangles to hexahedra.
 struct BlockStage {
   std::string name;
-  std::vector<BlockPiece> pieces;
-  std::vector<BlockLine> lines;  ///< T-joints, or what could not be cut through
+  std::vector<BlockPiece> pieces = {};
+  std::vector<BlockLine> lines = {};  ///< T-joints, or what could not be cut through
+  double apart = 0.5;  ///< how far pieces are drawn from each other at first, as a share of their way
+  bool shows_triangles = false;  ///< whether the sides of triangles are drawn
 };
 
 /// Solids that were cut, step by step: drawn apart from each other.

@@ -26,7 +26,7 @@ struct PageLink {
 
 /// What a page says. Texts in JSON are SI values as the files of that name have them.
 struct Page {
-  std::string kind;     ///< "report", "compare", "model", "verification", "faults" or "blocks"
+  std::string kind;     ///< "report", "compare", "model", "verification", "faults", "blocks" or "stages"
   std::string program;  ///< "isopatch 0.1.0"
   std::string title;
   std::string study;                  ///< text of the study file
@@ -35,7 +35,7 @@ struct Page {
   std::vector<PageLink> cases = {};  ///< of a report: the pages of all load cases
   std::optional<Scene> scene = {};
   std::optional<FaultScene> faults = {};  ///< of a page of that kind
-  std::optional<BlockScene> blocks = {};  ///< likewise
+  std::optional<BlockScene> blocks = {};  ///< of blocks and stages; of a report what its patches came from
 };
 
 /// A page as one HTML file that needs nothing else, neither network nor server.

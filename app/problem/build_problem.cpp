@@ -16,10 +16,10 @@
 #include "app/problem/corner_selection.hpp"
 #include "app/problem/edge_selection.hpp"
 #include "app/problem/loose_bodies.hpp"
-#include "app/problem/parameterized_model.hpp"
 #include "app/problem/plausibility.hpp"
 #include "app/problem/read_model_file.hpp"
 #include "app/problem/selection.hpp"
+#include "app/problem/solid_stages.hpp"
 #include "app/study/generated_models.hpp"
 #include "geometry/attach.hpp"
 #include "geometry/io/read_patches.hpp"
@@ -316,6 +316,7 @@ struct SourcePatches {
   geometry::PatchSet set;
   double length_unit = 1;  ///< m per unit of the patches
   std::optional<segmentation::ParameterizationReport> parameterization = {};
+  std::vector<StageReport> stages = {};
 };
 
 SourcePatches patches_of(const ModelInput& input, const Progress& progress) {
@@ -323,8 +324,10 @@ SourcePatches patches_of(const ModelInput& input, const Progress& progress) {
                                  return {read_model_file(file.path), file.length_unit};
                                },
                                [&](const BlocksInput& solids) -> SourcePatches {
-                                 segmentation::Parameterization found = parameterized(solids, progress);
-                                 return {std::move(found.patches), 1, std::move(found.report)};
+                                 progress("reading blocks", 0);
+                                 StagedPatches found = staged_patches(solids, Stage::patches, progress);
+                                 return {std::move(found.made->patches), 1, std::move(found.made->report),
+                                         std::move(found.stages)};
                                },
                                [&](const GeneratedInput& model) -> SourcePatches {
                                  try {
@@ -341,7 +344,8 @@ SourcePatches patches_of(const ModelInput& input, const Progress& progress) {
 LoadedModel load_model(const ModelInput& input, const Progress& progress) {
   SourcePatches found = patches_of(input, progress);
   geometry::PatchSet set = scaled(attached(std::move(found.set), input.attachments), found.length_unit);
-  return {geometry::connect(std::move(set), input.tolerance), std::move(found.parameterization)};
+  return {geometry::connect(std::move(set), input.tolerance), std::move(found.parameterization),
+          std::move(found.stages)};
 }
 
 BuiltProblem build_problem(const Study& study, const Progress& progress) {
@@ -366,6 +370,11 @@ BuiltProblem build_problem(const Study& study, const LoadedModel& loaded, const 
                      {},
                      certificate_warnings(model, seen)};
   built.parameterization = loaded.parameterization;
+  built.stages = loaded.stages;
+  for (const StageReport& stage : built.stages)
+    if (!stage.problem.empty())
+      built.warnings.push_back({fmt::format("{} could not be kept for further runs: {}",
+                                            name_of(stage_choices(), stage.stage), stage.problem)});
   if (built.parameterization)
     for (const std::string& complaint : built.parameterization->complaints())
       built.warnings.push_back({complaint});

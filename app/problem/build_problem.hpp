@@ -6,6 +6,7 @@
 #include "app/problem/applied_region.hpp"
 #include "app/problem/built_problem.hpp"
 #include "app/problem/model_report.hpp"
+#include "app/problem/stage_folder.hpp"
 #include "app/study/study.hpp"
 #include "iga/problem/problem.hpp"
 
@@ -15,6 +16,7 @@ namespace isopatch::app {
 struct LoadedModel {
   geometry::MultiPatch model;
   std::optional<segmentation::ParameterizationReport> parameterization;
+  std::vector<StageReport> stages = {};  ///< of a model made of solids
 };
 
 /// Reads or generates the patches, or makes them of solids, attaches more, scales them to metres and finds

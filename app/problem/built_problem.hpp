@@ -7,6 +7,7 @@
 #include "app/problem/applied_region.hpp"
 #include "app/problem/mass_properties.hpp"
 #include "app/problem/model_report.hpp"
+#include "app/problem/stage_folder.hpp"
 #include "app/study/study.hpp"
 #include "iga/post/plane_section.hpp"
 #include "iga/problem/problem.hpp"
@@ -38,6 +39,7 @@ struct BuiltProblem {
   std::optional<segmentation::ParameterizationReport> parameterization = {};  ///< of a model made of solids
   std::vector<LocatedSection> sections = {};
   std::optional<MassProperties> mass = {};  ///< nothing where a material has no density
+  std::vector<StageReport> stages = {};     ///< of a model made of solids
 };
 
 }  // namespace isopatch::app

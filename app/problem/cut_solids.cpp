@@ -60,15 +60,15 @@ Progress of_body(const Progress& progress, std::size_t index, std::size_t count)
 }
 
 template <class Cut>
-CutSolids each_cut(const BlocksInput& input, const Progress& progress, Cut cut) {
-  segmentation::ReadSolids read = solids_of_files(input, progress);
+CutSolids each_cut(segmentation::ReadSolids read, const segmentation::DecompositionOptions& options,
+                   const Progress& progress, Cut cut) {
   CutSolids result;
   result.warnings = std::move(read.warnings);
   for (std::size_t i = 0; i < read.solids.size(); ++i) {
     geometry::BrepFile& solid = read.solids[i];
     const geometry::RecognisedBrep found = geometry::recognise_carriers(solid.brep);
     solid.brep = found.brep;
-    result.bodies.push_back(cut(solid, *input.decomposition, of_body(progress, i, read.solids.size())));
+    result.bodies.push_back(cut(solid, options, of_body(progress, i, read.solids.size())));
     result.bodies.back().recognised = found.text();
   }
   for (const CutBody& body : result.bodies)
@@ -113,11 +113,16 @@ std::vector<std::string> CutSolids::body_names() const {
 }
 
 CutSolids cut_solids(const BlocksInput& input, const Progress& progress) {
-  return each_cut(input, progress, cut_body);
+  return cut_solids(solids_of_files(input, progress).read, *input.decomposition, progress);
+}
+
+CutSolids cut_solids(segmentation::ReadSolids read, const segmentation::DecompositionOptions& options,
+                     const Progress& progress) {
+  return each_cut(std::move(read), options, progress, cut_body);
 }
 
 CutSolids try_to_cut_solids(const BlocksInput& input, const Progress& progress) {
-  return each_cut(input, progress, try_to_cut_body);
+  return each_cut(solids_of_files(input, progress).read, *input.decomposition, progress, try_to_cut_body);
 }
 
 segmentation::ReadBlocks put_together(const CutSolids& solids, const segmentation::AssemblyOptions& options) {

@@ -40,6 +40,10 @@ bool is_block(const geometry::Brep& solid);
 /// @throws Error as `read_solids` and `decompose` do
 CutSolids cut_solids(const BlocksInput& input, const Progress& progress = {});
 
+/// The same of solids that are read already.
+CutSolids cut_solids(segmentation::ReadSolids read, const segmentation::DecompositionOptions& options,
+                     const Progress& progress = {});
+
 /// The same, but bodies that cannot be cut keep the reason, and the others go on.
 /// @throws Error as `read_solids` does
 CutSolids try_to_cut_solids(const BlocksInput& input, const Progress& progress = {});

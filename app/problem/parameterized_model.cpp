@@ -5,11 +5,7 @@
 #include <algorithm>
 
 #include "app/base/engineering_units.hpp"
-#include "app/problem/block_file.hpp"
-#include "app/problem/cut_solids.hpp"
-#include "app/problem/t_joint_text.hpp"
-#include "app/study/file_kind.hpp"
-#include "geometry/base/error.hpp"
+#include "app/problem/solid_stages.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -40,37 +36,11 @@ std::string histogram_text(const ParameterizationReport& report) {
   return text + "\n";
 }
 
-/// Patches that meet in parts of sides need a coupling that there is not.
-void require_side_to_side(const segmentation::HexModel& model) {
-  const std::vector<std::string> joints = t_joint_texts(model);
-  if (joints.empty()) return;
-  throw Error(
-      ErrorCode::not_conforming,
-      fmt::format("blocks meet in parts of sides (T-joints): {}{}; patches that do not meet side to "
-                  "side cannot be coupled yet: cut the solid with t_joints = \"remove\", the default",
-                  joints.front(), joints.size() == 1 ? "" : fmt::format(", and {} more", joints.size() - 1)));
-}
-
-bool is_block_file(const BlocksInput& input) {
-  return input.files.files.size() == 1 && kind_of(input.files.files.front()) == FileKind::blocks;
-}
-
-/// The solids, those that are no hexahedra taken apart, and put together.
-segmentation::ReadBlocks blocks_of(const BlocksInput& input, const Progress& progress) {
-  if (is_block_file(input)) return read_block_file(input.files.files.front());
-  if (!input.decomposition || input.files.pairs) return segmentation::read_blocks(input.files, progress);
-  return put_together(cut_solids(input, progress), input.files.assembly);
-}
-
 }  // namespace
 
 segmentation::Parameterization parameterized(const BlocksInput& input, const Progress& progress) {
   progress("reading blocks", 0);
-  segmentation::ReadBlocks blocks = blocks_of(input, progress);
-  if (input.decomposition || is_block_file(input)) require_side_to_side(blocks.model);
-  segmentation::Parameterization result = segmentation::parameterize(blocks.model, input.options, progress);
-  result.report.warnings = std::move(blocks.warnings);
-  return result;
+  return std::move(*staged_patches(input, Stage::patches, progress).made);
 }
 
 std::string parameterization_text(const ParameterizationReport& report) {

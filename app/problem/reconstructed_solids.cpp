@@ -18,25 +18,34 @@ bool holds_triangles(const std::filesystem::path& file) {
 
 }  // namespace
 
-segmentation::Reconstruction reconstructed(const std::filesystem::path& file, double length_unit,
+geometry::TriangleMesh triangles_in_metres(const std::filesystem::path& file,
+                                           std::optional<double> length_unit) {
+  geometry::MeasuredTriangles read = geometry::read_triangles(file);
+  const double metres = length_unit.value_or(read.metres.value_or(1));
+  read.mesh.vertices *= metres;
+  read.mesh.grain *= metres;
+  return std::move(read.mesh);
+}
+
+segmentation::Reconstruction reconstructed(const std::filesystem::path& file,
+                                           std::optional<double> length_unit,
                                            const segmentation::ReconstructionOptions& options,
                                            const Progress& progress) {
   progress("reading the triangles", 0);
-  geometry::TriangleMesh mesh = geometry::read_triangles(file);
-  mesh.vertices *= length_unit;
-  mesh.grain *= length_unit;
+  const geometry::TriangleMesh mesh = triangles_in_metres(file, length_unit);
   try {
     return segmentation::reconstruct(mesh, options, progress);
   } catch (const Error& error) {
-    throw Error(error.code(), fmt::format("{}: {}", file.string(), error.what()));
+    throw ReconstructionError(error.code(), fmt::format("{}: {}", file.string(), error.what()));
   }
 }
 
-segmentation::ReadSolids solids_of_files(const BlocksInput& input, const Progress& progress) {
+FoundSolids solids_of_files(const BlocksInput& input, const Progress& progress) {
   const auto& files = input.files.files;
   if (std::none_of(files.begin(), files.end(), holds_triangles))
-    return segmentation::read_solids(input.files, progress);
-  segmentation::ReadSolids result;
+    return {segmentation::read_solids(input.files, progress)};
+  FoundSolids found;
+  segmentation::ReadSolids& result = found.read;
   segmentation::BlockNames names;
   for (const std::filesystem::path& file : files) {
     segmentation::BlockFiles one = input.files;
@@ -44,8 +53,9 @@ segmentation::ReadSolids solids_of_files(const BlocksInput& input, const Progres
     segmentation::ReadSolids read;
     if (holds_triangles(file)) {
       segmentation::Reconstruction made =
-          reconstructed(file, input.files.length_unit.value_or(1), input.reconstruction, progress);
+          reconstructed(file, input.files.length_unit, input.reconstruction, progress);
       read.solids.push_back({std::move(made.brep), file.stem().string(), 0});
+      found.triangles.push_back({"", std::move(made.mesh), std::move(made.regions.of_triangle)});
       for (const std::string& remark : made.report.remarks)
         read.warnings.push_back(fmt::format("{}: {}", file.string(), remark));
     } else {
@@ -54,10 +64,11 @@ segmentation::ReadSolids solids_of_files(const BlocksInput& input, const Progres
     result.warnings.insert(result.warnings.end(), read.warnings.begin(), read.warnings.end());
     for (geometry::BrepFile& solid : read.solids) {
       solid.name = names.add(solid.name);
+      if (holds_triangles(file)) found.triangles.back().solid = solid.name;
       result.solids.push_back(std::move(solid));
     }
   }
-  return result;
+  return found;
 }
 
 }  // namespace isopatch::app

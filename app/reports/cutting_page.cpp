@@ -12,6 +12,7 @@
 #include "app/base/provenance.hpp"
 #include "app/pages/page.hpp"
 #include "app/problem/internal/body_json.hpp"
+#include "app/reports/block_pieces.hpp"
 #include "geometry/brep/cell_solids.hpp"
 #include "geometry/brep/require_solid.hpp"
 #include "segmentation/decomposition/unfinished_parts.hpp"
@@ -22,47 +23,6 @@ namespace {
 using geometry::Brep;
 using segmentation::CuttingError;
 using segmentation::UnfinishedPart;
-
-std::optional<geometry::Tessellation> triangulated(const Brep& brep) {
-  try {
-    return tessellate(brep, {.chord = 2e-3});
-  } catch (const Error&) {
-    return std::nullopt;  // its edges are drawn
-  }
-}
-
-/// One mesh of all faces, whose points stay apart, so that each is lit by its own normals.
-void add_mesh(const geometry::Tessellation& mesh, BlockPiece& piece) {
-  Eigen::Index points = 0, triangles = 0;
-  for (const auto& face : mesh.faces) points += face.points.cols(), triangles += face.triangles.cols();
-  piece.points.resize(3, points);
-  piece.triangles.resize(3, triangles);
-  points = triangles = 0;
-  for (const auto& face : mesh.faces) {
-    piece.points.middleCols(points, face.points.cols()) = face.points;
-    piece.triangles.middleCols(triangles, face.triangles.cols()) =
-        face.triangles.array() + static_cast<int>(points);
-    points += face.points.cols();
-    triangles += face.triangles.cols();
-  }
-  for (const auto& edge : mesh.edges) piece.edges.push_back(edge.points);
-}
-
-BlockPiece piece_of(const Brep& brep, const std::string& name, const std::string& body) {
-  BlockPiece piece{
-      name, body, "", std::abs(brep.volume()), false, {}, Eigen::Matrix3Xd(3, 0), Eigen::Matrix3Xi(3, 0), {}};
-  for (const geometry::BrepFace& face : brep.faces())
-    if (!face.name.empty() &&
-        std::find(piece.faces.begin(), piece.faces.end(), face.name) == piece.faces.end())
-      piece.faces.push_back(face.name);
-  if (const auto mesh = triangulated(brep)) {
-    add_mesh(*mesh, piece);
-    return piece;
-  }
-  for (std::size_t e = 0; e < brep.edges().size(); ++e)
-    piece.edges.push_back(drawn(brep, EdgeId(static_cast<int>(e))).points);
-  return piece;
-}
 
 void add_piece(BlockStage& stage, BlockPiece piece, const std::vector<Eigen::Matrix3Xd>& lines) {
   for (const Eigen::Matrix3Xd& line : lines)
@@ -184,9 +144,10 @@ std::string cutting_html(const CutSolids& solids, const std::string& title,
   return html(std::move(scene), size, {{"bodies", bodies}, {"t_joints", t_joints}}, title, "");
 }
 
-std::string cutting_fault_html(const CuttingError& error, const std::string& title,
-                               const std::string& study) {
+std::string cutting_fault_html(const CuttingError& error, const std::string& title, const std::string& study,
+                               std::vector<BlockStage> before) {
   BlockScene scene;
+  scene.stages = std::move(before);
   scene.lines_name = "in the way";
   BlockStage stage{"parts", {}, {}};
   double volume = 0, size = 0;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/pages/block_scene.hpp"
 #include "app/problem/cut_solids.hpp"
 
 namespace isopatch::app {
@@ -17,9 +18,10 @@ std::string cutting_html(const CutSolids& solids, const std::string& title,
                          const std::vector<std::string>& t_joints = {});
 
 /// The page of one body that was given up in a run.
-/// @param study  text of the study file
+/// @param study   text of the study file
+/// @param before  what was finished
 std::string cutting_fault_html(const segmentation::CuttingError& error, const std::string& title,
-                               const std::string& study);
+                               const std::string& study, std::vector<BlockStage> before = {});
 
 /// "block_3.step": the file of a block in the folder that `isopatch segment` writes.
 std::string block_file_name(std::size_t block);

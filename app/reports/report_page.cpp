@@ -10,6 +10,7 @@
 #include "app/reports/convergence_plot.hpp"
 #include "app/reports/parameterization_scene.hpp"
 #include "app/reports/report_scene.hpp"
+#include "app/reports/stage_scene.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -37,6 +38,7 @@ Page report_page(const ReportContent& content) {
       page.plots.push_back({"", to_svg(*plot)});
   }
   page.scene = report_scene(content.field, content.model, content.summary.value_or(RunSummary{}));
+  page.blocks = stage_scene(content.stages);
   if (content.solids)
     for (SceneField& more : parameterization_fields(*content.solids, page.scene->samples))
       page.scene->fields.push_back(std::move(more));

@@ -21,7 +21,8 @@ struct ReportContent {
   std::optional<RunSummary> summary;  ///< what it says; without one the text is left out
   /// How solids became the model's patches, for more fields to colour by; may be null.
   const segmentation::ParameterizationReport* solids = nullptr;
-  std::vector<PageLink> cases = {};  ///< pages of the load cases
+  std::vector<PageLink> cases = {};      ///< pages of the load cases
+  std::vector<StageReport> stages = {};  ///< from the file to the patches, to be shown
 };
 
 /// @cost  that of sample_part

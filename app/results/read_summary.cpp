@@ -1,6 +1,7 @@
 #include "app/results/read_summary.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cstddef>
 #include <utility>
 
@@ -151,6 +152,25 @@ std::optional<RunSummary> read_summary(const std::string& text, const std::strin
   summary.solver = stored_solver(at(json, "/solver"));
   summary.levels = stored_levels(at(json, "/levels"));
   return summary;
+}
+
+std::vector<StageReport> read_stages(const std::string& text, const std::filesystem::path& folder) {
+  const Json json = Json::parse(text, nullptr, false);
+  std::vector<StageReport> result;
+  const Json& stages = at(json, "/stages");
+  if (!stages.is_array()) return result;
+  for (const Json& stage : stages) {
+    const Stage* which = find_choice(stage_choices(), text_at(stage, "/name"));
+    const std::string file = text_at(stage, "/file"), content = text_at(stage, "/content");
+    if (!which || file.empty()) continue;
+    result.push_back({.stage = *which,
+                      .kept = true,
+                      .file = folder / file,
+                      .made = text_at(stage, "/made"),
+                      .seconds = number_at(stage, "/seconds").value_or(0)});
+    std::from_chars(content.data(), content.data() + content.size(), result.back().content, 16);
+  }
+  return result;
 }
 
 std::string summary_of_case(const std::string& text, const std::string& case_name) {

@@ -13,6 +13,7 @@
 #include "app/results/internal/json_regions.hpp"
 #include "app/results/internal/levels_json.hpp"
 #include "app/results/internal/parameterization_json.hpp"
+#include "app/results/internal/stages_json.hpp"
 #include "app/results/level_report.hpp"
 #include "iga/material/material.hpp"
 #include "iga/post/stress_measures.hpp"
@@ -311,6 +312,7 @@ std::string summary_json(const Study& study, const StudyRun& run) {
     json["levels"] = levels_json(run.levels);
     json["convergence"] = convergence_json(run.levels);
   }
+  if (!run.built.stages.empty()) json["stages"] = stages_json(run.built.stages);
   if (run.built.parameterization)
     json["parameterization"] = parameterization_json(*run.built.parameterization);
   return file_text(json);

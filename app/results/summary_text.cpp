@@ -175,6 +175,8 @@ std::string summary_text(const Study& study, const StudyRun& run) {
                       model.patch_count(), model.interfaces().size(), model.boundary_faces().size(),
                       bodies == 1 ? "one body" : fmt::format("{} bodies", bodies),
                       with_unit(run.built.report.volume, "m^3"));
+  if (!run.built.stages.empty())
+    text += fmt::format("  stages            {}\n", stages_text(run.built.stages));
   if (run.built.mass)
     text += fmt::format("  mass              {}, centre at {}\n", with_unit(1e3 * run.built.mass->mass, "g"),
                         place_with_unit(run.built.mass->centre, model.size()));

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "app/study/stage.hpp"
 #include "segmentation/decomposition/decomposition_options.hpp"
 #include "segmentation/parameterization/parameterize.hpp"
 #include "segmentation/parameterization/read_blocks.hpp"
@@ -16,6 +17,8 @@ struct BlocksInput {
   std::optional<segmentation::DecompositionOptions> decomposition = {};
   segmentation::ParameterizationOptions options;
   segmentation::ReconstructionOptions reconstruction = {};  ///< of files of triangles
+  StageTexts texts = {};
+  StageOptions stages = {};
   bool operator==(const BlocksInput&) const = default;
 };
 

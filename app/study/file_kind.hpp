@@ -13,7 +13,7 @@ enum class FileKind {
   cad,           ///< solids that the CAD library reads: STEP, IGES, .brep
   gismo_solids,  ///< .xml with solids
   polyhedra,     ///< .off
-  triangles,     ///< .stl, .obj, .ply
+  triangles,     ///< .stl, .obj, .ply, .3mf
   unknown,       ///< any other ending; readers of patches look at the content
 };
 

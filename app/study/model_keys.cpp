@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "app/study/attachment_keys.hpp"
+#include "app/study/config_text.hpp"
 #include "app/study/file_kind.hpp"
 #include "app/study/generated_models.hpp"
 #include "app/study/parameterization_keys.hpp"
@@ -142,6 +143,15 @@ void check(const ModelKeys& keys, const Place& place) {
   if (keys.near_miss <= keys.same_point) throw error_at(place, "near_miss must be above same_point");
 }
 
+/// What the stages from solids to patches depend on besides the content of files.
+StageTexts texts_of(const ConfigSection& input, const SolidSections& how) {
+  return {.model = config_text(input.table, {"file", "blocks", "pairs", "attach", "same_point", "near_miss",
+                                             "same_knot", "cad_time_limit", "cad_memory_limit"}),
+          .reconstruction = config_text(how.reconstruction.table),
+          .segmentation = config_text(how.segmentation.table),
+          .parameterization = config_text(how.parameterization.table)};
+}
+
 }  // namespace
 
 const Keys<ModelKeys>& model_keys() {
@@ -153,7 +163,7 @@ const Keys<ModelKeys>& model_keys() {
           "variables. Or a file of solids in any format of `blocks`: those that are no topological hexahedra "
           "are cut "
           "into such, as [segmentation] says; faces keep their names, \"face 3\" where they have none. Or "
-          "triangles (.stl, .obj, .ply), from which [reconstruction] makes a solid with faces called "
+          "triangles (.stl, .obj, .ply, .3mf), from which [reconstruction] makes a solid with faces called "
           "\"plane_1\", "
           "\"cylinder_1\", ..., each kind in the order of area. Or "
           "blocks.h5, as `isopatch segment` writes it, whose blocks are not cut again. "
@@ -188,7 +198,7 @@ const Keys<ModelKeys>& model_keys() {
             target.length_unit = read_length_unit(value);
             target.gives_length_unit = true;
           })
-          .with_default("\"m\"; STEP and IGES files say it themselves"),
+          .with_default("\"m\"; STEP, IGES and 3MF files say it themselves"),
       custom_key<ModelKeys>("allow_partial", "true or false",
                             "Whether bodies and faces of CAD files that cannot be read, and bodies that are "
                             "not closed, are left out with "
@@ -226,7 +236,9 @@ ModelInput read_model(const ConfigSection& input, const SolidSections& how, cons
   ModelInput model{read_source(keys, tables, input, how, source)};
   model.place = input.place;
   model.tolerance = {.same_point = keys.same_point, .near_miss = keys.near_miss, .same_knot = keys.same_knot};
-  if (!std::holds_alternative<BlocksInput>(model.source)) {
+  if (auto* solids = std::get_if<BlocksInput>(&model.source)) {
+    solids->texts = texts_of(input, how);
+  } else {
     if (keys.pairs) throw error_at(input.place, "pairs says how blocks meet, but [model] has no blocks");
     for (const auto& [section, name] :
          {std::pair(&how.parameterization, "[parameterization]"),

@@ -63,6 +63,7 @@ struct OutputInput {
   FieldOptions field_options;
   bool hdf5 = true;
   bool report = true;
+  bool stages = true;  ///< whether solids, hexahedra and patches are kept in the folder `stages` there
   bool error_estimate = true;
   Eigen::Vector3d moments_about = Eigen::Vector3d::Zero();  ///< of reactions, m
   bool operator==(const OutputInput&) const = default;

@@ -86,7 +86,8 @@ std::vector<SectionText> study_sections() {
        "refused.",
        texts(given_plane_keys())},
       {"reconstruction", "[reconstruction]",
-       "How triangles become a solid, if [model] has a `file` of them (.stl, .obj, .ply): its faces are the "
+       "How triangles become a solid, if [model] has a `file` of them (.stl, .obj, .ply, .3mf): its faces "
+       "are the "
        "planes, cylinders, cones, "
        "spheres and tori that the vertices lie on, its edges are where these meet.",
        texts(reconstruction_keys())}};

@@ -228,6 +228,10 @@ const Keys<OutputInput>& output_keys() {
       flag_key<O>("report", &O::report,
                   "Whether report.html is written: pictures and figures on one page for any browser."),
       flag_key<O>(
+          "stages", &O::stages,
+          "Whether the solid, its hexahedra and its patches are kept in the folder `stages`: a further run "
+          "takes those that files, keys or the program have not changed since. One of each kind is kept."),
+      flag_key<O>(
           "error_estimate", &O::error_estimate,
           "Whether the error of the discretization is estimated: in energy, in every element, and of "
           "the stress at probes and where it is largest. Takes a fifth of a run or less, and some 1 kB "

@@ -3,10 +3,9 @@
 #include <filesystem>
 
 #include "app/tests/program_fixture.hpp"
+#include "app/tests/stl_file.hpp"
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/brep/read_brep.hpp"
-#include "geometry/brep/tests/made_solids.hpp"
-#include "geometry/io/read_stl.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -14,20 +13,7 @@ namespace {
 class ReconstructedSolids : public Program {
  protected:
   /// The triangles of a made solid in millimetres, as a file.
-  std::string stl(const std::string& solid) const {
-    const geometry::Tessellation parts = geometry::tessellate(geometry::test::made_brep(solid));
-    geometry::TriangleMesh mesh;
-    for (const geometry::FaceTriangles& part : parts.faces) {
-      const Eigen::Index points = mesh.vertices.cols(), triangles = mesh.triangles.cols();
-      mesh.vertices.conservativeResize(3, points + part.points.cols());
-      mesh.vertices.rightCols(part.points.cols()) = 1000 * part.points;
-      mesh.triangles.conservativeResize(3, triangles + part.triangles.cols());
-      mesh.triangles.rightCols(part.triangles.cols()) = part.triangles.array() + static_cast<int>(points);
-    }
-    const std::string file = (folder_ / (solid + ".stl")).string();
-    write_file(file, geometry::to_stl(mesh));
-    return file;
-  }
+  std::string stl(const std::string& solid) const { return test::stl_file(folder_, solid); }
 };
 
 TEST_F(ReconstructedSolids, AreWrittenWithAReport) {
@@ -81,8 +67,32 @@ TEST_F(ReconstructedSolids, SectionIsForTrianglesAlone) {
 }
 
 TEST_F(ReconstructedSolids, AreAdvisedWherePatchesAreWanted) {
-  EXPECT_EQ(run({"info", stl("block")}), 2);
+  EXPECT_EQ(run({"render", stl("block"), "-o", (folder_ / "a.png").string()}), 2);
   EXPECT_NE(err_.find("isopatch reconstruct"), std::string::npos) << err_;
+}
+
+TEST_F(ReconstructedSolids, AreDescribedByWhatWouldBecomeOfThem) {
+  ASSERT_EQ(run({"info", stl("drilled"), "--length-unit", "mm"}), 0) << err_;
+  EXPECT_NE(out_.find("closed, volume"), std::string::npos) << out_;
+  EXPECT_NE(out_.find("7 faces (6 planes, 1 cylinder)"), std::string::npos) << out_;
+  EXPECT_NE(out_.find("segmentation: swept along"), std::string::npos) << out_;
+  ASSERT_EQ(run({"info", stl("drilled"), "--length-unit", "mm", "--json"}), 0) << err_;
+  const json told = json::parse(out_);
+  EXPECT_EQ(told["closed"], true);
+  EXPECT_EQ(told["reconstruction"]["faces"].size(), 7u);
+  // 6000 mm^3 less the bore of radius 5 mm, which has the triangles of a polygon.
+  EXPECT_NEAR(told["volume"].get<double>() / ((6000 - 250 * M_PI) * 1e-9), 1, 0.01);
+}
+
+TEST_F(ReconstructedSolids, AreDescribedEvenIfTheyBoundNothing) {
+  const std::string file = stl("block");
+  std::string bytes = read_file(file);
+  bytes.resize(bytes.size() - 50);  // without its last triangle
+  bytes[80] = static_cast<char>(bytes[80] - 1);
+  write_file(file, bytes);
+  EXPECT_EQ(run({"info", file}), 2);
+  EXPECT_NE(out_.find("bounds no solid"), std::string::npos) << out_;
+  EXPECT_NE(err_.find("block.stl"), std::string::npos) << err_;
 }
 
 TEST_F(ReconstructedSolids, FileAndPlaceAreNamedWhereItFails) {

@@ -10,7 +10,7 @@ namespace isopatch::geometry {
 namespace {
 
 const BrepModule& load() {
-  const std::filesystem::path file = installed_part("isopatch_brep.so");
+  const std::filesystem::path file = brep_module_file();
   void* library = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr)
     throw Error(ErrorCode::unsupported,
@@ -24,6 +24,10 @@ const BrepModule& load() {
 }
 
 }  // namespace
+
+std::filesystem::path brep_module_file() {
+  return installed_part("isopatch_brep.so");
+}
 
 const BrepModule& brep_module() {
   static const BrepModule& module = load();

@@ -104,6 +104,9 @@ class BrepModule {
 /// The module, loaded at the first call and for good.
 /// @throws Error unsupported  it is missing or belongs to another version
 const BrepModule& brep_module();
+/// Its file.
+/// @throws Error unsupported  it is missing
+std::filesystem::path brep_module_file();
 
 }  // namespace isopatch::geometry
 

@@ -10,6 +10,7 @@
 
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/error.hpp"
+#include "geometry/io/read_3mf.hpp"
 #include "geometry/io/read_obj.hpp"
 #include "geometry/io/read_off.hpp"
 #include "geometry/io/read_ply.hpp"
@@ -51,19 +52,20 @@ TriangleMesh triangles_of(const Polyhedron& polyhedron, const std::string& sourc
 
 bool is_triangle_file(const std::filesystem::path& path) {
   const std::string ending = lower_ending(path);
-  return ending == ".stl" || ending == ".obj" || ending == ".ply";
+  return ending == ".stl" || ending == ".obj" || ending == ".ply" || ending == ".3mf";
 }
 
-TriangleMesh read_triangles(const std::filesystem::path& path) {
+MeasuredTriangles read_triangles(const std::filesystem::path& path) {
   const std::string ending = lower_ending(path), source = path.string();
   if (!is_triangle_file(path) && ending != ".off")
     throw Error(ErrorCode::unsupported,
-                fmt::format("{}: triangles are read from .stl, .obj, .ply and .off files", source));
+                fmt::format("{}: triangles are read from .stl, .obj, .ply, .3mf and .off files", source));
   const std::string text = read_file(path);
-  if (ending == ".stl") return read_stl(text, source);
-  if (ending == ".obj") return read_obj(text, source);
-  if (ending == ".ply") return read_ply(text, source);
-  return triangles_of(read_off(text, source), source);
+  if (ending == ".3mf") return read_3mf(text, source);
+  if (ending == ".stl") return {read_stl(text, source)};
+  if (ending == ".obj") return {read_obj(text, source)};
+  if (ending == ".ply") return {read_ply(text, source)};
+  return {triangles_of(read_off(text, source), source)};
 }
 
 }  // namespace isopatch::geometry

@@ -1,6 +1,7 @@
 #include "verification/parts/internal/drawings.hpp"
 
 #include "verification/parts/internal/basic_parts.hpp"
+#include "verification/parts/internal/car_part.hpp"
 #include "verification/parts/internal/chair_stand.hpp"
 #include "verification/parts/internal/demonstrator.hpp"
 #include "verification/parts/internal/drawn_later.hpp"
@@ -54,6 +55,7 @@ const std::vector<Drawing>& drawings() {
       {"bent_bar", "turned", "a round bar, bent", bent_bar},
       {"shell_octant", "turned", "an eighth of a hollow ball", shell_octant},
       {"demonstrator", "models", "the TERRIFIC demonstrator, from its dimensions", demonstrator},
+      {"car_part", "models", "a wishbone of a car, of sharp edges", car_part},
       {"chair_stand", "models", "one fifth of a chair's base, from its dimensions", chair_stand},
   };
   return all;

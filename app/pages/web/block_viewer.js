@@ -22,7 +22,7 @@ globalThis.isopatch = globalThis.isopatch || {};
   function decodedPiece(piece, index) {
     const points = isopatch.decodeBlock(piece.points);
     const edges = piece.edges.map(isopatch.decodeBlock);
-    const all = edges.reduce((sum, edge) => sum.concat(Array.from(edge)), Array.from(points));
+    const all = [points, ...edges].flatMap((block) => Array.from(block));
     return {...piece, index, points, edges, all, centre: middleOf(all)};
   }
 
@@ -38,6 +38,13 @@ globalThis.isopatch = globalThis.isopatch || {};
   };
 
   isopatch.faultyPieces = (scene) => scene.stages.some((stage) => stage.pieces.some((piece) => piece.is_faulty));
+
+  // How far pieces are apart at first; faces and triangles are better seen where they are.
+  const startApart = (scene, stage) => {
+    const {apart} = scene.stages[stage];
+    return isopatch.faultyPieces(scene) ? 0 : apart === undefined ? 0.5 : apart;
+  };
+  const asksApart = (scene, before, after) => startApart(scene, before) !== startApart(scene, after);
 
   isopatch.pieceColour = (stage, piece) => {
     if (piece.is_faulty) return faulty;
@@ -75,6 +82,7 @@ globalThis.isopatch = globalThis.isopatch || {};
     const mesh = new THREE.Mesh(geometry, material);
     const group = new THREE.Group();
     group.add(mesh, new THREE.LineSegments(segments(piece.edges), inks.edges));
+    if (stage.shows_triangles) group.add(new THREE.LineSegments(new THREE.WireframeGeometry(geometry), inks.triangles));
     for (const line of stage.lines.filter((one) => one.piece === piece.index)) {
       const drawn = new THREE.Mesh(tube(line.points, scene.size), inks.lines);
       drawn.renderOrder = 4;
@@ -121,6 +129,7 @@ globalThis.isopatch = globalThis.isopatch || {};
     const layer = isopatch.element("div", {class: "marker-layer", "aria-hidden": "true"});
     host.append(canvas, layer);
     const inks = {edges: new THREE.LineBasicMaterial({}),
+                  triangles: new THREE.LineBasicMaterial({color: 0x000000, transparent: true, opacity: 0.25}),
                   lines: new THREE.MeshBasicMaterial({color: lineColour, depthTest: false, transparent: true, opacity: 0.9})};
     const stages = scene.stages.map((stage) => {
       const objects = stage.pieces.map((piece) => pieceObject(stage, piece, scene, inks));
@@ -132,7 +141,7 @@ globalThis.isopatch = globalThis.isopatch || {};
     world.add(...lights(), faultyFaces(scene), ...stages.map((stage) => stage.group));
     const camera = new THREE.PerspectiveCamera(fieldOfView, 1, 1, 10);
     const markers = isopatch.makeMarkers(layer, scene.places.map((place) => ({...place, kind: "warning"})));
-    const state = {stage: scene.stages.length - 1, apart: isopatch.faultyPieces(scene) ? 0 : 0.5, lines: true, edges: true, chosen: null};
+    const state = {stage: scene.stages.length - 1, apart: startApart(scene, scene.stages.length - 1), lines: true, edges: true, chosen: null};
     const listeners = [];
     let asked = false;
 
@@ -166,7 +175,7 @@ globalThis.isopatch = globalThis.isopatch || {};
       object.group.position.copy(offset(object));
       const isOther = state.chosen !== null && state.chosen !== object.piece.index;
       setOpacity(object, isOther ? 0.12 : object.seenThrough ? 0.3 : 1);
-      object.group.children[1].visible = state.edges;
+      for (const child of object.group.children) if (child.isLineSegments) child.visible = state.edges;
       for (const child of object.group.children) if (child.userData.isLine) child.visible = state.lines;
     }
 
@@ -186,7 +195,10 @@ globalThis.isopatch = globalThis.isopatch || {};
       }});
 
     // Pieces of another stage are others.
-    function change(wanted) {
+    function change(asked) {
+      const isOther = "stage" in asked && asked.stage !== state.stage;
+      const wanted = isOther && !("apart" in asked) && asksApart(scene, state.stage, asked.stage)
+        ? {...asked, apart: startApart(scene, asked.stage)} : asked;
       const moves = ("apart" in wanted && wanted.apart !== state.apart) || ("stage" in wanted && wanted.stage !== state.stage);
       if ("stage" in wanted && wanted.stage !== state.stage) state.chosen = null;
       Object.assign(state, wanted);

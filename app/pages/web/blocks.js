@@ -6,22 +6,28 @@ globalThis.isopatch = globalThis.isopatch || {};
   const element = (...all) => isopatch.element(...all);
   const count = (number, one, several) => `${isopatch.withSeparators(number)} ${number === 1 ? one : several}`;
 
-  function stage(scene) {
+  // The picture of pieces with its controls; the viewer is null where the browser cannot draw.
+  isopatch.blockStage = function (scene, prefix = "") {
     const host = element("div", {class: "viewer"});
     const viewer = isopatch.makeBlockViewer(host, scene);
-    isopatch.viewer = viewer;
     if (!viewer) {
       const text = "This browser cannot draw the blocks: WebGL is not available or switched off. The rest of the page is complete.";
-      return element("section", {class: "card"}, element("p", {class: "notice", id: "no-webgl"}, text));
+      return {viewer, root: element("section", {class: "card"}, element("p", {class: "notice", id: prefix + "no-webgl"}, text))};
     }
     const views = element("div", {class: "toolbar", role: "group", "aria-label": "View"},
       Object.keys(isopatch.namedViews).map((name, i) => element(
-        "button", {type: "button", id: "view-" + name, title: "key " + (i + 1), onclick: () => viewer.look(name)}, name)),
-      element("button", {type: "button", id: "view-fit", title: "key 0", onclick: () => viewer.fit()}, "fit"));
-    return element("div", {class: "stage"},
+        "button", {type: "button", class: "view-" + name, title: "key " + (i + 1), onclick: () => viewer.look(name)}, name)),
+      element("button", {type: "button", class: "view-fit", title: "key 0", onclick: () => viewer.fit()}, "fit"));
+    return {viewer, root: element("div", {class: "stage"},
       element("div", {class: "stage-main"}, host, views, element("p", {class: "how"},
         "Drag to turn, shift and drag to move, wheel or two fingers to zoom.")),
-      isopatch.blockPanel(viewer, scene));
+      isopatch.blockPanel(viewer, scene, prefix))};
+  };
+
+  function stage(scene) {
+    const {viewer, root} = isopatch.blockStage(scene);
+    isopatch.viewer = viewer;
+    return root;
   }
 
   function closing(body) {

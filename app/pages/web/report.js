@@ -151,7 +151,7 @@ globalThis.isopatch = globalThis.isopatch || {};
 
   isopatch.buildReport = function (main, data, scene, viewer) {
     const sections = [
-      isopatch.warningsSection(isopatch.warningTexts(data, scene), viewer), figures(data, scene), regions(data, scene),
+      isopatch.warningsSection(isopatch.warningTexts(data, scene), viewer), figures(data, scene), isopatch.stagesSection(data), regions(data, scene),
       solver(data), isopatch.parameterizationSection(data.summary), isopatch.qualitySection(scene), isopatch.studySection(data)];
     main.append(...sections.filter(Boolean));
   };

@@ -4,9 +4,9 @@ globalThis.isopatch = globalThis.isopatch || {};
   "use strict";
 
   const builders = {report: "buildReport", model: "buildReport", compare: "buildCompare", verification: "buildVerification",
-                    faults: "buildFaults", blocks: "buildBlocks"};
+                    faults: "buildFaults", blocks: "buildBlocks", stages: "buildStages"};
   const titles = {report: "Report", model: "Model", compare: "Comparison of the couplings", verification: "Checked", faults: "Bad input",
-                  blocks: "Solids cut into blocks"};
+                  blocks: "Solids cut into blocks", stages: "From the file to patches"};
 
   // Light, dark, or as the system has it.
   function themeButton(changed) {
@@ -48,7 +48,8 @@ globalThis.isopatch = globalThis.isopatch || {};
     const main = document.getElementById("page-main");
     const scene = data.scene ? isopatch.readScene(data.scene) : null;
     isopatch.viewer = null;
-    const theme = themeButton(() => isopatch.viewer && isopatch.viewer.setBackground());
+    isopatch.stageViewer = null;
+    const theme = themeButton(() => [isopatch.viewer, isopatch.stageViewer].forEach((one) => one && one.setBackground()));
     document.getElementById("page-header").append(
       isopatch.element("div", {}, isopatch.element("h1", {}, data.title || data.program), isopatch.element(
         "p", {}, `${titles[data.kind] || ""} by ${data.program}`), caseLinks(data)), theme);
