@@ -48,6 +48,11 @@ void check_boundary(const MultiPatch& model, const PatchFace& face, const std::s
     throw error_at(place,
                    fmt::format("face {} is no boundary: it is joined to {}", name, model.label(other)));
   }
+  for (const auto& interface : model.non_matching()) {
+    if (interface.first != face && interface.second != face) continue;
+    throw error_at(place, fmt::format("face {} is no boundary: others lie on all of it, among them {}", name,
+                                      model.label(interface.first == face ? interface.second : interface.first)));
+  }
   const geometry::NurbsSurface surface = geometry::face_surface(model.patch(face.patch), face.side);
   const Eigen::Vector3d middle = surface.point(geometry::unscaled(surface, {0.5, 0.5}));
   throw error_at(

@@ -34,8 +34,9 @@ void read_options(const StudyKeys& top, Study& study) {
                                                     "[discretization]", discretization_keys());
   study.discretization = space.options;
   const ConfigSection coupling = section(top.coupling, "coupling", study.source);
-  study.options =
-      read_table<iga::ElasticityOptions>(coupling.table, coupling.place, "[coupling]", coupling_keys());
+  const auto coupled = read_table<CouplingKeys>(coupling.table, coupling.place, "[coupling]", coupling_keys());
+  study.options.coupling = coupled.method;
+  study.model.tolerance.keep_non_matching = coupled.non_matching != iga::NonMatching::refuse;
   study.options.quadrature_points = space.points;
   const ConfigSection solver = section(top.solver, "solver", study.source);
   study.options.solver =
