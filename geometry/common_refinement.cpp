@@ -138,7 +138,10 @@ class Outlines {
     const NurbsSurface& outer = *outer_.surface;
     const Eigen::Vector3d place = inner_.surface->point(on_inner);
     SurfaceFoot foot = surface_foot(outer, place, last_);
-    if (foot.distance > same_point_) {
+    // A foot on the edge belongs to a point beyond it.
+    const bool is_inside = (foot.parameter.array() > outer.low().array()).all() &&
+                           (foot.parameter.array() < outer.high().array()).all();
+    if (foot.distance > same_point_ && is_inside) {
       const SurfaceFoot other = surface_foot(outer, place, same_point_);
       if (other.distance < foot.distance) foot = other;
     }
@@ -148,7 +151,8 @@ class Outlines {
 
   bool edges_are_straight() {
     const Point range = outer_.surface->high() - outer_.surface->low();
-    last_ = outer_.surface->low() + 0.5 * range;
+    last_ =
+        surface_foot(*outer_.surface, inner_.surface->point(inner_.surface->low()), same_point_).parameter;
     segments_ = 1;
     const auto count = [&](std::size_t d) { return static_cast<int>(inner_.breaks[d].size()); };
     const auto bends = [&](const Point& a, const Point& b, const Point& on_inner) {
