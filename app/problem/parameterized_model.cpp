@@ -40,14 +40,15 @@ std::string histogram_text(const ParameterizationReport& report) {
   return text + "\n";
 }
 
-/// Patches that meet in parts of sides need a coupling that there is not.
+/// Patches that meet in parts of sides are for couplings of faces that do not match.
 void require_side_to_side(const segmentation::HexModel& model) {
   const std::vector<std::string> joints = t_joint_texts(model);
   if (joints.empty()) return;
   throw Error(
       ErrorCode::not_conforming,
-      fmt::format("blocks meet in parts of sides (T-joints): {}{}; patches that do not meet side to "
-                  "side cannot be coupled yet: cut the solid with t_joints = \"remove\", the default",
+      fmt::format("blocks meet in parts of sides (T-joints): {}{}; cut the solid with t_joints = "
+                  "\"remove\", the default, or couple patches that do not meet side to side with "
+                  "coupling.non_matching = \"nitsche\"",
                   joints.front(), joints.size() == 1 ? "" : fmt::format(", and {} more", joints.size() - 1)));
 }
 
@@ -67,7 +68,8 @@ segmentation::ReadBlocks blocks_of(const BlocksInput& input, const Progress& pro
 segmentation::Parameterization parameterized(const BlocksInput& input, const Progress& progress) {
   progress("reading blocks", 0);
   segmentation::ReadBlocks blocks = blocks_of(input, progress);
-  if (input.decomposition || is_block_file(input)) require_side_to_side(blocks.model);
+  if (!input.options.keep_t_joints && (input.decomposition || is_block_file(input)))
+    require_side_to_side(blocks.model);
   segmentation::Parameterization result = segmentation::parameterize(blocks.model, input.options, progress);
   result.report.warnings = std::move(blocks.warnings);
   return result;
