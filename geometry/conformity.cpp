@@ -10,6 +10,7 @@
 #include "geometry/face_match.hpp"
 #include "geometry/measures.hpp"
 #include "geometry/splines/grid.hpp"
+#include "geometry/surface_foot.hpp"
 
 namespace isopatch::geometry {
 namespace {
@@ -110,7 +111,7 @@ bool lies_on(const FreeFace& face, const FreeFace& other, double same_point) {
                                  Parameter<2>(0.83, 0.77), Parameter<2>(0.36, 0.86)}) {
     const Eigen::Vector3d point = face.surface.point(unscaled(face.surface, at));
     if (other.box.squaredExteriorDistance(point) > same_point * same_point) continue;
-    if (distance_to_surface(point, other.surface, same_point) <= same_point && ++inside == 3) return true;
+    if (surface_foot(other.surface, point, same_point).distance <= same_point && ++inside == 3) return true;
   }
   return false;
 }
@@ -132,7 +133,8 @@ void check_other_parameters(const std::vector<FreeFace>& faces, double same_poin
           fmt::format(
               "faces {} and {} lie on one another, but are parametrized differently or have different "
               "outlines, so they cannot be joined; split or reparametrize the patches so that the "
-              "faces agree point by point",
+              "faces agree point by point, or set non_matching = \"nitsche\" (in a study: "
+              "coupling.non_matching), which couples them as they are",
               label(a.face), label(b.face)));
     }
 }

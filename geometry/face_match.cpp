@@ -1,6 +1,5 @@
 #include "geometry/face_match.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <limits>
 
@@ -59,23 +58,6 @@ double corner_distance(const NurbsSurface& first, const NurbsSurface& second,
   return largest;
 }
 
-// Gauss-Newton with the parameters kept in the domain; returns the smallest distance met.
-double descend(const Eigen::Vector3d& point, const NurbsSurface& surface, Parameter<2> parameter) {
-  double best = std::numeric_limits<double>::infinity();
-  for (int step = 0; step < 20; ++step) {
-    const Eigen::Vector3d residual = surface.point(parameter) - point;
-    const double distance = residual.norm();
-    if (!(distance < 0.999 * best)) break;
-    best = distance;
-    const Eigen::Matrix<double, 3, 2> columns = surface.jacobian(parameter);
-    Eigen::Matrix2d normal = columns.transpose() * columns;
-    normal.diagonal().array() += 1e-12 * normal.trace() + std::numeric_limits<double>::min();
-    parameter -= normal.inverse() * (columns.transpose() * residual);
-    parameter = parameter.cwiseMax(surface.low()).cwiseMin(surface.high());
-  }
-  return best;
-}
-
 }  // namespace
 
 Parameter<2> unscaled(const NurbsSurface& surface, const Parameter<2>& scaled) {
@@ -127,24 +109,6 @@ FaceMatch match_faces(const NurbsSurface& first, const NurbsSurface& second) {
     if (at_corners >= best.distance) break;
     const FaceMatch match = match_faces(first, second, orientation);
     if (match.distance < best.distance) best = match;
-  }
-  return best;
-}
-
-double distance_to_surface(const Eigen::Vector3d& point, const NurbsSurface& surface, double enough) {
-  std::array<std::vector<double>, 2> grid;
-  for (std::size_t k = 0; k < 2; ++k)
-    grid[k] = unscaled(surface.knots()[k], samples(surface.knots()[k], surface.knots()[k], false), false);
-  const Eigen::Matrix3Xd points = points_on_grid(surface, grid);
-  std::vector<std::pair<double, Eigen::Index>> nearest;
-  for (Eigen::Index i = 0; i < points.cols(); ++i) nearest.emplace_back((points.col(i) - point).norm(), i);
-  const std::size_t starts = std::min<std::size_t>(3, nearest.size());
-  std::partial_sort(nearest.begin(), nearest.begin() + static_cast<std::ptrdiff_t>(starts), nearest.end());
-  double best = nearest.front().first;
-  const std::size_t rows = grid[0].size();
-  for (std::size_t k = 0; k < starts && best > enough; ++k) {
-    const auto i = static_cast<std::size_t>(nearest[k].second);
-    best = std::min(best, descend(point, surface, {grid[0][i % rows], grid[1][i / rows]}));
   }
   return best;
 }

@@ -28,9 +28,4 @@ FaceMatch match_faces(const NurbsSurface& first, const NurbsSurface& second,
 /// A surface parameter from one scaled to [0, 1]^2.
 Parameter<2> unscaled(const NurbsSurface& surface, const Parameter<2>& scaled);
 
-/// Distance from a point to a surface, by a coarse grid and Gauss-Newton steps from its nearest points; an
-/// upper bound that is exact where the iteration finds the nearest point.
-/// @param enough  model units; the search ends once a point this close is found
-double distance_to_surface(const Eigen::Vector3d& point, const NurbsSurface& surface, double enough);
-
 }  // namespace isopatch::geometry

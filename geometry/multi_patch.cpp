@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "geometry/base/error.hpp"
 #include "geometry/base/union_find.hpp"
@@ -98,6 +99,7 @@ std::string MultiPatch::label(PatchFace face) const {
 std::vector<std::vector<PatchId>> MultiPatch::bodies() const {
   UnionFind joined(patch_count());
   for (const Interface& i : interfaces_) joined.unite(i.first.patch.value, i.second.patch.value);
+  for (const NonMatchingInterface& i : non_matching_) joined.unite(i.first.patch.value, i.second.patch.value);
   std::vector<std::vector<PatchId>> found(patches_.size());
   for (int i = 0; i < patch_count(); ++i)
     found[static_cast<std::size_t>(joined.find(i))].push_back(PatchId(i));
@@ -136,7 +138,17 @@ MultiPatch connect(PatchSet set, const Tolerance& tolerance) {
   const FaceLabel label = [&](PatchFace face) { return model.label(face); };
   FaceSets found = find_interfaces(model.patches_, set.interfaces, tolerance, model.size_, label);
   check_stated(model.patches_, found.interfaces, set.interfaces, tolerance, model.size_, label);
-  check_conforming(model.patches_, found.boundary, tolerance, model.size_, label);
+  if (tolerance.keep_non_matching) {
+    NonMatchingFaces apart =
+        find_non_matching(model.patches_, found.boundary, tolerance.same_point * model.size_, label);
+    found.boundary = std::move(apart.boundary);
+    model.non_matching_ = std::move(apart.interfaces);
+    model.partly_covered_ = std::move(apart.partly_covered);
+  }
+  std::vector<PatchFace> alone;
+  std::set_difference(found.boundary.begin(), found.boundary.end(), model.partly_covered_.begin(),
+                      model.partly_covered_.end(), std::back_inserter(alone));
+  check_conforming(model.patches_, alone, tolerance, model.size_, label);
   model.interfaces_ = std::move(found.interfaces);
   model.boundary_faces_ = std::move(found.boundary);
   model.degenerate_faces_ = std::move(found.degenerate);

@@ -6,6 +6,7 @@
 
 #include "geometry/base/tolerance.hpp"
 #include "geometry/interface.hpp"
+#include "geometry/non_matching.hpp"
 #include "geometry/patch_face.hpp"
 #include "geometry/patch_set.hpp"
 #include "geometry/splines/nurbs.hpp"
@@ -15,14 +16,19 @@ namespace isopatch::geometry {
 /// Volume patches and how they meet.
 ///
 /// Invariant: every patch is right-handed as far as the sign of its Jacobian at its middle tells; every face
-/// is in exactly one of: one interface, the boundary, the degenerate faces.
+/// is in exactly one of: one interface, the boundary, the degenerate faces, the faces that non-matching
+/// interfaces cover; those that they cover in part are of the boundary.
 class MultiPatch {
  public:
   const std::vector<NurbsVolume>& patches() const { return patches_; }
   const NurbsVolume& patch(PatchId id) const { return patches_[static_cast<std::size_t>(id.value)]; }
   int patch_count() const { return static_cast<int>(patches_.size()); }
   const std::vector<Interface>& interfaces() const { return interfaces_; }
-  /// Faces with an area that no other patch shares, ordered by patch and side.
+  /// Where patches meet without agreeing point by point; none unless the tolerance asks to keep them.
+  const std::vector<NonMatchingInterface>& non_matching() const { return non_matching_; }
+  /// Boundary faces of which other faces cover a part.
+  const std::vector<PatchFace>& partly_covered() const { return partly_covered_; }
+  /// Faces with an area that no other patch shares, or only in part, ordered by patch and side.
   const std::vector<PatchFace>& boundary_faces() const { return boundary_faces_; }
   /// Faces collapsed to a curve or a point: no interface, no boundary.
   const std::vector<PatchFace>& degenerate_faces() const { return degenerate_faces_; }
@@ -45,7 +51,7 @@ class MultiPatch {
   /// "3:north", in the input's names: for messages and reports.
   std::string label(PatchFace face) const;
 
-  /// Connected components over the interfaces: the bodies, each an increasing list of patches.
+  /// Connected components over all interfaces: the bodies, each an increasing list of patches.
   std::vector<std::vector<PatchId>> bodies() const;
 
  private:
@@ -54,6 +60,8 @@ class MultiPatch {
 
   std::vector<NurbsVolume> patches_;
   std::vector<Interface> interfaces_;
+  std::vector<NonMatchingInterface> non_matching_;
+  std::vector<PatchFace> partly_covered_;
   std::vector<PatchFace> boundary_faces_;
   std::vector<PatchFace> degenerate_faces_;
   std::vector<Boundary> boundaries_;

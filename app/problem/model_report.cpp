@@ -69,6 +69,8 @@ ModelReport report(const MultiPatch& model, const Progress& progress) {
   }
   for (const auto& interface : model.interfaces())
     result.largest_gap = std::max(result.largest_gap, interface.gap);
+  for (const auto& interface : model.non_matching())
+    result.largest_gap = std::max(result.largest_gap, interface.gap);
   result.bodies = model.bodies();
   result.box = geometry::part_box(model);
   progress("checking the patches", 1);

@@ -30,7 +30,8 @@ int halvings(double share, int degree) {
 
 double unresolved_share(const iga::ElasticityResults& results) {
   // Where a part is free to grow with its warmth, little is stored in it, and springs may hold the rest.
-  const double stored = results.internal_energy + results.support_energy + std::abs(results.thermal_work);
+  const double stored = results.internal_energy + results.support_energy + results.interface_energy +
+                        std::abs(results.thermal_work);
   return stored > 0 ? results.unresolved.total() / stored : 0;
 }
 

@@ -48,6 +48,12 @@ void check_boundary(const MultiPatch& model, const PatchFace& face, const std::s
     throw error_at(place,
                    fmt::format("face {} is no boundary: it is joined to {}", name, model.label(other)));
   }
+  for (const auto& interface : model.non_matching()) {
+    if (interface.first != face && interface.second != face) continue;
+    throw error_at(place,
+                   fmt::format("face {} is no boundary: others lie on all of it, among them {}", name,
+                               model.label(interface.first == face ? interface.second : interface.first)));
+  }
   const geometry::NurbsSurface surface = geometry::face_surface(model.patch(face.patch), face.side);
   const Eigen::Vector3d middle = surface.point(geometry::unscaled(surface, {0.5, 0.5}));
   throw error_at(
@@ -120,6 +126,16 @@ Error nothing_found(const MultiPatch& model, const FaceSelection& selection,
           nearest, with_unit(tolerance, "m"), listed_boundaries(model.boundaries())));
 }
 
+// What acts on a face acts on all of it.
+void refuse_partly_covered(const MultiPatch& model, const std::vector<PatchFace>& faces, const Place& place) {
+  for (const PatchFace& face : faces)
+    if (contains(model.partly_covered(), face))
+      throw error_at(place,
+                     fmt::format("face {} is covered in part by other patches, and a support or load would "
+                                 "act beneath them too; divide its patch along their outline",
+                                 model.label(face)));
+}
+
 }  // namespace
 
 double distance(const FaceConditions& conditions, const Eigen::Vector3d& point) {
@@ -152,7 +168,10 @@ SelectedFaces select_faces(const MultiPatch& model, const FaceSelection& selecti
   }
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  if (!selection.where) return {faces};
+  if (!selection.where) {
+    refuse_partly_covered(model, faces, selection.place);
+    return {faces};
+  }
   const double tolerance = selection.where->tolerance.value_or(place_tolerance * model.size());
   SelectedFaces result;
   result.tolerance = tolerance;
@@ -170,6 +189,7 @@ SelectedFaces select_faces(const MultiPatch& model, const FaceSelection& selecti
   if (result.faces.empty()) throw nothing_found(model, selection, std::move(candidates), tolerance);
   std::stable_sort(result.near_misses.begin(), result.near_misses.end(),
                    [](const NearMiss& a, const NearMiss& b) { return a.distance < b.distance; });
+  refuse_partly_covered(model, result.faces, selection.place);
   return result;
 }
 

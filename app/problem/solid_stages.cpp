@@ -21,14 +21,15 @@
 namespace isopatch::app {
 namespace {
 
-/// Patches that meet in parts of sides need a coupling that there is not.
+/// Patches that meet in parts of sides are for couplings of faces that do not match.
 void require_side_to_side(const segmentation::HexModel& model) {
   const std::vector<std::string> joints = t_joint_texts(model);
   if (joints.empty()) return;
   throw Error(
       ErrorCode::not_conforming,
-      fmt::format("blocks meet in parts of sides (T-joints): {}{}; patches that do not meet side to "
-                  "side cannot be coupled yet: cut the solid with t_joints = \"remove\", the default",
+      fmt::format("blocks meet in parts of sides (T-joints): {}{}; cut the solid with t_joints = "
+                  "\"remove\", the default, or couple patches that do not meet side to side with "
+                  "coupling.non_matching = \"nitsche\"",
                   joints.front(), joints.size() == 1 ? "" : fmt::format(", and {} more", joints.size() - 1)));
 }
 
@@ -84,7 +85,8 @@ class SolidStages {
       key = is_block_file(input_) ? key : after(blocks_.report);
     }
     if (to >= Stage::patches) {
-      make_patches(content_hash(input_.texts.parameterization, key));
+      make_patches(
+          content_hash(input_.texts.parameterization + (input_.options.keep_t_joints ? "\nkept" : ""), key));
       result.stages.push_back(patches_.report);
       result.made = patches_.get();
       result.made->report.names = input_.options.names;
@@ -150,7 +152,8 @@ class SolidStages {
   void make_patches(std::uint64_t key) {
     const auto make = [&] {
       const segmentation::ReadBlocks& blocks = blocks_.get();
-      if (input_.decomposition || is_block_file(input_)) require_side_to_side(blocks.model);
+      if (!input_.options.keep_t_joints && (input_.decomposition || is_block_file(input_)))
+        require_side_to_side(blocks.model);
       segmentation::Parameterization made =
           segmentation::parameterize(blocks.model, input_.options, progress_);
       made.report.warnings = blocks.warnings;

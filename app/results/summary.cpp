@@ -34,6 +34,7 @@ Json model_json(const StudyRun& run) {
   }
   return {{"patches", model.patch_count()},
           {"interfaces", model.interfaces().size()},
+          {"non_matching_interfaces", model.non_matching().size()},
           {"boundary_faces", model.boundary_faces().size()},
           {"bodies", report.bodies.size()},
           {"control_points", report.control_points},
@@ -179,6 +180,7 @@ Json results_json(const Study& study, const StudyRun& run, const iga::Elasticity
           {"max_displacement_at", at(results.max_displacement)},
           {"internal_energy", results.internal_energy},
           {"support_energy", results.support_energy},
+          {"interface_energy", results.interface_energy},
           {"external_work", results.external_work},
           {"thermal_work", results.thermal_work},
           {"max_von_mises", results.max_von_mises.value},

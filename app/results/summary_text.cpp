@@ -171,8 +171,10 @@ std::string summary_text(const Study& study, const StudyRun& run) {
   for (const iga::PhaseTime& time : run.timings) total += time.seconds;
   std::string text = study.title.empty() ? "" : study.title + "\n";
   const std::size_t bodies = run.built.report.bodies.size();
-  text += fmt::format("  model             {} patches, {} interfaces, {} boundary faces, {}, volume {}\n",
-                      model.patch_count(), model.interfaces().size(), model.boundary_faces().size(),
+  const std::string apart =
+      model.non_matching().empty() ? "" : fmt::format("{} that do not match, ", model.non_matching().size());
+  text += fmt::format("  model             {} patches, {} interfaces, {}{} boundary faces, {}, volume {}\n",
+                      model.patch_count(), model.interfaces().size(), apart, model.boundary_faces().size(),
                       bodies == 1 ? "one body" : fmt::format("{} bodies", bodies),
                       with_unit(run.built.report.volume, "m^3"));
   if (!run.built.stages.empty())

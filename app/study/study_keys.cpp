@@ -112,14 +112,19 @@ const Keys<DiscretizationKeys>& discretization_keys() {
   return keys;
 }
 
-const Keys<iga::ElasticityOptions>& coupling_keys() {
+const Keys<CouplingKeys>& coupling_keys() {
   static const Choices<iga::Coupling> methods = {{"elimination", iga::Coupling::elimination},
                                                  {"lagrange", iga::Coupling::lagrange}};
-  static const Keys<iga::ElasticityOptions> keys = {
+  static const Choices<iga::NonMatching> non_matching = {{"refuse", iga::NonMatching::refuse},
+                                                         {"nitsche", iga::NonMatching::nitsche}};
+  static const Keys<CouplingKeys> keys = {
       choice_key(
-          "method", &iga::ElasticityOptions::coupling, methods,
+          "method", &CouplingKeys::method, methods,
           "Coincident control points share their unknowns, or multipliers tie them. `isopatch compare` "
           "runs both."),
+      choice_key("non_matching", &CouplingKeys::non_matching, non_matching,
+                 "Faces that lie on one another with other elements, parameters or outlines (T-joints) are an "
+                 "error, or are coupled by Nitsche's method, which needs no further choice. One process only."),
   };
   return keys;
 }

@@ -21,6 +21,12 @@ struct ProbeKeys {
   std::optional<Eigen::Vector3d> parameter;
 };
 
+/// [coupling].
+struct CouplingKeys {
+  iga::Coupling method = iga::Coupling::elimination;
+  iga::NonMatching non_matching = iga::NonMatching::refuse;
+};
+
 /// The whole file: each section is read with its own keys.
 struct StudyKeys {
   std::string title;
@@ -46,7 +52,7 @@ struct StudyKeys {
 /// load_keys.
 const Keys<StudyKeys>& study_keys();
 const Keys<DiscretizationKeys>& discretization_keys();
-const Keys<iga::ElasticityOptions>& coupling_keys();
+const Keys<CouplingKeys>& coupling_keys();
 const Keys<solvers::SolverOptions>& solver_keys();
 const Keys<ProbeKeys>& probe_keys();
 const Keys<OutputInput>& output_keys();

@@ -12,6 +12,9 @@ struct Tolerance {
   double near_miss = 1e-3;
   /// Knots of two neighbours closer than this times the knot range are one knot. Range (0, 1e-3).
   double same_knot = 1e-9;
+  /// Whether faces that lie on one another without agreeing point by point stay in the model, as
+  /// non-matching interfaces; they are refused otherwise.
+  bool keep_non_matching = false;
   bool operator==(const Tolerance&) const = default;
 };
 

@@ -18,6 +18,8 @@ void write_connections(Hdf5Writer& file, const std::string& group, const PatchCo
   file.write(group + "/interface_gaps", gaps);
   file.write(group + "/tolerance",
              std::vector<double>{tolerance.same_point, tolerance.near_miss, tolerance.same_knot});
+  if (tolerance.keep_non_matching)
+    file.write(group + "/keep_non_matching", std::vector<std::int64_t>{1});
   file.write(group + "/size", connections.size);
   write_boundaries(file, group, connections.boundaries);
 }
@@ -32,7 +34,7 @@ PatchConnections read_connections(const Hdf5Reader& file, const std::string& gro
     result.interfaces.push_back({interfaces[i].first, interfaces[i].second, interfaces[i].orientation,
                                  gaps[static_cast<Eigen::Index>(i)]});
   const Eigen::VectorXd tolerance = file.vector(group + "/tolerance", 3);
-  result.tolerance = {tolerance[0], tolerance[1], tolerance[2]};
+  result.tolerance = {tolerance[0], tolerance[1], tolerance[2], file.contains(group + "/keep_non_matching")};
   result.size = file.number(group + "/size");
   result.boundaries = read_boundaries(file, group);
   return result;

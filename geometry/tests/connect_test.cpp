@@ -380,5 +380,37 @@ TEST(Connect, FindsTheInterfacesOfManyPatchesQuickly) {
   EXPECT_EQ(model.boundary_faces().size(), 6u * n * n);
 }
 
+// One box below two, of which the second leaves a part of it free.
+PatchSet t_joint(double end) {
+  return {{box_between({0, 0, 0}, {2, 1, 1}), box_between({0, 0, 1}, {0.7, 1, 2}),
+           box_between({0.7, 0, 1}, {end, 1, 2})},
+          {},
+          {}};
+}
+
+TEST(Connect, RefusesTJointsUnlessAskedToKeepThem) {
+  EXPECT_THAT(refusal(t_joint(2)), AllOf(HasSubstr("lie on one another"), HasSubstr("nitsche")));
+  const MultiPatch model = connect(t_joint(2), {.keep_non_matching = true});
+  ASSERT_EQ(model.non_matching().size(), 2u);
+  EXPECT_EQ(model.non_matching()[0].first, (PatchFace{PatchId(0), Side::back}));
+  EXPECT_EQ(model.non_matching()[1].second, (PatchFace{PatchId(2), Side::front}));
+  EXPECT_EQ(model.interfaces().size(), 1u);
+  EXPECT_EQ(model.boundary_faces().size(), 3u * 6 - 2 - 3);
+  EXPECT_TRUE(model.partly_covered().empty());
+  EXPECT_EQ(model.bodies().size(), 1u);
+}
+
+TEST(Connect, FacesThatAreCoveredInPartStayOfTheBoundary) {
+  const MultiPatch model = connect(t_joint(1.5), {.keep_non_matching = true});
+  EXPECT_EQ(model.non_matching().size(), 2u);
+  EXPECT_EQ(model.partly_covered(), (std::vector{PatchFace{PatchId(0), Side::back}}));
+  EXPECT_EQ(model.boundary_faces().size(), 3u * 6 - 2 - 2);
+}
+
+TEST(Connect, RefusesNonMatchingFacesOfPatchesThatOverlap) {
+  PatchSet set{{box_between({0, 0, 0}, {2, 1, 1}), box_between({0.5, 0, 0.5}, {1, 1, 1})}, {}, {}};
+  EXPECT_THAT(refusal(set, ErrorCode::not_conforming, {.keep_non_matching = true}), HasSubstr("overlap"));
+}
+
 }  // namespace
 }  // namespace isopatch::geometry

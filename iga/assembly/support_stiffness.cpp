@@ -1,10 +1,7 @@
 #include "iga/assembly/support_stiffness.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <unordered_map>
 
 #include "geometry/base/error.hpp"
 #include "geometry/quadrature.hpp"
@@ -131,63 +128,24 @@ class FaceOfPart {
   std::array<int, 2> counts_ = {0, 0};
 };
 
-using Entry = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-
-Eigen::Map<Entry> entry(solvers::SymmetricBlockMatrix& matrix, int row, int column) {
-  const auto begin = matrix.columns.begin() + matrix.row_start[static_cast<std::size_t>(row)];
-  const auto end = matrix.columns.begin() + matrix.row_start[static_cast<std::size_t>(row) + 1];
-  const auto found = std::lower_bound(begin, end, column);
-  if (found == end || *found != column)
-    throw Error(ErrorCode::internal, "an elastic support couples nodes that share no element");
-  return Eigen::Map<Entry>(&matrix.values[static_cast<std::size_t>(9 * (found - matrix.columns.begin()))]);
-}
-
 }  // namespace
 
-SupportStiffness::SupportStiffness(const std::vector<PatchSpace>& spaces,
-                                   const std::vector<PatchLayers>& parts,
-                                   const std::vector<SprungFace>& faces) {
-  if (faces.empty()) return;
+NodeBlocks support_stiffness(const std::vector<PatchSpace>& spaces, const std::vector<PatchLayers>& parts,
+                             const std::vector<SprungFace>& faces) {
+  NodeBlocks result;
+  if (faces.empty()) return result;
   std::vector<int> first_node = {0};
   for (const PatchSpace& space : spaces) first_node.push_back(first_node.back() + space.size());
-  std::unordered_map<std::int64_t, std::size_t> place;
   for (const PatchLayers& part : parts) {
     const auto p = static_cast<std::size_t>(part.patch);
     for (const SprungFace& sprung : faces) {
       if (sprung.face.patch.value != part.patch) continue;
       FaceOfPart(spaces[p], part, sprung).for_each_element([&](int a, int b, const Eigen::Matrix3d& value) {
-        const int first = first_node[p] + std::min(a, b), second = first_node[p] + std::max(a, b);
-        const std::int64_t key = std::int64_t{first} * first_node.back() + second;
-        const auto [at, is_new] = place.try_emplace(key, blocks_.size());
-        if (is_new) blocks_.push_back({first, second, Eigen::Matrix3d::Zero()});
-        blocks_[at->second].value += value;
+        result.add(first_node[p] + a, first_node[p] + b, value);
       });
     }
   }
-  std::sort(blocks_.begin(), blocks_.end(), [](const Block& a, const Block& b) {
-    return a.first != b.first ? a.first < b.first : a.second < b.second;
-  });
-}
-
-void SupportStiffness::add_forces(const Eigen::Matrix3Xd& displacement, Eigen::Matrix3Xd& forces) const {
-  for (const Block& block : blocks_) {
-    forces.col(block.first) += block.value * displacement.col(block.second);
-    if (block.first != block.second) forces.col(block.second) += block.value * displacement.col(block.first);
-  }
-}
-
-void SupportStiffness::add_diagonal(std::vector<Eigen::Matrix3d>& of_nodes) const {
-  for (const Block& block : blocks_)
-    if (block.first == block.second) of_nodes[static_cast<std::size_t>(block.first)] += block.value;
-}
-
-void SupportStiffness::add_to(solvers::SymmetricBlockMatrix& matrix, const RowNumbering& numbering) const {
-  for (const Block& block : blocks_) {
-    const int first = numbering.row_of_node[static_cast<std::size_t>(block.first)];
-    const int second = numbering.row_of_node[static_cast<std::size_t>(block.second)];
-    const double copies = first == second && block.first != block.second ? 2 : 1;
-    entry(matrix, std::min(first, second), std::max(first, second)) += copies * block.value;
-  }
+  return result;
 }
 
 }  // namespace isopatch::iga

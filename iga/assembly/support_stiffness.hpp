@@ -1,44 +1,20 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
 
-#include "iga/coupling/row_numbering.hpp"
+#include "iga/assembly/node_blocks.hpp"
 #include "iga/problem/springs.hpp"
 #include "iga/spaces/patch_space.hpp"
-#include "solvers/block_matrix.hpp"
 
 namespace isopatch::iga {
 
 /// What springs add to the stiffness: the integral over their faces of N_a N_b times their stiffness, or the
 /// weighted sum of it over the Greville points of holds, for any spaces on the patches and parts of them.
-///
-/// Blocks of pairs of nodes, sparse: only nodes on the faces have any.
-class SupportStiffness {
- public:
-  SupportStiffness() = default;
-  /// @param spaces  of all patches; degree + 6 Gauss points per element and direction of the face, as loads
-  /// @param parts   what this process integrates: faces along direction 3 are shared layer by layer, so the
-  ///                shares of all processes add up
-  /// @cost   (degree + 6)^2 (degree + 1)^4 per element of the faces
-  SupportStiffness(const std::vector<PatchSpace>& spaces, const std::vector<PatchLayers>& parts,
-                   const std::vector<SprungFace>& faces);
-
-  bool is_empty() const { return blocks_.empty(); }
-  /// forces += S displacement, per node of all patches. (3, nodes)
-  void add_forces(const Eigen::Matrix3Xd& displacement, Eigen::Matrix3Xd& forces) const;
-  /// The diagonal blocks, added per node.
-  void add_diagonal(std::vector<Eigen::Matrix3d>& of_nodes) const;
-  /// Adds the blocks to a matrix that `assemble_stiffness` made of the same spaces and parts.
-  void add_to(solvers::SymmetricBlockMatrix& matrix, const RowNumbering& numbering) const;
-
- private:
-  struct Block {
-    int first = 0;  // node, not behind the second
-    int second = 0;
-    Eigen::Matrix3d value;  // symmetric
-  };
-  std::vector<Block> blocks_;  // by nodes
-};
+/// @param spaces  of all patches; degree + 6 Gauss points per element and direction of the face, as loads
+/// @param parts   what this process integrates: faces along direction 3 are shared layer by layer, so the
+///                shares of all processes add up
+/// @cost   (degree + 6)^2 (degree + 1)^4 per element of the faces
+NodeBlocks support_stiffness(const std::vector<PatchSpace>& spaces, const std::vector<PatchLayers>& parts,
+                             const std::vector<SprungFace>& faces);
 
 }  // namespace isopatch::iga

@@ -12,7 +12,6 @@
 #include "iga/multigrid/level_operator.hpp"
 #include "iga/post/internal_forces.hpp"
 #include "iga/problem/loads.hpp"
-#include "iga/problem/springs.hpp"
 #include "iga/problem/thermal_load.hpp"
 #include "iga/solution/solver_choice.hpp"
 
@@ -160,15 +159,15 @@ std::vector<Eigen::Matrix3d> stresses_at(const std::vector<PatchPlace>& places,
 ErrorEstimate estimate_error(const ElasticityProblem& problem, const ElasticField& solution,
                              const std::vector<PatchPlace>& places, const ElasticityOptions& options,
                              const Progress& progress) {
-  const std::vector<SprungFace> springs = sprung_faces(problem);
-  require_no_holds(springs);
+  const SurfaceTerms surfaces = surface_terms(problem);
+  require_no_holds(surfaces.springs);
   const ElasticityProblem raised = with_degree_raised(problem, options.quadrature_points);
   const Discretization& d = raised.discretization;
   require_room(d, options);
   progress("estimating the error", 0);
   const std::vector<PatchSpace> spaces = isoparametric_spaces(d);
   const Level level = raised_level(d, raised, spaces, options);
-  const LevelOperator stiffness(level, raised.materials, 0, springs);
+  const LevelOperator stiffness(level, raised.materials, 0, surfaces);
   Residual residual = residual_of(problem, raised, level, stiffness, solution, options.processes);
   const FastDiagonalization smoother(d.model, level, raised.materials, stiffness.diagonal());
   const Correction correction =

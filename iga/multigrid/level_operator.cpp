@@ -25,20 +25,19 @@ Eigen::Matrix3Xd at_nodes(const Level& level, const Eigen::VectorXd& of_rows) {
 }
 
 LevelOperator::LevelOperator(const Level& level, const std::vector<Material>& materials, int points,
-                             const std::vector<SprungFace>& elastic)
-    : LevelOperator(level, level.spaces, materials, points, elastic) {}
+                             const SurfaceTerms& surfaces)
+    : LevelOperator(level, level.spaces, materials, points, surfaces) {}
 
 LevelOperator::LevelOperator(const Level& level, const std::vector<PatchSpace>& spaces,
-                             const std::vector<Material>& materials, int points,
-                             const std::vector<SprungFace>& elastic)
+                             const std::vector<Material>& materials, int points, const SurfaceTerms& surfaces)
     : level_(&level),
       stiffness_(spaces, level.parts, materials, points),
-      springs_(spaces, level.parts, elastic) {}
+      surfaces_(surface_stiffness(spaces, level.parts, surfaces)) {}
 
 Eigen::VectorXd LevelOperator::forces(const Eigen::VectorXd& displacement) const {
   const Eigen::Matrix3Xd of_nodes = at_nodes(*level_, displacement);
   Eigen::Matrix3Xd forces = stiffness_.apply(of_nodes);
-  springs_.add_forces(of_nodes, forces);
+  surfaces_.add_forces(of_nodes, forces);
   return sum_of_nodes(*level_, forces);
 }
 
@@ -50,7 +49,7 @@ Eigen::VectorXd LevelOperator::apply(const Eigen::VectorXd& x) const {
 
 std::vector<Eigen::Matrix3d> LevelOperator::diagonal() const {
   std::vector<Eigen::Matrix3d> of_nodes = stiffness_.diagonal_blocks();
-  springs_.add_diagonal(of_nodes);
+  surfaces_.add_diagonal(of_nodes);
   const auto rows = static_cast<std::size_t>(level_->rows.local_rows());
   std::vector<Eigen::Matrix3d> result(rows, Eigen::Matrix3d::Zero());
   for (std::size_t node = 0; node < of_nodes.size(); ++node)

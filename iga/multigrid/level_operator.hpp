@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "iga/assembly/support_stiffness.hpp"
+#include "iga/assembly/surface_stiffness.hpp"
 #include "iga/multigrid/level.hpp"
 #include "iga/operator/stiffness_operator.hpp"
 
@@ -16,16 +16,16 @@ Eigen::VectorXd sum_of_nodes(const Level& level, const Eigen::Matrix3Xd& of_node
 /// belongs to other processes only.
 Eigen::Matrix3Xd at_nodes(const Level& level, const Eigen::VectorXd& of_rows);
 
-/// The stiffness of one level between unknowns, that of elastic supports included, without a matrix.
+/// The stiffness of one level between unknowns, that of springs and non-matching interfaces included, without
+/// a matrix.
 class LevelOperator {
  public:
   /// `level` must outlive it.
   LevelOperator(const Level& level, const std::vector<Material>& materials, int points,
-                const std::vector<SprungFace>& elastic = {});
+                const SurfaceTerms& surfaces = {});
   /// @param spaces  those of the level, but for their Gauss points; must outlive it as well
   LevelOperator(const Level& level, const std::vector<PatchSpace>& spaces,
-                const std::vector<Material>& materials, int points,
-                const std::vector<SprungFace>& elastic = {});
+                const std::vector<Material>& materials, int points, const SurfaceTerms& surfaces = {});
 
   /// K x for consistent local vectors; the fixed components of the result are 0. (3 rows)
   Eigen::VectorXd apply(const Eigen::VectorXd& x) const;
@@ -37,7 +37,7 @@ class LevelOperator {
  private:
   const Level* level_;
   StiffnessOperator stiffness_;
-  SupportStiffness springs_;
+  NodeBlocks surfaces_;
 };
 
 }  // namespace isopatch::iga

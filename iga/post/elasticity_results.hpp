@@ -38,6 +38,8 @@ struct ElasticityResults {
   std::vector<std::string> idle_loads;  ///< surface loads that act where supports take them all
   double internal_energy = 0;           ///< half the integral of stress : elastic strain, J
   double support_energy = 0;            ///< in the springs of elastic supports, J
+  double interface_energy = 0;  ///< of what couples non-matching interfaces, J; of either sign, small where
+                                ///< the jumps are
   double thermal_work = 0;  ///< minus half the integral of stress : thermal strain, J; with external_work the
                             ///< energy of part and supports
   double external_work = 0;  ///< half the work of loads and of reactions on prescribed displacements, J

@@ -5,7 +5,7 @@
 
 #include "geometry/base/stopwatch.hpp"
 #include "iga/assembly/assembly.hpp"
-#include "iga/assembly/support_stiffness.hpp"
+#include "iga/assembly/surface_stiffness.hpp"
 #include "iga/distribution/shared_multipliers.hpp"
 
 namespace isopatch::iga {
@@ -62,7 +62,7 @@ AssembledSystem assembled_system(const CoupledProblem& coupled, const Progress& 
   system.rows = local.rows;
   system.stiffness = assemble_stiffness(coupled.spaces, coupled.parts, coupled.problem->materials,
                                         local.numbering, coupled.points, progress);
-  SupportStiffness(coupled.spaces, coupled.parts, sprung_faces(*coupled.problem))
+  surface_stiffness(coupled.spaces, coupled.parts, surface_terms(*coupled.problem))
       .add_to(system.stiffness, local.numbering);
   std::vector<LoadOfRows> loads;
   for (const RightSide& side : coupled.right_sides) {

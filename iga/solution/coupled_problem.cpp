@@ -1,5 +1,6 @@
 #include "iga/solution/coupled_problem.hpp"
 
+#include "geometry/base/error.hpp"
 #include "iga/post/internal_forces.hpp"
 
 namespace isopatch::iga {
@@ -8,6 +9,10 @@ namespace {
 // All but the right sides and the supports that they need.
 CoupledProblem without_loads(const ElasticityProblem& problem, Coupling coupling, int points,
                              const solvers::Processes& processes) {
+  if (processes.count() > 1 && !problem.discretization.model.non_matching().empty())
+    throw Error(
+        ErrorCode::unsupported,
+        "models with non-matching interfaces are solved by one process; start isopatch without mpiexec");
   CoupledProblem result;
   result.problem = &problem;
   result.coupling = coupling;

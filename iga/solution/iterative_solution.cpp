@@ -2,7 +2,7 @@
 
 #include "geometry/base/stopwatch.hpp"
 #include "iga/assembly/assembly.hpp"
-#include "iga/assembly/support_stiffness.hpp"
+#include "iga/assembly/surface_stiffness.hpp"
 #include "iga/multigrid/elasticity_multigrid.hpp"
 #include "iga/multigrid/level_operator.hpp"
 #include "solvers/block_product.hpp"
@@ -46,7 +46,7 @@ solvers::SymmetricBlockMatrix assembled(const Level& level, const CoupledProblem
   const RowNumbering numbering{level.row_of_node, level.rows.local_rows()};
   solvers::SymmetricBlockMatrix matrix = assemble_stiffness(
       level.spaces, level.parts, coupled.problem->materials, numbering, coupled.points, progress);
-  SupportStiffness(level.spaces, level.parts, sprung_faces(*coupled.problem)).add_to(matrix, numbering);
+  surface_stiffness(level.spaces, level.parts, surface_terms(*coupled.problem)).add_to(matrix, numbering);
   apply_supports(matrix, level.free, level.rows);
   return matrix;
 }
@@ -61,7 +61,7 @@ std::vector<DiscreteSolution> solve_eliminated(const CoupledProblem& coupled,
   const Level level =
       finest_level(coupled.spaces, coupled.global, coupled.frames, coupled.distribution, coupled.processes);
   const LevelOperator stiffness(level, coupled.problem->materials, coupled.points,
-                                sprung_faces(*coupled.problem));
+                                surface_terms(*coupled.problem));
   solvers::OperatorSystem system;
   system.rows = level.rows;
   solvers::SymmetricBlockMatrix matrix;

@@ -1,5 +1,7 @@
 #include "iga/solution/saddle_point.hpp"
 
+#include "iga/assembly/surface_stiffness.hpp"
+
 #include <algorithm>
 
 namespace isopatch::iga {
@@ -53,7 +55,7 @@ SaddlePoint::SaddlePoint(const CoupledProblem& coupled, const Level& level,
       level_(&level),
       multigrid_(&multigrid),
       stiffness_(level.spaces, level.parts, coupled.problem->materials, coupled.points),
-      springs_(level.spaces, level.parts, sprung_faces(*coupled.problem)),
+      surfaces_(surface_stiffness(level.spaces, level.parts, surface_terms(*coupled.problem))),
       rows_(saddle_rows(coupled, level)) {
   // Jumps cost some hundred times what they cost in a node's own stiffness: what is continuous hardly feels
   // them, and all eigenvalues of jumps and multipliers are near (1 +- sqrt 5) / 2. More would save
@@ -103,7 +105,7 @@ VectorXd SaddlePoint::along_axes(const Eigen::Matrix3Xd& forces) const {
 
 Eigen::Matrix3Xd SaddlePoint::forces_of(const Eigen::Matrix3Xd& displacement) const {
   Eigen::Matrix3Xd forces = stiffness_.apply(displacement);
-  springs_.add_forces(displacement, forces);
+  surfaces_.add_forces(displacement, forces);
   return forces;
 }
 

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "iga/assembly/support_stiffness.hpp"
+#include "iga/assembly/node_blocks.hpp"
 #include "iga/multigrid/elasticity_multigrid.hpp"
 #include "iga/operator/stiffness_operator.hpp"
 #include "iga/solution/coupled_problem.hpp"
@@ -66,7 +66,7 @@ class SaddlePoint {
   const Level* level_;
   const ElasticityMultigrid* multigrid_;
   StiffnessOperator stiffness_;
-  SupportStiffness springs_;
+  NodeBlocks surfaces_;
   solvers::SharedRows rows_;
   std::vector<int> first_tie_;  // per global node, row of the whole system
   std::vector<Node> nodes_;     // of the first local rows

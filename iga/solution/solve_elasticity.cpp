@@ -9,6 +9,7 @@
 #include "geometry/base/error.hpp"
 #include "geometry/base/larger.hpp"
 #include "geometry/base/stopwatch.hpp"
+#include "iga/assembly/surface_stiffness.hpp"
 #include "iga/coupling/rigid_motions.hpp"
 #include "iga/post/elastic_reactions.hpp"
 #include "iga/post/face_stresses.hpp"
@@ -88,6 +89,15 @@ double external_work(const GlobalNodes& global, const RightSide& side, const Eig
   return 0.5 * work;
 }
 
+// Of what couples non-matching interfaces, on the nodes before any coupling. (3, nodes), N
+Eigen::Matrix3Xd interface_forces(const CoupledProblem& coupled, const Eigen::Matrix3Xd& displacement) {
+  SurfaceTerms terms = surface_terms(*coupled.problem);
+  Eigen::Matrix3Xd result = Eigen::Matrix3Xd::Zero(3, displacement.cols());
+  interface_stiffness(terms.interfaces, coupled.spaces, terms.materials, terms.same_point)
+      .add_forces(displacement, result);
+  return result;
+}
+
 // Multipliers, and what follows from the stresses of `solution.field`.
 void add_results(const CoupledProblem& coupled, const RightSide& side, const DiscreteSolution& discrete,
                  ElasticitySolution& solution, const Progress& progress) {
@@ -96,6 +106,8 @@ void add_results(const CoupledProblem& coupled, const RightSide& side, const Dis
   InternalForces share = internal_forces(problem.discretization, problem.materials, discrete.displacement,
                                          coupled.parts, coupled.points, progress, side.thermal);
   share.forces += springs.forces;
+  const Eigen::Matrix3Xd between = interface_forces(coupled, discrete.displacement);
+  share.forces += between;
   const InternalForces internal = summed(std::move(share), coupled.processes);
   springs = summed(std::move(springs), coupled.processes);
   // The internal forces are those of stresses, of which thermal strains cause none.
@@ -122,6 +134,7 @@ void add_results(const CoupledProblem& coupled, const RightSide& side, const Dis
     results.reactions[s].moment += springs.reactions[s].moment;
   }
   results.support_energy = springs.energy;
+  results.interface_energy = 0.5 * between.cwiseProduct(discrete.displacement).sum();
   results.load_size = side.load.colwise().norm().sum();
   results.total_load = load.rowwise().sum();
   results.thermal_work = internal.thermal_work;
@@ -132,7 +145,7 @@ void add_results(const CoupledProblem& coupled, const RightSide& side, const Dis
 // work.
 void require_balance(const ElasticityResults& results, const solvers::SolveReport& report) {
   constexpr double most = 1e-6;
-  const double stored = results.internal_energy + results.support_energy;
+  const double stored = results.internal_energy + results.support_energy + results.interface_energy;
   const double work = results.external_work + results.thermal_work;
   const double scale =
       std::max({std::abs(stored), std::abs(results.external_work), std::abs(results.thermal_work)});

@@ -235,7 +235,7 @@ Parameterization parameterize(const HexModel& model, const ParameterizationOptio
                               const Progress& progress) {
   validate(options);
   validate(model);
-  refuse_t_joints(model);
+  if (!options.keep_t_joints) refuse_t_joints(model);
   const Stopwatch watch;
   const HexComplex complex = hex_complex(model);
   Parameterization result = options.method == ParameterizationMethod::paper

@@ -28,6 +28,8 @@ struct ParameterizationOptions {
   /// Whether control points are moved at all; without, folds are only reported.
   bool optimize = true;
   OptimizationOptions optimization = {};
+  /// Whether faces may meet parts of others; their patches then share no control points there.
+  bool keep_t_joints = false;
   OptionNames names = {};
   bool operator==(const ParameterizationOptions&) const = default;
 };
@@ -42,7 +44,8 @@ struct Parameterization {
 /// Turns topological hexahedra into spline volumes that share control points bit for bit where they meet.
 ///
 /// Never fails for a fold or a deviation: the report says which patch or face, where and how much.
-/// @throws Error unsupported       a face that meets only part of another one (a T-joint), naming both
+/// @throws Error unsupported       a face that meets only part of another one (a T-joint), naming both, unless
+///                                 they are kept
 /// @throws Error invalid_argument  as `validate(HexModel)`
 Parameterization parameterize(const HexModel& model, const ParameterizationOptions& options = {},
                               const Progress& progress = {});

@@ -1,8 +1,14 @@
 #pragma once
 
 #include "verification/suites/known_problem.hpp"
+#include "verification/suites/wave.hpp"
 
 namespace isopatch::verification {
+
+/// A wave, made linear on the named boundaries, which are planes, and prescribed there, with tractions on all
+/// other faces of any model.
+KnownProblem manufactured(const std::string& name, const geometry::MultiPatch& model,
+                          const std::vector<std::string>& held, Wave wave = {});
 
 /// A wave whose forces follow from it, in `manufactured.cpp`: on one distorted patch, on eight in random
 /// orientations, on a brick with a collapsed face, and on two rational patches.

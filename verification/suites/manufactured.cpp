@@ -10,7 +10,6 @@
 #include "verification/suites/known_problem.hpp"
 #include "verification/suites/known_problems.hpp"
 #include "verification/suites/model_cases.hpp"
-#include "verification/suites/wave.hpp"
 
 namespace isopatch::verification {
 namespace {
@@ -29,9 +28,15 @@ Plane plane_of(const MultiPatch& model, const std::string& boundary) {
   return {normal, normal.dot(surface.point(middle))};
 }
 
-// `wave`, made linear on the named boundaries and prescribed there, with tractions on all others.
+// Linear functions cannot follow curved faces: the geometry's degree is a lower bound for theirs.
+double curvature(int degree) {
+  return degree == 1 ? 0 : 0.2;
+}
+
+}  // namespace
+
 KnownProblem manufactured(const std::string& name, const MultiPatch& model,
-                          const std::vector<std::string>& held, Wave wave = {}) {
+                          const std::vector<std::string>& held, Wave wave) {
   for (const std::string& boundary : held) wave.planes.push_back(plane_of(model, boundary));
   const iga::Material material = iga::isotropic(1, 0.3);
   const auto posed = [=](int degree, int elements) {
@@ -51,13 +56,6 @@ KnownProblem manufactured(const std::string& name, const MultiPatch& model,
   };
   return {name, ReferenceKind::manufactured, "", wave.exact(), posed};
 }
-
-// Linear functions cannot follow curved faces: the geometry's degree is a lower bound for theirs.
-double curvature(int degree) {
-  return degree == 1 ? 0 : 0.2;
-}
-
-}  // namespace
 
 KnownProblem one_patch(int degree) {
   return manufactured(

@@ -1,0 +1,271 @@
+#include "geometry/common_refinement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "geometry/quadrature.hpp"
+#include "geometry/surface_foot.hpp"
+
+namespace isopatch::geometry {
+namespace {
+
+using Point = Parameter<2>;
+using Polygon = std::vector<Point>;
+
+constexpr int segments_of_curved_edges = 16;
+constexpr double straight = 1e-9;  // of the range of the parameters
+
+double cross(const Point& a, const Point& b) {
+  return a[0] * b[1] - a[1] * b[0];
+}
+
+double signed_area(const Polygon& polygon) {
+  double sum = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    sum += cross(polygon[i] - polygon[0], polygon[(i + 1) % polygon.size()] - polygon[0]);
+  return 0.5 * sum;
+}
+
+// What is left of a polygon where sign * (x[direction] - limit) >= 0.
+// Source: Sutherland, Hodgman 1974.
+Polygon clipped(const Polygon& polygon, int direction, double limit, double sign) {
+  Polygon result;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point& a = polygon[i];
+    const Point& b = polygon[(i + 1) % polygon.size()];
+    const double inside_a = sign * (a[direction] - limit), inside_b = sign * (b[direction] - limit);
+    if (inside_a >= 0) result.push_back(a);
+    if ((inside_a > 0 && inside_b < 0) || (inside_a < 0 && inside_b > 0)) {
+      Point cut = a + inside_a / (inside_a - inside_b) * (b - a);
+      cut[direction] = limit;
+      result.push_back(cut);
+    }
+  }
+  return result;
+}
+
+Polygon clipped(Polygon polygon, const Point& low, const Point& high) {
+  for (int d = 0; d < 2; ++d) {
+    polygon = clipped(polygon, d, low[d], 1);
+    polygon = clipped(polygon, d, high[d], -1);
+  }
+  return polygon;
+}
+
+// Points and weights in the plane of a polygon.
+using PlanePoints = std::vector<std::pair<Point, double>>;
+
+// The corners of the box of a polygon that is one; else nothing.
+bool is_box(const Polygon& polygon, const Point& low, const Point& high, double area) {
+  const Point sides = high - low;
+  return std::abs(std::abs(area) - sides[0] * sides[1]) <= 1e-9 * std::abs(area) && polygon.size() >= 4;
+}
+
+void add_box(const Point& low, const Point& high, const QuadratureRule& rule, PlanePoints& points) {
+  const Point sides = high - low;
+  for (Eigen::Index j = 0; j < rule.nodes.size(); ++j)
+    for (Eigen::Index i = 0; i < rule.nodes.size(); ++i)
+      points.emplace_back(low + sides.cwiseProduct(Point(rule.nodes[i], rule.nodes[j])),
+                          rule.weights[i] * rule.weights[j] * sides[0] * sides[1]);
+}
+
+// A square collapsed into a triangle; weights have the sign of its turn.
+// Source: Duffy 1982.
+void add_triangle(const Point& apex, const Point& b, const Point& c, double sign, const QuadratureRule& rule,
+                  PlanePoints& points) {
+  const double twice = sign * cross(b - apex, c - apex);
+  for (Eigen::Index j = 0; j < rule.nodes.size(); ++j)
+    for (Eigen::Index i = 0; i < rule.nodes.size(); ++i) {
+      const double away = rule.nodes[i], along = rule.nodes[j];
+      points.emplace_back(apex + away * ((1 - along) * (b - apex) + along * (c - apex)),
+                          rule.weights[i] * rule.weights[j] * twice * away);
+    }
+}
+
+PlanePoints plane_points(const Polygon& polygon, double area, const QuadratureRule& rule) {
+  Point low = polygon[0], high = polygon[0], middle = Point::Zero();
+  for (const Point& point : polygon) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+    middle += point / static_cast<double>(polygon.size());
+  }
+  PlanePoints result;
+  if (is_box(polygon, low, high, area)) {
+    add_box(low, high, rule, result);
+  } else {
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+      add_triangle(middle, polygon[i], polygon[(i + 1) % polygon.size()], area > 0 ? 1 : -1, rule, result);
+  }
+  return result;
+}
+
+// One surface's lines of elements in the parameters of another one.
+class Outlines {
+ public:
+  Outlines(const DividedSurface& inner, const DividedSurface& outer, double same_point)
+      : inner_(inner), outer_(outer), same_point_(same_point) {
+    if (!edges_are_straight()) segments_ = segments_of_curved_edges;
+  }
+
+  Polygon of_element(int i, int j) {
+    Polygon result;
+    const int m = segments_;
+    for (int k = 0; k < m; ++k) result.push_back(at(m * i + k, m * j));
+    for (int k = 0; k < m; ++k) result.push_back(at(m * (i + 1), m * j + k));
+    for (int k = 0; k < m; ++k) result.push_back(at(m * (i + 1) - k, m * (j + 1)));
+    for (int k = 0; k < m; ++k) result.push_back(at(m * i, m * (j + 1) - k));
+    return result;
+  }
+
+ private:
+  double parameter(std::size_t direction, int step) const {
+    const std::vector<double>& breaks = inner_.breaks[direction];
+    const auto i = std::min(static_cast<std::size_t>(step / segments_), breaks.size() - 2);
+    const double share = static_cast<double>(step) / segments_ - static_cast<double>(i);
+    return breaks[i] + share * (breaks[i + 1] - breaks[i]);
+  }
+
+  const Point& at(int i, int j) {
+    const auto known = places_.find({i, j});
+    if (known != places_.end()) return known->second;
+    return places_.emplace(std::pair(i, j), on_outer({parameter(0, i), parameter(1, j)})).first->second;
+  }
+
+  // Neighbours follow each other, so the last foot is a start for the next; a bad one is seen and mended.
+  Point on_outer(const Point& on_inner) {
+    const NurbsSurface& outer = *outer_.surface;
+    const Eigen::Vector3d place = inner_.surface->point(on_inner);
+    SurfaceFoot foot = surface_foot(outer, place, last_);
+    // A foot on the edge belongs to a point beyond it.
+    const bool is_inside = (foot.parameter.array() > outer.low().array()).all() &&
+                           (foot.parameter.array() < outer.high().array()).all();
+    if (foot.distance > same_point_ && is_inside) {
+      const SurfaceFoot other = surface_foot(outer, place, same_point_);
+      if (other.distance < foot.distance) foot = other;
+    }
+    last_ = foot.parameter;
+    return continued_parameter(outer, place, foot);
+  }
+
+  bool edges_are_straight() {
+    const Point range = outer_.surface->high() - outer_.surface->low();
+    last_ =
+        surface_foot(*outer_.surface, inner_.surface->point(inner_.surface->low()), same_point_).parameter;
+    segments_ = 1;
+    const auto count = [&](std::size_t d) { return static_cast<int>(inner_.breaks[d].size()); };
+    const auto bends = [&](const Point& a, const Point& b, const Point& on_inner) {
+      return ((on_outer(on_inner) - 0.5 * (a + b)).cwiseQuotient(range)).cwiseAbs().maxCoeff() > straight;
+    };
+    for (int j = 0; j < count(1); ++j)
+      for (int i = 0; i < count(0); ++i) {
+        const double s = parameter(0, i), t = parameter(1, j);
+        if (i + 1 < count(0) && bends(at(i, j), at(i + 1, j), {0.5 * (s + parameter(0, i + 1)), t}))
+          return places_.clear(), false;
+        if (j + 1 < count(1) && bends(at(i, j), at(i, j + 1), {s, 0.5 * (t + parameter(1, j + 1))}))
+          return places_.clear(), false;
+      }
+    return true;
+  }
+
+  const DividedSurface& inner_;
+  const DividedSurface& outer_;
+  double same_point_;
+  int segments_ = 1;
+  Point last_ = Point::Zero();
+  std::map<std::pair<int, int>, Point> places_;
+};
+
+bool lies_within(const NurbsSurface& surface, const NurbsSurface& other, double same_point) {
+  for (const double s : {0.0, 0.5, 1.0})
+    for (const double t : {0.0, 0.5, 1.0}) {
+      const Point at = surface.low() + Point(s, t).cwiseProduct(surface.high() - surface.low());
+      if (surface_foot(other, surface.point(at), same_point).distance > 10 * same_point) return false;
+    }
+  return true;
+}
+
+// The elements that an interval meets, first and last, of those between breaks; none if last < first.
+std::pair<int, int> elements_met(const std::vector<double>& breaks, double low, double high) {
+  const auto first = std::upper_bound(breaks.begin(), breaks.end(), low) - breaks.begin() - 1;
+  const auto last = std::lower_bound(breaks.begin(), breaks.end(), high) - breaks.begin() - 1;
+  return {static_cast<int>(std::max<std::ptrdiff_t>(first, 0)),
+          static_cast<int>(std::min(last, static_cast<std::ptrdiff_t>(breaks.size()) - 2))};
+}
+
+Point corner(const DividedSurface& divided, int i, int j) {
+  return {divided.breaks[0][static_cast<std::size_t>(i)], divided.breaks[1][static_cast<std::size_t>(j)]};
+}
+
+class Refinement {
+ public:
+  Refinement(const DividedSurface& inner, const DividedSurface& outer, int points, double same_point)
+      : inner_(inner), outer_(outer), rule_(gauss_legendre(points)), same_point_(same_point) {}
+
+  // Cells whose `first` is of the inner and whose `second` is of the outer surface.
+  std::vector<SharedCell> cells() const {
+    std::vector<SharedCell> result;
+    Outlines outlines(inner_, outer_, same_point_);
+    for (int j = 0; j + 1 < static_cast<int>(inner_.breaks[1].size()); ++j)
+      for (int i = 0; i + 1 < static_cast<int>(inner_.breaks[0].size()); ++i)
+        add_cells(outlines.of_element(i, j), {i, j}, result);
+    return result;
+  }
+
+ private:
+  void add_cells(const Polygon& element, const std::array<int, 2>& of_inner,
+                 std::vector<SharedCell>& result) const {
+    Point low = element[0], high = element[0];
+    for (const Point& point : element) {
+      low = low.cwiseMin(point);
+      high = high.cwiseMax(point);
+    }
+    const auto [first_i, last_i] = elements_met(outer_.breaks[0], low[0], high[0]);
+    const auto [first_j, last_j] = elements_met(outer_.breaks[1], low[1], high[1]);
+    for (int j = first_j; j <= last_j; ++j)
+      for (int i = first_i; i <= last_i; ++i) {
+        const Point from = corner(outer_, i, j), to = corner(outer_, i + 1, j + 1);
+        const Polygon cell = clipped(element, from, to);
+        if (cell.size() < 3) continue;
+        const double area = signed_area(cell);
+        if (std::abs(area) <= 1e-12 * (to - from).prod()) continue;
+        SharedCell& made = result.emplace_back(SharedCell{of_inner, {i, j}, {}});
+        for (const auto& [at, weight] : plane_points(cell, area, rule_))
+          made.points.push_back(shared_point(at, weight, of_inner));
+      }
+  }
+
+  SharedPoint shared_point(const Point& on_outer, double weight, const std::array<int, 2>& of_inner) const {
+    const auto tangents = outer_.surface->jacobian(on_outer);
+    const Eigen::Vector3d area = Eigen::Vector3d(tangents.col(0)).cross(Eigen::Vector3d(tangents.col(1)));
+    const Point low = corner(inner_, of_inner[0], of_inner[1]);
+    const Point high = corner(inner_, of_inner[0] + 1, of_inner[1] + 1);
+    const Eigen::Vector3d place = outer_.surface->point(on_outer);
+    SurfaceFoot foot = surface_foot(*inner_.surface, place, 0.5 * (low + high));
+    if (foot.distance > 10 * same_point_) foot = surface_foot(*inner_.surface, place, same_point_);
+    return {foot.parameter.cwiseMax(low).cwiseMin(high), on_outer, weight * area.norm()};
+  }
+
+  const DividedSurface& inner_;
+  const DividedSurface& outer_;
+  QuadratureRule rule_;
+  double same_point_;
+};
+
+}  // namespace
+
+std::vector<SharedCell> common_refinement(const DividedSurface& first, const DividedSurface& second,
+                                          int points, double same_point) {
+  const bool exchanged = !lies_within(*first.surface, *second.surface, same_point) &&
+                         lies_within(*second.surface, *first.surface, same_point);
+  if (!exchanged) return Refinement(first, second, points, same_point).cells();
+  std::vector<SharedCell> cells = Refinement(second, first, points, same_point).cells();
+  for (SharedCell& cell : cells) {
+    std::swap(cell.first, cell.second);
+    for (SharedPoint& point : cell.points) std::swap(point.first, point.second);
+  }
+  return cells;
+}
+
+}  // namespace isopatch::geometry

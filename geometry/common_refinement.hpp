@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "geometry/splines/nurbs.hpp"
+
+namespace isopatch::geometry {
+
+/// A surface divided into elements by lines of equal parameters.
+struct DividedSurface {
+  const NurbsSurface* surface = nullptr;      ///< must outlive this
+  std::array<std::vector<double>, 2> breaks;  ///< between which the elements lie, per direction
+};
+
+/// A quadrature point of the surface that two faces share.
+struct SharedPoint {
+  Parameter<2> first;
+  Parameter<2> second;
+  double weight = 0;  ///< with the area, model units^2
+};
+
+/// Where one element of a face lies on one element of another.
+struct SharedCell {
+  std::array<int, 2> first = {0, 0};  ///< element of the first face, per direction
+  std::array<int, 2> second = {0, 0};
+  std::vector<SharedPoint> points;
+};
+
+/// The common refinement of two faces that are one surface where they overlap, as quadrature.
+///
+/// Elements of the face that lies within the other, or else of the first, are taken into the other's
+/// parameters, where they are polygons, and clipped by its elements. Where their edges are not straight there
+/// they get 16 segments a side: the cells still cover the overlap once, but near cut lines up to a hundredth
+/// of an element's square is counted to the neighbouring element, whose functions differ there by little.
+/// @param points      Gauss points per direction of a cell that is a rectangle, or of each triangle of others
+/// @param same_point  how far the faces may be apart, model units
+/// @return  cells without area are left out
+/// @cost    a few nearest points per element edge and one per quadrature point
+std::vector<SharedCell> common_refinement(const DividedSurface& first, const DividedSurface& second,
+                                          int points, double same_point);
+
+}  // namespace isopatch::geometry
