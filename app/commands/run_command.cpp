@@ -36,11 +36,24 @@ struct RunOptions {
   int levels = 1;
 };
 
+// So that a level is not lost with the next. What writing adds to a run is for that file alone: it may be
+// written again.
+void keep_level(const Study& study, StudyRun& run, const Progress& progress) {
+  if (!study.options.processes.is_first()) return;
+  const auto timings = run.timings;
+  const auto warnings = run.built.warnings;
+  write_results(study, run, progress);
+  run.timings = timings;
+  run.built.warnings = warnings;
+}
+
 // Of solids that cannot be made patches the report shows what is wrong. What an earlier run found stays: its
 // own report can be made again.
 StudyRun solved(const Study& study, int levels, const Progress& progress) {
   try {
-    return levels > 1 ? run_levels(study, levels, progress) : run_study(study, progress);
+    return levels > 1 ? run_levels(
+                            study, levels, [&](StudyRun& run) { keep_level(study, run, progress); }, progress)
+                      : run_study(study, progress);
   } catch (const geometry::SolidError& error) {
     const auto* solids = std::get_if<BlocksInput>(&study.model.source);
     if (!study.options.processes.is_first() || !study.output.report || !solids) throw;
@@ -81,7 +94,8 @@ void add_run_command(CLI::App& app, CommandLine& line) {
   add_study_options(run, options->study);
   run.add_option(
          "--levels", options->levels,
-         "Solves at discretization.refine, one more, ...: N levels; the results are those of the finest")
+         "Solves at discretization.refine, one more, ...: N levels; the results are those of the finest, and "
+         "until it is done of the one before")
       ->check(CLI::Range(1, 11))
       ->type_name("N");
 }
