@@ -10,6 +10,7 @@
 #include "app/problem/build_problem.hpp"
 #include "app/results/modes_json.hpp"
 #include "app/results/output_directory.hpp"
+#include "app/results/unfinished_results.hpp"
 #include "app/results/write_fields.hpp"
 #include "app/study/parse_study.hpp"
 #include "geometry/base/error.hpp"
@@ -23,9 +24,9 @@ constexpr const char* modes_examples = R"(Examples:
   isopatch modes study.toml
   isopatch modes study.toml --set modes.number=20 --output modes
   isopatch modes study.toml --set modes.free=true    without its supports: the six rigid motions are named as such
-The study is that of a run; materials need densities, loads, [coupling] and [solver] count for nothing, and a free
-body moves freely. [modes] has the options. Writes
-modes.json and, unless output.fields is false, modes/N/results.vtm with the shape of mode N. On one process.)";
+The study is that of a run; materials need densities, loads count for nothing, and a free body moves freely. [modes] has the options. Writes
+modes.json and, unless output.fields is false, modes/N/results.vtm with the shape of mode N. On one process.
+Of [solver] memory_limit holds; the rest and [coupling] count for nothing.)";
 
 std::string modes_text(const iga::NaturalModes& found) {
   std::string text;
@@ -52,12 +53,35 @@ iga::ElasticField field_of(const iga::ElasticityProblem& problem, const iga::Nat
 }
 
 void write_shapes(const Study& study, const iga::ElasticityProblem& problem, const iga::NaturalModes& found,
-                  const Progress& progress) {
+                  const std::filesystem::path& folder, const Progress& progress) {
   int number = 0;
   for (const iga::NaturalMode& mode : found.modes)
     if (!mode.is_rigid)
       write_fields(field_of(problem, mode), problem.discretization.model, {}, study.output.field_options,
-                   study.output.directory / "modes" / fmt::format("{}", ++number), progress);
+                   folder / modes_folder / fmt::format("{}", ++number), progress);
+}
+
+// The figures first, and only when all is there in the place of an earlier run's files.
+void write_modes(const Study& study, const BuiltProblem& built, const iga::NaturalModes& found,
+                 const Progress& progress) {
+  UnfinishedResults unfinished(modes_results, study.output.directory);
+  try {
+    write_in(unfinished.folder(), "modes.json", modes_json(study, found, built.warnings));
+    if (study.output.fields) write_shapes(study, built.problem, found, unfinished.folder(), progress);
+    unfinished.replace_earlier();
+  } catch (const Error& error) {
+    if (!unfinished.keep_essence()) throw;
+    throw Error(error.code(), fmt::format("{}. The frequencies are kept in {}", error.what(),
+                                          (unfinished.folder() / "modes.json").string()));
+  }
+}
+
+// Of the ways to solve, modes have one: interfaces eliminated, by factors. The limit on memory is theirs too.
+void leave_only_memory_limit(iga::ElasticityOptions& options) {
+  options.coupling = iga::Coupling::elimination;
+  const double limit = options.solver.memory_limit;
+  options.solver = {};
+  options.solver.memory_limit = limit;
 }
 
 }  // namespace
@@ -70,6 +94,7 @@ ExitCode modes_command(const ModesCommand& command, const Console& console,
                             processes.count()));
   Study study = read_study(command.study, command.overrides);
   if (command.output) study.output.directory = *command.output;
+  leave_only_memory_limit(study.options);
   const OutputFolder folder(study.output.directory);
   ProgressDisplay display(console);
   const Progress progress = display.progress();
@@ -81,14 +106,16 @@ ExitCode modes_command(const ModesCommand& command, const Console& console,
   const iga::NaturalModes found = iga::natural_modes(built.problem,
                                                      {.number = study.modes.number,
                                                       .quadrature_points = study.options.quadrature_points,
-                                                      .count = study.modes.count},
+                                                      .count = study.modes.count,
+                                                      .memory_limit = study.options.solver.memory_limit},
                                                      progress);
-  if (study.output.fields) write_shapes(study, built.problem, found, progress);
-  write_in(study.output.directory, "modes.json", modes_json(study, found));
+  write_modes(study, built, found, progress);
   display.clear();
+  for (const Warning& warning : built.warnings) console.warn(warning.text);
   if (!console.quiet)
     console.out << (study.title.empty() ? "" : study.title + "\n") << modes_text(found)
-                << fmt::format("  results in        {}: modes.json\n", study.output.directory.string());
+                << fmt::format("  results in        {}: modes.json{}\n", study.output.directory.string(),
+                               study.output.fields ? ", modes/1/results.vtm, ..." : "");
   return ExitCode::ok;
 }
 

@@ -53,6 +53,17 @@ std::vector<BlockStage> stages_before(const BlocksInput& solids) {
   return scene ? std::move(scene->stages) : std::vector<BlockStage>{};
 }
 
+// So that a level is not lost with the next. What writing adds to a run is for that file alone: it may be
+// written again.
+void keep_level(const Study& study, StudyRun& run, const Progress& progress) {
+  if (!study.options.processes.is_first()) return;
+  const auto timings = run.timings;
+  const auto warnings = run.built.warnings;
+  write_results(study, run, progress);
+  run.timings = timings;
+  run.built.warnings = warnings;
+}
+
 // Of solids that cannot be made patches the report shows what is wrong. What an earlier run found stays: its
 // own report can be made again.
 [[noreturn]] void shown(const Study& study, const BlocksInput& solids, const geometry::SolidError& error) {
@@ -135,7 +146,9 @@ ExitCode run_command(const RunCommand& command, const Console& console) {
   ProgressDisplay display(console);
   StudyRun run = with_faults_shown(study, [&] {
     const Progress progress = display.progress();
-    return command.levels > 1 ? run_levels(study, command.levels, progress) : run_study(study, progress);
+    if (command.levels == 1) return run_study(study, progress);
+    return run_levels(
+        study, command.levels, [&](StudyRun& run) { keep_level(study, run, progress); }, progress);
   });
   if (!study.options.processes.is_first()) return ExitCode::ok;
   const std::vector<std::string> files = write_results(study, run, display.progress());
@@ -158,7 +171,8 @@ void add_run_command(CLI::App& app, CommandLine& line) {
   add_study_options(run, options->study);
   run.add_option(
          "--levels", options->levels,
-         "Solves at discretization.refine, one more, ...: N levels; the results are those of the finest")
+         "Solves at discretization.refine, one more, ...: N levels; the results are those of the finest, and "
+         "until it is done of the one before")
       ->check(CLI::Range(1, 11))
       ->type_name("N");
   run.add_option(

@@ -108,13 +108,13 @@ std::vector<std::string> write_all(const Study& study, StudyRun& run, const std:
 }  // namespace
 
 std::vector<std::string> write_results(const Study& study, StudyRun& run, const Progress& progress) {
-  UnfinishedResults unfinished(study.output.directory);
+  UnfinishedResults unfinished(run_results, study.output.directory);
   try {
     std::vector<std::string> written = write_all(study, run, unfinished.folder(), progress);
     unfinished.replace_earlier();
     return written;
   } catch (const Error& error) {
-    if (!unfinished.keep_solution()) throw;
+    if (!unfinished.keep_essence()) throw;
     const std::string solution = (unfinished.folder() / "results.h5").string();
     throw Error(
         error.code(),

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <variant>
 
@@ -13,23 +14,58 @@
 namespace isopatch::app {
 namespace {
 
-constexpr double softest = 1e6;     // Pa: soft rubber
-constexpr double hardest = 1.3e12;  // Pa: above diamond
+// What solids have of a property.
+struct SolidRange {
+  const char* name;
+  double (*value)(const iga::Material&);
+  const char* unit;
+  double least, most;
+  const char* ends;  // the solids at both
+  const char* advice;
+};
+const SolidRange solid_ranges[] = {
+    {"Young's modulus", iga::young, "Pa", 1e6, 1.3e12, "1 MPa of soft rubber to 1.2 TPa of diamond",
+     "plain numbers are Pa: steel is 210e9 or \"210 GPa\""},
+    {"the density", [](const iga::Material& m) { return m.density; }, "kg/m^3", 10, 23e3,
+     "10 kg/m^3 of foam to 23,000 of osmium", "plain numbers are kg/m^3: steel is 7850 or \"7.85 g/cm^3\""},
+    {"the yield stress", [](const iga::Material& m) { return m.yield; }, "Pa", 1e4, 2e11,
+     "10 kPa of foam to some 100 GPa of diamond", "plain numbers are Pa: steel is 355e6 or \"355 MPa\""},
+    {"the thermal expansion", [](const iga::Material& m) { return std::abs(m.expansion); }, "1/K", 1e-9, 1e-3,
+     "below 1e-9 of glass ceramics to 1e-3 of soft rubber", "steel is 12e-6 or \"12e-6 1/K\""},
+};
 constexpr double most_strain = 0.1;
 
-template <class Items>
-void add_shared_names(const Items& items, const char* what, std::vector<Warning>& warnings) {
-  std::map<std::string, int> counts;
-  for (const auto& item : items) ++counts[item.key];
+void add_shared(const std::map<std::string, int>& counts, const char* what, std::vector<Warning>& warnings) {
   for (const auto& [name, count] : counts)
     if (count > 1)
       warnings.push_back(
           {fmt::format("{} {} have the name \"{}\"; results cannot be told apart by it", count, what, name)});
 }
 
+template <class Items>
+void add_shared_names(const Items& items, const char* what, std::vector<Warning>& warnings) {
+  std::map<std::string, int> counts;
+  for (const auto& item : items) ++counts[item.key];
+  add_shared(counts, what, warnings);
+}
+
 std::string material_name(const iga::Material& material, std::size_t index) {
   return material.name.empty() ? fmt::format("material {}", index + 1)
                                : fmt::format("material '{}'", material.name);
+}
+
+// What is 0 is not given.
+void add_unlike_solids(const iga::Material& material, std::size_t index, std::vector<Warning>& warnings) {
+  for (const SolidRange& range : solid_ranges) {
+    const double value = range.value(material);
+    if (value == 0 || (value >= range.least && value <= range.most)) continue;
+    const std::string text = range.unit == std::string_view("Pa")
+                                 ? with_unit(value, "Pa")
+                                 : fmt::format("{:.4g} {}", value, range.unit);
+    warnings.push_back({fmt::format("{} of {} is {}, {} than that of any solid ({}); {}", range.name,
+                                    material_name(material, index), text,
+                                    value < range.least ? "less" : "more", range.ends, range.advice)});
+  }
 }
 
 void add_idle_loads(const iga::ElasticityResults& results, std::vector<Warning>& warnings) {
@@ -108,20 +144,12 @@ std::vector<Warning> input_warnings(const Study& study) {
   add_shared_names(study.loads, "loads", warnings);
   std::map<std::string, int> counts;
   for (const ProbeInput& probe : study.probes) ++counts[probe.name];
-  for (const auto& [name, count] : counts)
-    if (count > 1)
-      warnings.push_back(
-          {fmt::format("{} probes have the name \"{}\"; results cannot be told apart by it", count, name)});
-  for (std::size_t i = 0; i < study.materials.size(); ++i) {
-    const iga::Material& material = study.materials[i].material;
-    const double modulus = iga::young(material);
-    if (modulus >= softest && modulus <= hardest) continue;
-    warnings.push_back({fmt::format(
-        "Young's modulus of {} is {}, {} than that of any solid (1 MPa of soft rubber to 1.2 TPa of "
-        "diamond); "
-        "plain numbers are Pa: steel is 210e9 or \"210 GPa\"",
-        material_name(material, i), with_unit(modulus, "Pa"), modulus < softest ? "less" : "more")});
-  }
+  add_shared(counts, "probes", warnings);
+  counts.clear();
+  for (const SectionInput& section : study.sections) ++counts[section.name];
+  add_shared(counts, "sections", warnings);
+  for (std::size_t i = 0; i < study.materials.size(); ++i)
+    add_unlike_solids(study.materials[i].material, i, warnings);
   return warnings;
 }
 

@@ -8,8 +8,8 @@
 
 namespace isopatch::app {
 
-/// Warnings about what a study says: names that two supports, loads or probes share, and elastic moduli that
-/// no solid has.
+/// Warnings about what a study says: names that two supports, loads, probes or sections share, and moduli,
+/// densities, yield stresses and expansions that no solid has.
 std::vector<Warning> input_warnings(const Study& study);
 
 /// Warnings about what came out: loads that move nothing, displacements larger than the part, strains for

@@ -5,7 +5,8 @@
 
 namespace isopatch::app {
 
-std::string modes_json(const Study& study, const iga::NaturalModes& found) {
+std::string modes_json(const Study& study, const iga::NaturalModes& found,
+                       const std::vector<Warning>& warnings) {
   Json modes = Json::array();
   for (const iga::NaturalMode& mode : found.modes)
     modes.push_back({{"frequency", mode.frequency},
@@ -22,6 +23,7 @@ std::string modes_json(const Study& study, const iga::NaturalModes& found) {
                     {"worst_orthogonality", found.worst_orthogonality},
                     {"counted", found.counted},
                     {"counted_to", found.counted_to},
+                    {"warnings", texts_json(warnings)},
                     {"timings", timings}});
 }
 

@@ -12,6 +12,7 @@
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/atomic_writer.hpp"
 #include "geometry/base/error.hpp"
+#include "geometry/base/unfinished_file.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -40,8 +41,17 @@ std::vector<fs::path> make_directories(const fs::path& directory) {
   return missing;
 }
 
-/// Whether a run could have written it: patch_000.vtu, exact_patches_001.vtu, boundary_1234.vtu.
+/// Removes a file, and what a process that was killed has left of it.
+void remove_written(const fs::path& file) {
+  std::error_code ignored;
+  fs::remove(file, ignored);
+  fs::remove(fs::path(file).concat(unfinished_ending), ignored);
+}
+
+/// Whether a run could have written it, or left it when it was killed: patch_000.vtu, exact_patches_001.vtu,
+/// boundary_1234.vtu.unfinished.
 bool is_field_file(std::string_view name) {
+  if (name.ends_with(unfinished_ending)) name.remove_suffix(unfinished_ending.size());
   constexpr std::string_view tail = ".vtu";
   for (const std::string_view head : {"patch_", "patches_", "exact_patch_", "exact_patches_", "boundary_"}) {
     if (!name.starts_with(head) || !name.ends_with(tail) || name.size() < head.size() + tail.size() + 3)
@@ -105,7 +115,7 @@ OutputFolder::~OutputFolder() {
 void remove_earlier_fields(const fs::path& directory) {
   std::error_code ignored;
   for (const char* collection : {"results.vtm", "results_boundaries.vtm", "results_exact.vtm"})
-    fs::remove(directory / collection, ignored);
+    remove_written(directory / collection);
   std::vector<fs::path> earlier;
   for (const auto& entry : fs::directory_iterator(directory / "fields", ignored))
     if (is_field_file(entry.path().filename().string())) earlier.push_back(entry.path());
@@ -119,22 +129,36 @@ void remove_earlier_results(const fs::path& directory) {
   std::vector<fs::path> cases;
   for (const auto& entry : fs::directory_iterator(directory / case_folder, ignored))
     if (entry.is_directory()) cases.push_back(entry.path());
-  fs::remove(directory / "summary.json", ignored);
-  fs::remove(directory / "results.h5", ignored);
-  fs::remove(directory / "report.html", ignored);
+  remove_written(directory / "summary.json");
+  remove_written(directory / "results.h5");
+  remove_written(directory / "report.html");
   remove_earlier_fields(directory);
   for (const fs::path& of_case : cases) {
-    fs::remove(of_case / "report.html", ignored);
+    remove_written(of_case / "report.html");
     remove_earlier_fields(of_case);
     fs::remove(of_case, ignored);
   }
   fs::remove(directory / case_folder, ignored);
 }
 
-void remove_earlier_comparison(const fs::path& directory) {
+void remove_earlier_modes(const fs::path& directory) {
   std::error_code ignored;
-  fs::remove(directory / "compare.json", ignored);
-  fs::remove(directory / "compare.html", ignored);
+  remove_written(directory / "modes.json");
+  std::vector<fs::path> shapes;
+  for (const auto& entry : fs::directory_iterator(directory / modes_folder, ignored))
+    if (entry.is_directory() &&
+        entry.path().filename().string().find_first_not_of("0123456789") == std::string::npos)
+      shapes.push_back(entry.path());
+  for (const fs::path& shape : shapes) {
+    remove_earlier_fields(shape);
+    fs::remove(shape, ignored);
+  }
+  fs::remove(directory / modes_folder, ignored);
+}
+
+void remove_earlier_comparison(const fs::path& directory) {
+  remove_written(directory / "compare.json");
+  remove_written(directory / "compare.html");
 }
 
 void move_in(const fs::path& from, const fs::path& to, const fs::path& file) {

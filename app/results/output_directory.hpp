@@ -39,6 +39,12 @@ inline constexpr const char* case_folder = "cases";
 /// being replaced. Leaves all other files alone.
 void remove_earlier_results(const std::filesystem::path& directory);
 
+/// The folder in which every natural mode has one of its own.
+inline constexpr const char* modes_folder = "modes";
+
+/// Removes what an earlier `isopatch modes` wrote, first modes.json. Leaves all other files alone.
+void remove_earlier_modes(const std::filesystem::path& directory);
+
 /// Removes what an earlier comparison wrote. Leaves all other files alone.
 void remove_earlier_comparison(const std::filesystem::path& directory);
 

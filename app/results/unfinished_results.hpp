@@ -4,26 +4,40 @@
 
 namespace isopatch::app {
 
-/// The results of a run on their way into a directory: its folder "unfinished".
+/// The files that one command writes into a directory.
+struct ResultKind {
+  const char* folder;   ///< of the directory, in which they are made
+  const char* voucher;  ///< the file that vouches for the others
+  const char* essence;  ///< the file that is kept if others cannot be written
+  void (*remove)(const std::filesystem::path& directory);
+};
+
+/// Of `isopatch run`.
+extern const ResultKind run_results;
+/// Of `isopatch modes`.
+extern const ResultKind modes_results;
+
+/// Results on their way into a directory, in a folder of it.
 ///
-/// A run writes into the folder and replaces the directory's results when everything is there, so that
-/// earlier results stay whole until then, and a solution that was computed is not lost with a file that
-/// cannot be written.
+/// A command writes into the folder and replaces the directory's results when everything is there, so that
+/// earlier results stay whole until then, and what was computed is not lost with a file that cannot be
+/// written.
 class UnfinishedResults {
  public:
   /// Clears what a run that was killed has left in the folder. The folder is made with the first file.
-  explicit UnfinishedResults(std::filesystem::path directory);
+  UnfinishedResults(const ResultKind& kind, std::filesystem::path directory);
 
   /// Where to write.
   const std::filesystem::path& folder() const { return folder_; }
-  /// Removes the directory's results, moves the new ones there, the summary last, and removes the folder.
+  /// Removes the directory's results, moves the new ones there, the voucher last, and removes the folder.
   /// @throws Error io
   void replace_earlier();
-  /// Removes all but results.h5, from which the others can be made.
+  /// Removes all but the essence.
   /// @return  whether there is one; otherwise the folder is gone too
-  bool keep_solution();
+  bool keep_essence();
 
  private:
+  const ResultKind* kind_;
   std::filesystem::path directory_;
   std::filesystem::path folder_;
 };

@@ -24,10 +24,12 @@ RunLevel level_of(const StudyRun& run, int refine) {
 
 }  // namespace
 
-StudyRun run_levels(const Study& study, int count, const Progress& progress) {
+StudyRun run_levels(const Study& study, int count, const std::function<void(StudyRun&)>& keep,
+                    const Progress& progress) {
   std::vector<RunLevel> levels;
   std::optional<StudyRun> finest;
   for (const iga::DiscretizationOptions& discretization : level_discretizations(study, {.count = count})) {
+    if (finest) keep(*finest);
     Study level = study;
     level.discretization = discretization;
     const bool may_fail = finest && study.options.processes.count() == 1;
@@ -42,8 +44,8 @@ StudyRun run_levels(const Study& study, int count, const Progress& progress) {
     }
     levels.push_back(level_of(*run, discretization.refine));
     finest = std::move(run);
+    if (count > 1) finest->levels = levels;
   }
-  if (levels.size() > 1 || count > 1) finest->levels = std::move(levels);
   return std::move(*finest);
 }
 

@@ -93,6 +93,16 @@ TEST_F(Accuracy, OfLevelsIsATable) {
   EXPECT_THAT(read_file(results() / "report.html"), HasSubstr("Error of the discretization"));
 }
 
+// Iterations grow with refinement: 76 for the first level, 101 for the next.
+TEST_F(Accuracy, OfALevelIsNotLostWithTheNext) {
+  EXPECT_EQ(
+      run_text(bracket, {"--levels", "3", "--set", "discretization.refine=0", "--set", "solver.method=cg",
+                         "--set", "solver.preconditioner=block_jacobi", "--set", "solver.max_iterations=88"}),
+      1);
+  EXPECT_EQ(summary()["levels"].size(), 1);
+  EXPECT_EQ(summary()["levels"][0]["internal_energy"], summary()["results"]["internal_energy"]);
+}
+
 // Two cubes of different materials pulled along x; transverse stresses differ where they meet.
 const std::string two_materials = R"([model]
 generate = "box"

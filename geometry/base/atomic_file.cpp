@@ -17,6 +17,7 @@
 
 #include "geometry/base/atomic_writer.hpp"
 #include "geometry/base/error.hpp"
+#include "geometry/base/unfinished_file.hpp"
 
 namespace isopatch {
 namespace {
@@ -62,7 +63,7 @@ class WithoutInterrupts {
 class TemporaryFile {
  public:
   explicit TemporaryFile(const std::filesystem::path& target)
-      : target_(target), path_(target.string() + ".unfinished") {
+      : target_(target), path_(target.string().append(unfinished_ending)) {
     if (path_.size() + 1 > sizeof(unfinished)) fail("write", target_, ENAMETOOLONG);
     std::memcpy(unfinished, path_.c_str(), path_.size() + 1);
     {

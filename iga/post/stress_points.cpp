@@ -69,7 +69,8 @@ void require_finite(double stress, int patch, const Eigen::Vector3d& place) {
   if (std::isfinite(stress)) return;
   throw Error(ErrorCode::singular_system,
               fmt::format("the stress in patch {} at ({:.6g}, {:.6g}, {:.6g}) m is not a finite number: the "
-                          "solution is none; look at the supports and at the materials' constants",
+                          "solution is none; look at the supports, the materials' constants and the size of "
+                          "loads and factors",
                           patch, place[0], place[1], place[2]));
 }
 

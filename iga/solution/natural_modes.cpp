@@ -14,6 +14,9 @@
 #include "iga/assembly/mass.hpp"
 #include "iga/coupling/rigid_motions.hpp"
 #include "iga/solution/assembled_system.hpp"
+#include "iga/solution/size_forecast.hpp"
+#include "iga/solution/solver_bytes.hpp"
+#include "iga/solution/solver_choice.hpp"
 #include "solvers/block_lanczos.hpp"
 #include "solvers/block_product.hpp"
 #include "solvers/cholmod_solver.hpp"
@@ -40,6 +43,35 @@ void check(const ElasticityProblem& problem, const ModesOptions& options) {
     if (!(problem.materials[p].density > 0))
       throw Error(ErrorCode::invalid_argument,
                   fmt::format("patch {} has no density; natural modes need one in every material", p));
+}
+
+// Vectors that the iteration may gather.
+int most_vectors(Index wanted) {
+  return std::max(160, 6 * static_cast<int>(wanted + beyond));
+}
+
+// Refuses what does not fit: beside the stiffness and its factor there are the mass, the sum of both that is
+// factorized, and the vectors with the mass times them; then the factor of the count.
+void require_memory(const ElasticityProblem& problem, const ModesOptions& options, Index wanted) {
+  const SizeForecast size =
+      forecast_size(problem.discretization, problem.materials, Coupling::elimination, 1);
+  const auto unknowns = static_cast<double>(size.unknowns);
+  const double matrices = 2 * size.matrix_bytes;
+  const double iteration = direct_bytes(size, solvers::Method::cholmod) +
+                           8 * unknowns * (2 * most_vectors(wanted) + 6 * block_vectors);
+  const double count = options.count ? direct_bytes(size, solvers::Method::mumps) +
+                                           8 * unknowns * static_cast<double>(wanted + beyond)
+                                     : 0;
+  const double needed = matrices + size.nodal_bytes + std::max(iteration, count);
+  solvers::SolverOptions limit;
+  limit.memory_limit = options.memory_limit;
+  const double available = available_bytes(limit, {});
+  if (needed <= available) return;
+  throw Error(
+      ErrorCode::out_of_memory,
+      fmt::format("{} modes of {} unknowns would take about {}, and {} are available: refine less, ask "
+                  "for fewer with [modes] number, or raise [solver] memory_limit if you know better",
+                  options.number, size.unknowns, gigabytes(needed), gigabytes(std::max(0.0, available))));
 }
 
 int rigid_motions_left(const CoupledProblem& coupled) {
@@ -114,7 +146,7 @@ Pairs lowest_pairs(const Pencil& pencil, int count, double shift) {
   const auto mass = [&](const MatrixXd& x) { return times(pencil.mass, x); };
   const solvers::EigenPairs found = solvers::largest_eigenpairs(
       [&](const MatrixXd& x) { return inverse(mass(x)); }, mass, start_block(pencil.assembled.frame_of_row),
-      {.count = count, .tolerance = 1e-9, .most_vectors = std::max(160, 6 * count)});
+      {.count = count, .tolerance = 1e-9, .most_vectors = most_vectors(count - beyond)});
   // Once more in the space found, with the stiffness itself: the shift takes no digits then.
   const MatrixXd kx = times(pencil.stiffness(), found.vectors), mx = mass(found.vectors);
   const SymmetricEigen ritz = symmetric_eigen(found.vectors.transpose() * kx, found.vectors.transpose() * mx);
@@ -177,10 +209,11 @@ NaturalModes natural_modes(const ElasticityProblem& problem, const ModesOptions&
   const CoupledProblem coupled = coupled_problem(problem, Coupling::elimination, options.quadrature_points);
   NaturalModes result;
   result.rigid_motions = rigid_motions_left(coupled);
+  const Index wanted = result.rigid_motions + options.number;
+  require_memory(problem, options, wanted);
   const Pencil pencil = pencil_of(coupled, progress);
   result.timings.push_back({"assembly", watch.lap()});
   progress("modes", 0);
-  const Index wanted = result.rigid_motions + options.number;
   const double shift = result.rigid_motions > 0 ? shift_of(problem) : 0;
   const Pairs pairs = lowest_pairs(pencil, static_cast<int>(wanted) + beyond, shift);
   if (pairs.values.size() < wanted)

@@ -14,6 +14,7 @@ struct ModesOptions {
   int number = 10;            ///< lowest modes besides rigid motions, 1 .. 200
   int quadrature_points = 0;  ///< as ElasticityOptions
   bool count = true;          ///< whether a second factorization proves that none is missing
+  double memory_limit = 0;    ///< bytes that the process may hold, 0 for what the machine has to spare
 };
 
 /// One way in which a part swings by itself.
@@ -44,6 +45,7 @@ struct NaturalModes {
 ///
 /// @throws Error invalid_argument  a material without density, options out of range
 /// @throws Error not_converged     modes that did not converge, or that the count says are missing
+/// @throws Error out_of_memory     before anything is assembled: what factors and vectors would take
 /// @throws Error as assembly and CHOLMOD do
 /// @cost   one factorization, one more to count, and some 10 solutions of 8 right sides each
 /// @source Golub, Underwood 1977; Gould 1985 (inertia)

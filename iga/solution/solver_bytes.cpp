@@ -1,5 +1,7 @@
 #include "iga/solution/solver_bytes.hpp"
 
+#include <fmt/format.h>
+
 #include "geometry/base/error.hpp"
 
 namespace isopatch::iga {
@@ -18,6 +20,10 @@ constexpr double whole_and_ordering = 24;
 
 double fixed_bytes(Method method) {
   return method == Method::cholmod || method == Method::umfpack ? 10e6 : 25e6;  // MPI and PETSc start
+}
+
+std::string gigabytes(double bytes) {
+  return bytes < 1e11 ? fmt::format("{:.2g} GB", bytes / 1e9) : fmt::format("{:.0f} GB", bytes / 1e9);
 }
 
 double direct_bytes(const SizeForecast& size, Method method) {

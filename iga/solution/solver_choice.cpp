@@ -39,10 +39,6 @@ std::string about(double value) {
   return value < 100 ? fmt::format("{:.2g}", value) : fmt::format("{:.0f}", value);
 }
 
-std::string gigabytes(double bytes) {
-  return about(bytes / 1e9) + " GB";
-}
-
 void check_coupling(Method method, bool tied) {
   if (tied && method == Method::cholmod)
     refuse(

@@ -95,5 +95,15 @@ TEST(NaturalModes, NeedDensitiesAndASensibleNumber) {
   EXPECT_ERROR(natural_modes(p, {.number = 200}), ErrorCode::invalid_argument, "fewer than");
 }
 
+TEST(NaturalModes, AreRefusedBeforeAnythingIsAssembledWhereMemoryIsShort) {
+  const auto model = geometry::connect(geometry::box_model({}));
+  const ElasticityProblem p = testing::problem(model, {.degree = {2, 2, 2}}, simple);
+  std::vector<std::string> phases;
+  const Progress progress{[&](std::string_view phase, double) { phases.emplace_back(phase); }};
+  EXPECT_ERROR(natural_modes(p, {.memory_limit = 1e6}, progress), ErrorCode::out_of_memory,
+               "modes of 81 unknowns");
+  EXPECT_TRUE(phases.empty());
+}
+
 }  // namespace
 }  // namespace isopatch::iga
