@@ -213,13 +213,13 @@ TEST(TriangleFiles, AreReadByTheirEnding) {
     write_file(path, text);
     EXPECT_EQ(corners(read_triangles(path), 0), wanted()) << name;
   }
-  // An L of six corners is four triangles; numbers are as exact as written.
+  // An L of six corners is four triangles, behind a triangle; numbers are as exact as written.
   const std::filesystem::path concave = std::filesystem::path(folder) / "l.off";
-  const std::string l = "OFF\n6 1 6\n0 0 0\n2 0 0\n2 1 0\n1 1 0\n1 2 0\n0 2 0\n6 0 1 2 3 4 5\n";
-  write_file(concave, l);
+  write_file(concave, "OFF\n6 2 6\n0 0 0\n2 0 0\n2 1 0\n1 1 0\n1 2 0\n0 2 0\n3 0 1 2\n6 0 1 2 3 4 5\n");
   const TriangleMesh mesh = read_triangles(concave);
-  EXPECT_EQ(mesh.triangles.cols(), 4);
-  EXPECT_NEAR(area(mesh), 3, 1e-14);
+  ASSERT_EQ(mesh.triangles.cols(), 5);
+  EXPECT_EQ(mesh.triangles.col(0), Eigen::Vector3i(0, 1, 2));
+  EXPECT_NEAR(area(mesh), 1 + 3, 1e-14);
   EXPECT_LT(mesh.grain, 1e-15);
   std::filesystem::remove_all(folder);
 }
