@@ -15,7 +15,7 @@ namespace isopatch::geometry::test {
 /// of a cylinder taken off an edge), "notched" (with a step in the middle of an edge), "round_edge",
 /// "round_corner" (radius 3), "spring" (two turns; splines), "named" (a plate with a coloured and named top,
 /// and a pin). Stacks along z (made_solids/stacks.cpp): "countersunk", "drafted_pocket", "drafted_boss",
-/// "shaft" (with a cone), "bored_boss", "pocketed", "wavy" (a wall is a spline). Of several directions
+/// "shaft" (with a cone), "bored_boss", "pocketed", "turned_off" (corners by a cone), "wavy" (a wall is a spline). Of several directions
 /// (made_solids/crossed.cpp): "angle" (two plates of 8, bored), "bent_sheet" (the same, bent round), "fork"
 /// (with a pin's bore and one across it), "lugs" (two on a plate), "flanged_bend" (a pipe).
 /// Blocks along x with bores across (made_solids/drilled.cpp): "port", "ports" (through), "three_bores",
