@@ -14,9 +14,9 @@
 #include "geometry/splines/refine.hpp"
 #include "geometry/splines/sweep.hpp"
 #include "segmentation/branches/internal/column.hpp"
-#include "segmentation/branches/internal/interpolate.hpp"
 #include "segmentation/branches/internal/layer_shape.hpp"
 #include "segmentation/branches/internal/plan_drawing.hpp"
+#include "segmentation/sweeps/interpolate.hpp"
 
 namespace isopatch::segmentation {
 namespace {

@@ -8,7 +8,7 @@
 #include "geometry/splines/arc.hpp"
 #include "geometry/splines/refine.hpp"
 #include "geometry/splines/sweep.hpp"
-#include "segmentation/branches/internal/interpolate.hpp"
+#include "segmentation/sweeps/interpolate.hpp"
 
 namespace isopatch::segmentation {
 namespace {

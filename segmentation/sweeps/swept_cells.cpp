@@ -4,6 +4,7 @@
 
 #include "geometry/base/error.hpp"
 #include "segmentation/sweeps/internal/filleted_cells.hpp"
+#include "segmentation/sweeps/internal/roofed_cells.hpp"
 #include "segmentation/sweeps/stack.hpp"
 
 namespace isopatch::segmentation {
@@ -29,6 +30,7 @@ std::optional<SweptCells> swept_cells(const geometry::Brep& solid, const Quadran
       refusal = error;
     }
   }
+  if (!best) best = roofed_cells(solid, options);
   if (!best && refusal) throw *refusal;
   if (!best) return filleted_cells(solid, options);
   return best;

@@ -5,6 +5,7 @@
 
 #include "geometry/base/error.hpp"
 #include "geometry/brep/overlay.hpp"
+#include "segmentation/sweeps/internal/roof.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -50,9 +51,31 @@ struct Floor {
   bool looks_up;
 };
 
+bool is_cone(const Brep& solid, FaceId face) {
+  const auto carrier = solid.carrier(face);
+  return carrier && carrier->kind == geometry::SurfaceKind::cone;
+}
+
+/// Edges of roofs in upright planes are drawn as lines.
+void redraw_roofs(const Brep& solid, const SweepFrame& frame, geometry::Redrawn& redrawn) {
+  for (const FaceId floor : frame.floors) {
+    if (!is_cone(solid, floor)) continue;
+    for (const auto& loop : solid.face(floor).loops)
+      for (const geometry::EdgeUse& use : loop)
+        if (solid.edge(use.edge).kind != geometry::CurveKind::circle)
+          redrawn[use.edge] = std::array{frame.point(frame.flat(solid.point(use.edge, 0)), 0),
+                                         frame.point(frame.flat(solid.point(use.edge, 1)), 0)};
+  }
+}
+
 std::vector<Floor> floors_by_height(const Brep& solid, const SweepFrame& frame) {
   std::vector<Floor> result;
   for (const FaceId face : frame.floors) {
+    if (is_cone(solid, face)) {
+      const Roof roof(solid, frame, face);
+      result.push_back({face, roof.top(), roof.looks_up()});
+      continue;
+    }
     const geometry::DomainBox domain = solid.domain(face);
     result.push_back({face, frame.height(solid.point(face, domain.low)),
                       solid.outward_normal(face, domain.low).dot(frame.along) > 0});
@@ -95,6 +118,7 @@ std::vector<Slab> slabs_at(const SweepFrame& frame, const std::vector<Floor>& fl
 SweptDrawing swept_drawing(const Brep& solid, const SweepFrame& frame,
                            const std::vector<std::array<Eigen::Vector3d, 2>>& lines) {
   Tracks moving = tracks(solid, frame);
+  redraw_roofs(solid, frame, moving.redrawn);
   std::vector<std::array<Eigen::Vector3d, 2>> flat;
   for (const auto& [start, end] : lines)
     flat.push_back({frame.point(frame.flat(start), 0), frame.point(frame.flat(end), 0)});

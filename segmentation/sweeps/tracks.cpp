@@ -47,7 +47,7 @@ class Tracker {
     find_rings();
     for (std::size_t e = 0; e < solid_.edges().size(); ++e)
       if (const geometry::BrepEdge& edge = solid_.edges()[e];
-          !level_[e] && !on_rings_.contains(EdgeId(static_cast<int>(e))))
+          !level_[e] && !on_rings_.contains(EdgeId(static_cast<int>(e))) && !is_of_floor(edge))
         vertex_sets_.unite(edge.start.value, edge.end.value);
     find_strips();
     collect_vertices();
@@ -75,6 +75,13 @@ class Tracker {
   }
   const std::optional<double>& level(EdgeId edge) const {
     return level_[static_cast<std::size_t>(edge.value)];
+  }
+
+  /// Of a roof, if it rises.
+  bool is_of_floor(const geometry::BrepEdge& edge) const {
+    return std::any_of(edge.faces.begin(), edge.faces.end(), [&](FaceId face) {
+      return std::find(frame_.floors.begin(), frame_.floors.end(), face) != frame_.floors.end();
+    });
   }
 
   /// A wall all around its axis, from one circle to another.

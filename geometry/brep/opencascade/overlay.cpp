@@ -134,6 +134,50 @@ class Overlayer {
     return maker.Wire();
   }
 
+  /// A loop that runs through an edge twice is as many as are left without it; the longest comes first.
+  std::vector<std::vector<EdgeUse>> without_seams(const std::vector<std::vector<EdgeUse>>& loops) const {
+    const auto& edges = source_.tables().edges;
+    const auto from = [&](const EdgeUse& use) {
+      const BrepEdge& edge = edges[static_cast<std::size_t>(use.edge.value)];
+      return use.reversed ? edge.end : edge.start;
+    };
+    const auto to = [&](const EdgeUse& use) { return from({use.edge, !use.reversed}); };
+    std::vector<std::vector<EdgeUse>> result;
+    for (const auto& loop : loops) {
+      std::vector<EdgeUse> left;
+      for (const EdgeUse& use : loop)
+        if (std::count_if(loop.begin(), loop.end(),
+                          [&](const EdgeUse& other) { return other.edge == use.edge; }) == 1)
+          left.push_back(use);
+      if (left.size() == loop.size()) {
+        result.push_back(loop);
+        continue;
+      }
+      while (!left.empty()) {
+        std::vector<EdgeUse> chain = {left.front()};
+        left.erase(left.begin());
+        for (auto next = left.begin(); to(chain.back()) != from(chain.front()) && next != left.end();) {
+          next = std::find_if(left.begin(), left.end(),
+                              [&](const EdgeUse& use) { return from(use) == to(chain.back()); });
+          if (next == left.end()) fail();
+          chain.push_back(*next);
+          left.erase(next);
+          next = left.begin();
+        }
+        result.push_back(std::move(chain));
+      }
+    }
+    const auto length = [&](const std::vector<EdgeUse>& loop) {
+      double sum = 0;
+      for (const EdgeUse& use : loop) sum += edges[static_cast<std::size_t>(use.edge.value)].length;
+      return sum;
+    };
+    if (result.size() != loops.size())
+      std::stable_sort(result.begin(), result.end(),
+                       [&](const auto& a, const auto& b) { return length(a) > length(b); });
+    return result;
+  }
+
   /// Into the plane, looking along the direction.
   TopoDS_Face pushed(FaceId id) {
     const BrepFace& face = source_.tables().faces[static_cast<std::size_t>(id.value)];
@@ -141,8 +185,9 @@ class Overlayer {
     const Eigen::Matrix<double, 3, 2> tangents = source_.derivatives(id, domain.low);
     const bool along = tangents.col(0).cross(tangents.col(1)).dot(direction_) > 0;
     const bool turned = along == face.reversed;  // its outside looks against the direction
-    BRepBuilderAPI_MakeFace maker(plane_, wire(face.loops.front(), turned));
-    for (std::size_t i = 1; i < face.loops.size(); ++i) maker.Add(wire(face.loops[i], turned));
+    const std::vector<std::vector<EdgeUse>> loops = without_seams(face.loops);
+    BRepBuilderAPI_MakeFace maker(plane_, wire(loops.front(), turned));
+    for (std::size_t i = 1; i < loops.size(); ++i) maker.Add(wire(loops[i], turned));
     if (!maker.IsDone()) fail();
     return maker.Face();
   }

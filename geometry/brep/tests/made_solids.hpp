@@ -15,11 +15,11 @@ namespace isopatch::geometry::test {
 /// of a cylinder taken off an edge), "notched" (with a step in the middle of an edge), "round_edge",
 /// "round_corner" (radius 3), "spring" (two turns; splines), "named" (a plate with a coloured and named top,
 /// and a pin). Stacks along z (made_solids/stacks.cpp): "countersunk", "drafted_pocket", "drafted_boss",
-/// "shaft" (with a cone), "bored_boss", "pocketed", "wavy" (a wall is a spline). Of several directions
+/// "shaft" (with a cone), "bored_boss", "pocketed", "turned_off" (corners by a cone), "wavy" (a wall is a spline). Of several directions
 /// (made_solids/crossed.cpp): "angle" (two plates of 8, bored), "bent_sheet" (the same, bent round), "fork"
 /// (with a pin's bore and one across it), "lugs" (two on a plate), "flanged_bend" (a pipe).
 /// Blocks along x with bores across (made_solids/drilled.cpp): "port", "ports" (through), "three_bores",
-/// "sunk_port", "port_beside" (the axis), and "wide_port", which is wider than the bore that it ends in.
+/// "sunk_port", "blind_bore", "port_beside" (the axis), and "wide_port", which is wider than the bore that it ends in.
 /// Stacks but for their rounds (made_solids/rounds.cpp): "filleted_boss", "filleted_step", "filleted_pocket"
 /// (concave ones along floors), "rounded_boss" (a convex one). Turned with
 /// branches across (made_solids/branched.cpp): "bossed_bar", "bossed_oblique", "tapped_boss", "two_bosses",

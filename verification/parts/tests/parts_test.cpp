@@ -73,6 +73,10 @@ TEST(Parts, ThoseOfAShopAreSoundHaveTheirNamesAndTheirVolume) {
   expect_all_of("shop");
 }
 
+TEST(Parts, LaterOnesAreSoundHaveTheirNamesAndTheirVolume) {
+  expect_all_of("later");
+}
+
 TEST(Parts, TurnedOnesAreSoundHaveTheirNamesAndTheirVolume) {
   expect_all_of("turned");
 }

@@ -35,6 +35,7 @@ std::map<std::string, TopoDS_Shape> drilled() {
       {"three_bores",
        block_with({gallery, {{30, -1, 20}, gp::DY(), 5, 42}, {{30, 20, -1}, gp::DZ(), 4, 42}})},
       {"sunk_port", block_with({gallery, {{30, 20, 20}, gp::DZ(), 4, 21}, {{30, 20, 34}, gp::DZ(), 7, 7}})},
+      {"blind_bore", block_with({gallery, {{30, 20, 33}, gp::DZ(), 4, 8}})},
       {"port_beside", block_with({gallery, {{30, 22, 20}, gp::DZ(), 5, 21}})},
       {"wide_port", block_with({gallery, {{30, 20, 20}, gp::DZ(), 9, 21}})},
   };

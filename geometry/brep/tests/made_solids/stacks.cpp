@@ -60,6 +60,12 @@ TopoDS_Shape drafted(double x, double y, double z, double dx, double dy) {
   return BRepAlgoAPI_Common(trapezoid(true, x, dx, z), trapezoid(false, y, dy, z)).Shape();
 }
 
+// A square of 20 with a bore of 8, its upper corners turned off by a cone.
+TopoDS_Shape turned_off() {
+  const TopoDS_Shape blank = cut(box(-10, -10, 0, 20, 20, 12), cylinder(0, 0, -1, 4, 14));
+  return BRepAlgoAPI_Common(blank, fused(cylinder(0, 0, 0, 15, 9), cone(0, 0, 9, 15, 9, 3))).Shape();
+}
+
 // A rectangle whose upper side is a spline.
 TopoDS_Shape wavy() {
   TColgp_Array1OfPnt points(1, 5);
@@ -87,6 +93,7 @@ std::map<std::string, TopoDS_Shape> stacks() {
       {"shaft", shaft},
       {"bored_boss", cut(boss, cylinder(15, 10, -1, 3, 17))},
       {"pocketed", cut(block, box(5, 5, 6, 20, 10, 5))},
+      {"turned_off", turned_off()},
       {"wavy", cut(wavy(), cylinder(16, 6, -1, 3, 8))},
   };
 }

@@ -1,4 +1,4 @@
-#include "segmentation/branches/internal/interpolate.hpp"
+#include "segmentation/sweeps/interpolate.hpp"
 
 #include <vector>
 
