@@ -128,6 +128,8 @@ ExitCode run_stages(const Study& study, Stage to, const Console& console) {
   display.progress()("writing the page", 0);
   if (study.output.report) write_file(page, stages_html(found.stages, study.title, study.text));
   display.clear();
+  for (const StageReport& stage : found.stages)
+    if (!stage.problem.empty()) console.warn(stage.problem);
   if (found.made)
     for (const std::string& warning : found.made->report.warnings) console.warn(warning);
   if (console.quiet) return ExitCode::ok;

@@ -3,6 +3,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <system_error>
 
@@ -130,12 +131,19 @@ StageReport StageFolder::keep(Stage stage, std::uint64_t key, std::string_view b
 }
 
 std::string stages_text(const std::vector<StageReport>& stages) {
-  std::string text;
-  for (const StageReport& report : stages)
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name_of(stage_choices(), report.stage),
-                        report.kept ? fmt::format("as before ({})", report.made)
-                                    : fmt::format("in {:.1f} s", report.seconds));
-  if (!text.empty() && !stages.front().file.empty())
+  std::string before, anew, made;
+  for (const StageReport& report : stages) {
+    const std::string name = name_of(stage_choices(), report.stage);
+    if (report.kept) {
+      before += (before.empty() ? "" : ", ") + name;
+      made = std::max(made, report.made);
+    } else {
+      anew += fmt::format("{}{} in {:.1f} s", anew.empty() ? "" : ", ", name, report.seconds);
+    }
+  }
+  std::string text = before.empty() ? "" : fmt::format("{} as before ({})", before, made);
+  if (!anew.empty()) text += (text.empty() ? "" : "; ") + anew;
+  if (!stages.empty() && !stages.front().file.empty())
     text += fmt::format("; kept in {}", stages.front().file.parent_path().string());
   return text;
 }

@@ -54,7 +54,7 @@ class StageFolder {
   StageOptions options_;
 };
 
-/// "  stages            solid as before (2026-11-30 09:40 UTC), hexahedra in 4.2 s", for people; "" for none.
+/// "solid as before (2026-11-30 09:40 UTC); hexahedra in 4.2 s; kept in results/stages", for people.
 std::string stages_text(const std::vector<StageReport>& stages);
 
 }  // namespace isopatch::app

@@ -72,6 +72,59 @@ std::vector<Eigen::Matrix3Xd> border_lines(const geometry::TriangleMesh& mesh,
   return lines;
 }
 
+/// Parameters along a direction: all breaks, and places between them.
+struct Samples {
+  std::vector<double> at;
+  std::vector<int> breaks;  // which of them are breaks
+};
+
+Samples samples_along(const geometry::KnotVector& knots) {
+  const std::vector<double> breaks = knots.breaks();
+  const int spans = static_cast<int>(breaks.size()) - 1;
+  constexpr int most_a_span = 4, wanted = 10;
+  const int pieces = std::clamp(wanted / spans, 1, most_a_span);
+  Samples samples;
+  for (int s = 0; s < spans; ++s) {
+    samples.breaks.push_back(static_cast<int>(samples.at.size()));
+    for (int i = 0; i < pieces; ++i)
+      samples.at.push_back(std::lerp(breaks[static_cast<std::size_t>(s)],
+                                     breaks[static_cast<std::size_t>(s) + 1], double(i) / pieces));
+  }
+  samples.breaks.push_back(static_cast<int>(samples.at.size()));
+  samples.at.push_back(breaks.back());
+  return samples;
+}
+
+/// A side's points, first direction fastest, its triangles and the lines at breaks.
+void add_side(const geometry::NurbsVolume& patch, geometry::Side side, BlockPiece& piece) {
+  const auto across = static_cast<Eigen::Index>(direction(side));
+  const auto [a, b] = geometry::tangents(side);
+  const Samples first = samples_along(patch.knots(a)), second = samples_along(patch.knots(b));
+  const auto m = static_cast<int>(first.at.size()), n = static_cast<int>(second.at.size());
+  geometry::Parameter<3> parameter = geometry::is_high(side) ? patch.high() : patch.low();
+  parameter[across] = geometry::is_high(side) ? patch.high()[across] : patch.low()[across];
+  Eigen::Matrix3Xd points(3, m * n);
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < m; ++i) {
+      parameter[a] = first.at[static_cast<std::size_t>(i)];
+      parameter[b] = second.at[static_cast<std::size_t>(j)];
+      points.col(i + m * j) = patch.point(parameter);
+    }
+  const auto before = static_cast<int>(piece.points.cols());
+  Eigen::Index t = piece.triangles.cols();
+  piece.triangles.conservativeResize(3, t + 2 * Eigen::Index{m - 1} * (n - 1));
+  for (int j = 0; j + 1 < n; ++j)
+    for (int i = 0; i + 1 < m; ++i) {
+      const int corner = before + i + m * j;
+      piece.triangles.col(t++) << corner, corner + 1, corner + m + 1;
+      piece.triangles.col(t++) << corner, corner + m + 1, corner + m;
+    }
+  piece.points.conservativeResize(3, before + m * n);
+  piece.points.rightCols(m * n) = points;
+  for (const int i : first.breaks) piece.edges.emplace_back(points(Eigen::all, Eigen::seqN(i, n, m)));
+  for (const int j : second.breaks) piece.edges.emplace_back(points.middleCols(Eigen::Index{m} * j, m));
+}
+
 std::string name_of_face(const std::string& name, std::size_t face) {
   return name.empty() ? fmt::format("face {}", face) : name;
 }
@@ -118,6 +171,17 @@ std::vector<BlockPiece> face_pieces(const geometry::Brep& brep, const std::strin
     pieces.push_back(std::move(piece));
   }
   return pieces;
+}
+
+BlockPiece patch_piece(const geometry::NurbsVolume& patch, const std::string& name) {
+  BlockPiece piece{.name = name, .body = ""};
+  for (const geometry::Side side : geometry::all_sides) add_side(patch, side, piece);
+  piece.remark = fmt::format(
+      "degree {} x {} x {}, {} elements, {} control points", patch.degree(0), patch.degree(1),
+      patch.degree(2),
+      patch.knots(0).element_count() * patch.knots(1).element_count() * patch.knots(2).element_count(),
+      patch.size());
+  return piece;
 }
 
 std::vector<BlockPiece> region_pieces(const SolidTriangles& triangles,

@@ -7,6 +7,8 @@
 #include "app/pages/block_scene.hpp"
 #include "app/problem/reconstructed_solids.hpp"
 #include "geometry/brep/brep.hpp"
+#include "geometry/patch_face.hpp"
+#include "geometry/splines/nurbs.hpp"
 
 namespace isopatch::app {
 
@@ -19,6 +21,10 @@ BlockPiece piece_of(const geometry::Brep& brep, const std::string& name, const s
 /// A piece for each face of a solid, called as the face, "face 3" where it has no name; none where the solid
 /// cannot be triangulated.
 std::vector<BlockPiece> face_pieces(const geometry::Brep& brep, const std::string& body);
+
+/// The outside of a patch as a piece, with the lines of its elements.
+/// @cost  some 100 points a side, and at least one for each element
+BlockPiece patch_piece(const geometry::NurbsVolume& patch, const std::string& name);
 
 /// A piece for each face that triangles were joined to, with the edges between it and others.
 /// @param names  of the faces

@@ -12,6 +12,7 @@
 #include "app/base/provenance.hpp"
 #include "app/pages/page.hpp"
 #include "app/problem/block_file.hpp"
+#include "app/problem/patch_file.hpp"
 #include "app/problem/solid_file.hpp"
 #include "app/reports/block_pieces.hpp"
 #include "app/results/internal/stages_json.hpp"
@@ -50,6 +51,15 @@ void add_block_stage(const segmentation::ReadBlocks& blocks, BlockScene& scene) 
   for (std::size_t b = 0; b < blocks.model.solids.size(); ++b)
     stage.pieces.push_back(
         piece_of(blocks.model.solids[b].brep, blocks.model.solids[b].name, blocks.model.bodies[b]));
+  scene.stages.push_back(std::move(stage));
+}
+
+void add_patch_stage(const segmentation::Parameterization& made, BlockScene& scene) {
+  BlockStage stage{.name = "patches"};
+  for (std::size_t p = 0; p < made.patches.patches.size(); ++p) {
+    stage.pieces.push_back(patch_piece(made.patches.patches[p], made.report.patches[p].name));
+    stage.pieces.back().volume = made.report.patches[p].volume;
+  }
   scene.stages.push_back(std::move(stage));
 }
 
@@ -136,11 +146,10 @@ std::optional<BlockScene> stage_scene(const std::vector<StageReport>& stages) {
   BlockScene scene;
   scene.lines_name = "lines";
   for (const StageReport& stage : stages) {
-    if (stage.stage == Stage::patches || !is_as_it_was(stage)) continue;
-    if (stage.stage == Stage::solid)
-      add_solid_stages(read_solid_file(stage.file), scene);
-    else
-      add_block_stage(read_block_file(stage.file), scene);
+    if (!is_as_it_was(stage)) continue;
+    if (stage.stage == Stage::solid) add_solid_stages(read_solid_file(stage.file), scene);
+    if (stage.stage == Stage::hexahedra) add_block_stage(read_block_file(stage.file), scene);
+    if (stage.stage == Stage::patches) add_patch_stage(read_patch_file(stage.file), scene);
   }
   if (scene.stages.empty()) return std::nullopt;
   scene.length = model_length_unit(size_of(scene));

@@ -67,7 +67,7 @@ TEST_F(Stages, AreKeptAndALoadIsSolvedAlone) {
   const double before = summary()["results"]["internal_energy"];
   ASSERT_EQ(run_text(replaced(drilled_study, "1e5", "2e5")), 0) << err_;
   EXPECT_THAT(kept(), ElementsAre(true, true, true));
-  EXPECT_THAT(out_, HasSubstr("hexahedra as before"));
+  EXPECT_THAT(out_, HasSubstr("solid, hexahedra, patches as before"));
   EXPECT_THAT(err_, HasSubstr("hexahedra: as before, from"));
   // The energy grows with the load's square, to the last bit: the load is doubled, and so are all numbers.
   EXPECT_DOUBLE_EQ(summary()["results"]["internal_energy"], 4 * before);

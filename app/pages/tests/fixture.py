@@ -318,6 +318,26 @@ def blocks(failed=False):
             "plots": [], "scene": None, "faults": None, "blocks": scene}
 
 
+def staged():
+    """A report whose patches came of triangles: one stage where the pieces are, one where they are apart."""
+    data, cut = ring_report(), blocks()["blocks"]
+    cut["stages"][0] |= {"name": "triangles", "apart": 0, "shows_triangles": True}
+    for piece in cut["stages"][0]["pieces"]:
+        piece |= {"remark": "12 triangles", "volume": 0, "faces": []}
+    data["summary"] = {**data["summary"], "stages": [
+        {"name": "solid", "kept": True, "file": "stages/solids.h5", "made": "2026-11-30 10:28 UTC", "seconds": 3.3},
+        {"name": "hexahedra", "kept": False, "file": "stages/blocks.h5", "made": "2026-11-30 10:29 UTC", "seconds": 5.4}]}
+    return {**data, "blocks": cut}
+
+
+def unmade():
+    """Triangles of which no solid could be made."""
+    data = staged()
+    data["blocks"]["stages"] = data["blocks"]["stages"][:1]
+    data["blocks"]["stages"][0]["pieces"][0]["is_faulty"] = True
+    return {**data, "kind": "stages", "scene": None, "summary": {"error": "part.stl: 3 of <46> faces lie on nothing", "stages": []}}
+
+
 def grid_fields(point):
     x, y, z = point
     return [0, 0, -1e-3 * x * x], 1e8 * abs(0.1 - z) * (1 + 10 * math.sin(20 * y) ** 2)
@@ -358,7 +378,7 @@ def fill(data):
 
 
 PAGES = {"report": ring_report, "compare": ring_compare, "model": ring_model, "verification": verification, "faults": faults,
-         "blocks": blocks, "failure": lambda: blocks(failed=True),
+         "blocks": blocks, "failure": lambda: blocks(failed=True), "staged": staged, "unmade": unmade,
          "grid": lambda: grid_report(samples=9)}
 
 

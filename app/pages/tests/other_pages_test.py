@@ -147,9 +147,32 @@ class OtherPages(Pages):
         self.browser.click(x, y)
         self.assertIn("block_1.step", self.browser.run("return document.getElementById('picked').innerText"))
         self.browser.click(x, y)
-        self.assertIn("Click a block", self.browser.run("return document.getElementById('picked').innerText"))
+        self.assertIn("Click a piece", self.browser.run("return document.getElementById('picked').innerText"))
         self.browser.run("document.querySelector('[aria-label=\"show part#2\"]').click()")
         self.assertIn("block_2.step", self.browser.run("return document.getElementById('picked').innerText"))
+
+    def test_stages_stand_beside_the_result(self):
+        self.open("staged")
+        self.expect_sound()
+        self.expect_drawn()
+        identifiers = self.browser.run("return [...document.querySelectorAll('[id]')].map((found) => found.id)")
+        self.assertEqual(len(identifiers), len(set(identifiers)))
+        rows = self.browser.run("return [...document.querySelectorAll('tbody tr')].map((row) => [...row.children].map((cell) => cell.textContent))")
+        self.assertIn(["solid", "as before, from 2026-11-30 10:28 UTC", "3.30 s", "stages/solids.h5"], rows)
+        self.assertIn(["hexahedra", "made in this run", "5.40 s", "stages/blocks.h5"], rows)
+        offset = "return isopatch.stageViewer.offsetOf(1)"
+        self.assertGreater(abs(self.browser.run(offset)[0]), 0.01)  # hexahedra are drawn apart at first
+        self.browser.run("document.getElementById('stages-stage-0').click()")
+        self.assertEqual(self.browser.run(offset), [0, 0, 0])  # triangles are not
+        self.browser.run("isopatch.stageViewer.change({chosen: 0})")
+        self.assertIn("12 triangles", self.browser.run("return document.getElementById('stages-picked').innerText"))
+        self.assertNotIn("volume", self.browser.run("return document.getElementById('stages-picked').innerText"))
+
+    def test_triangles_without_a_solid_say_why(self):
+        self.open("unmade")
+        self.expect_sound()
+        self.assertIn("3 of <46> faces", self.browser.run("return document.querySelector('.warnings').textContent"))
+        self.assertGreater(self.counted(self.RED), 0.05)
 
     def test_what_could_not_be_cut_is_red(self):
         self.open("failure")
@@ -174,7 +197,7 @@ class OtherPages(Pages):
     def test_pages_fit_a_phone(self):
         self.addCleanup(self.browser.resize, 1280, 800)
         self.browser.resize(390, 844, is_phone=True)
-        for name in ("report", "compare", "model", "verification", "faults", "blocks", "failure"):
+        for name in ("report", "compare", "model", "verification", "faults", "blocks", "failure", "staged", "unmade"):
             self.open(name)
             width = self.browser.run("return document.documentElement.scrollWidth")
             self.assertLessEqual(width, 390, name)

@@ -45,7 +45,7 @@ globalThis.isopatch = globalThis.isopatch || {};
         element("h3", {}, piece.name), element("dl", {}, [
           ["body", piece.body], ["volume", piece.volume ? isopatch.withUnit(piece.volume, "m^3") : ""], ["file", piece.file],
           ["", piece.remark || ""],
-          ["faces of the body", piece.volume ? piece.faces.join(", ") || "none, it lies inside" : ""]].filter(([, value]) => value).map(([name, value]) => (
+          ["faces of the body", piece.volume && piece.body ? piece.faces.join(", ") || "none, it lies inside" : ""]].filter(([, value]) => value).map(([name, value]) => (
             element("div", {}, element("dt", {}, name), element("dd", {}, value)))))]
         : [element("p", {class: "how"}, "Click a piece to see it alone with what is known of it; click it again to go back.")]));
     }
