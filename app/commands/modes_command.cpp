@@ -44,20 +44,21 @@ std::string modes_text(const iga::NaturalModes& found) {
 }
 
 // The shape with a largest displacement of a tenth of the part.
-iga::ElasticField field_of(const iga::ElasticityProblem& problem, const iga::NaturalMode& mode) {
+iga::ElasticField field_of(const BuiltProblem& built, const iga::NaturalMode& mode) {
+  const iga::ElasticityProblem& problem = built.problem;
   iga::ElasticField field{problem.discretization.patches, mode.shape, problem.materials};
   const double largest = iga::max_displacement(field).value;
-  const double factor = largest > 0 ? 0.1 * problem.discretization.model.size() / largest : 1;
+  const double factor = largest > 0 ? 0.1 * built.report.box.diagonal().norm() / largest : 1;
   for (Eigen::Matrix3Xd& of_patch : field.displacement) of_patch *= factor;
   return field;
 }
 
-void write_shapes(const Study& study, const iga::ElasticityProblem& problem, const iga::NaturalModes& found,
+void write_shapes(const Study& study, const BuiltProblem& built, const iga::NaturalModes& found,
                   const std::filesystem::path& folder, const Progress& progress) {
   int number = 0;
   for (const iga::NaturalMode& mode : found.modes)
     if (!mode.is_rigid)
-      write_fields(field_of(problem, mode), problem.discretization.model, {}, study.output.field_options,
+      write_fields(field_of(built, mode), built.problem.discretization.model, {}, study.output.field_options,
                    folder / modes_folder / fmt::format("{}", ++number), progress);
 }
 
@@ -67,7 +68,7 @@ void write_modes(const Study& study, const BuiltProblem& built, const iga::Natur
   UnfinishedResults unfinished(modes_results, study.output.directory);
   try {
     write_in(unfinished.folder(), "modes.json", modes_json(study, found, built.warnings));
-    if (study.output.fields) write_shapes(study, built.problem, found, unfinished.folder(), progress);
+    if (study.output.fields) write_shapes(study, built, found, unfinished.folder(), progress);
     unfinished.replace_earlier();
   } catch (const Error& error) {
     if (!unfinished.keep_essence()) throw;
