@@ -49,7 +49,7 @@ class SocketDivider {
         tolerance_(1e-6 * piece.brep.size()),
         hexes_(1e-9 * piece.brep.size()) {
     for (const Line& line : lines) read(line);
-    if (cuts_[0].size() > 0 && cuts_[1].size() > 0)
+    if (!cuts_[0].empty() && !cuts_[1].empty())
       throw Error(ErrorCode::unsupported, "lines of two directions meet behind something round");
     along_ = cuts_[1].empty() ? 0 : 1;
   }
