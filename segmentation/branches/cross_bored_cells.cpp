@@ -104,7 +104,7 @@ std::optional<CrossBoredCells> bored_along(const Brep& solid, const Eigen::Vecto
   std::vector<FaceId> removed;
   for (const CrossBore& bore : *bores) removed.insert(removed.end(), bore.faces.begin(), bore.faces.end());
   const Brep blank = geometry::without_faces(solid, removed);
-  for (SweepFrame frame : sweep_frames(blank))
+  for (const SweepFrame& frame : sweep_frames(blank))
     if (frame.along.cross(along).norm() < 1e-7) return BoredStack(solid, blank, frame, *bores).make();
   return std::nullopt;
 }

@@ -82,8 +82,9 @@ class CrossBoreFinder {
           std::find(result.begin(), result.end(), face) == result.end())
         result.push_back(face);
     };
-    for (std::size_t i = 0; i < result.size(); ++i)
-      for_neighbours(result[i], [&](FaceId other) {
+    std::size_t done = 0;
+    while (done < result.size())
+      for_neighbours(result[done++], [&](FaceId other) {
         add(other);
         if (is_across(other, axis)) for_neighbours(other, add);
       });

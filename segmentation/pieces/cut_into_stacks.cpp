@@ -109,4 +109,18 @@ std::vector<std::vector<Piece>> ways_to_cut(const Brep& solid,
   return Search(seconds).make(solid, cuts);
 }
 
+std::vector<std::vector<Piece>> cut_once_more(const std::vector<Piece>& pieces) {
+  std::vector<std::vector<Piece>> result;
+  for (std::size_t number = 0; number < pieces.size(); ++number)
+    for (const geometry::PlaneSurface& plane : cut_planes(pieces[number].brep)) {
+      try {
+        State made = after({pieces, 0}, number, plane);
+        if (made.faults == 0 && made.pieces.size() > pieces.size()) result.push_back(std::move(made.pieces));
+      } catch (const Error& error) {
+        if (error.code() == ErrorCode::internal) throw;
+      }
+    }
+  return result;
+}
+
 }  // namespace isopatch::segmentation

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "geometry/base/error.hpp"
+#include "segmentation/pieces/internal/socket.hpp"
 #include "segmentation/sweeps/stack.hpp"
 #include "segmentation/turned/turned_cells.hpp"
 
@@ -89,10 +90,12 @@ struct Segment {
 
 class Settler {
  public:
-  Settler(const std::vector<Piece>& pieces, std::vector<Meeting> places)
+  Settler(const std::vector<Piece>& pieces, std::vector<Meeting> places, bool with_sockets)
       : pieces_(pieces), places_(std::move(places)), tolerance_(tolerance_of(pieces)) {
     stacks_.resize(pieces.size());
     turned_.resize(pieces.size());
+    boxes_.resize(pieces.size());
+    for (const Piece& piece : pieces) sockets_.push_back(with_sockets ? socket_of(piece) : std::nullopt);
   }
 
   std::vector<MetPiece> make() {
@@ -102,19 +105,25 @@ class Settler {
     settle();
     std::vector<MetPiece> result;
     for (std::size_t p = 0; p < pieces_.size(); ++p)
-      result.push_back(turned_[p] ? MetPiece{std::move(turned_[p]->complex), turned_[p]->about}
-                                  : MetPiece{stacks_[p]->complex(), stacks_[p]->frame().along});
+      result.push_back(boxes_[p]    ? MetPiece{std::move(*boxes_[p]), sockets_[p]->top.normal()}
+                       : turned_[p] ? MetPiece{std::move(turned_[p]->complex), turned_[p]->about}
+                                    : MetPiece{stacks_[p]->complex(), stacks_[p]->frame().along});
     return result;
   }
 
  private:
   const Piece& piece(int number) const { return pieces_[static_cast<std::size_t>(number)]; }
+  bool is_socket(int number) const { return sockets_[static_cast<std::size_t>(number)].has_value(); }
   Stack& stack(int number) { return *stacks_[static_cast<std::size_t>(number)]; }
 
   void divide(int number) {
     const auto n = static_cast<std::size_t>(number);
     const Piece& made = pieces_[n];
     const std::vector<Line> lines = lines_on(number);
+    if (is_socket(number)) {
+      boxes_[n] = socket_cells(made, *sockets_[n], lines);
+      return;
+    }
     if (made.turned) {
       turned_[n] = turned_cells(made.brep, lines);
       return;
@@ -160,6 +169,8 @@ class Settler {
       return std::any_of(places_.begin(), places_.end(), [&](const Meeting& place) {
         if (place.first != number && place.second != number) return false;
         const int other = place.first == number ? place.second : place.first;
+        // What stands on a socket takes its lines over.
+        if (is_socket(number) && is_floor(piece(other), place.plane)) return false;
         return !done[static_cast<std::size_t>(other)] && is_floor(piece(number), place.plane);
       });
     };
@@ -181,6 +192,7 @@ class Settler {
       const int other = place.first == number ? place.second : place.first;
       if (!is_done(other) || !is_floor(piece(number), place.plane)) continue;
       if (is_floor(piece(other), place.plane)) {
+        if (is_socket(number)) continue;
         for (const Line& line : shared_chords(other, place)) add_line(line, result);
         continue;
       }
@@ -198,10 +210,12 @@ class Settler {
 
   bool is_done(int number) const {
     const auto n = static_cast<std::size_t>(number);
-    return stacks_[n] || turned_[n];
+    return stacks_[n] || turned_[n] || boxes_[n];
   }
 
   std::vector<Line> chords_of(int number, const PlaneSurface& plane) {
+    if (const auto& box = boxes_[static_cast<std::size_t>(number)])
+      return segmentation::lines_on(*box, plane, tolerance_);
     const auto& turned = turned_[static_cast<std::size_t>(number)];
     return turned ? segmentation::lines_on(turned->complex, plane, tolerance_)
                   : stack(number).lines_on(plane, tolerance_);
@@ -299,7 +313,7 @@ class Settler {
       for (const Meeting& place : places_)
         for (const auto& [number, other] :
              {std::pair(place.first, place.second), std::pair(place.second, place.first)}) {
-          if (piece(number).turned || piece(other).turned) continue;
+          if (piece(number).turned || piece(other).turned || is_socket(number) || is_socket(other)) continue;
           const std::vector<Segment> by = outlines(stack(other).sides_on(place.plane, tolerance_));
           while (divide_once(number, place.plane, by)) changed = true;
         }
@@ -312,6 +326,8 @@ class Settler {
   double tolerance_;
   std::vector<std::optional<Stack>> stacks_;
   std::vector<std::optional<TurnedCells>> turned_;
+  std::vector<std::optional<Socket>> sockets_;
+  std::vector<std::optional<geometry::CellComplex>> boxes_;  // of sockets
   int divisions_ = 0;
 };
 
@@ -343,8 +359,8 @@ std::vector<Meeting> meetings(const std::vector<Piece>& pieces) {
   return result;
 }
 
-std::vector<MetPiece> met_pieces(const std::vector<Piece>& pieces) {
-  return Settler(pieces, meetings(pieces)).make();
+std::vector<MetPiece> met_pieces(const std::vector<Piece>& pieces, bool with_sockets) {
+  return Settler(pieces, meetings(pieces), with_sockets).make();
 }
 
 }  // namespace isopatch::segmentation

@@ -37,7 +37,8 @@ TEST_P(CrossBoredSolids, FillTheSolidAndMeetSideToSide) {
 INSTANTIATE_TEST_SUITE_P(Solids, CrossBoredSolids,
                          testing::Values(CrossBoredSample{"port", 21, 1}, CrossBoredSample{"ports", 24, 2},
                                          CrossBoredSample{"three_bores", 60, 4},
-                                         CrossBoredSample{"sunk_port", 60, 1}, CrossBoredSample{"blind_bore", 70, 1}),
+                                         CrossBoredSample{"sunk_port", 60, 1},
+                                         CrossBoredSample{"blind_bore", 70, 1}),
                          [](const auto& info) { return std::string(info.param.name); });
 
 TEST(CrossBoredCells, AreNoneOfSolidsWithoutBoresAcross) {

@@ -17,4 +17,7 @@ namespace isopatch::segmentation {
 std::vector<std::vector<Piece>> ways_to_cut(const geometry::Brep& solid,
                                             const std::vector<geometry::PlaneSurface>& cuts, double seconds);
 
+/// The same with one piece cut by one more plane, wherever nothing is missing after that.
+std::vector<std::vector<Piece>> cut_once_more(const std::vector<Piece>& pieces);
+
 }  // namespace isopatch::segmentation

@@ -25,7 +25,8 @@ struct MetPiece {
 /// Divides all pieces so that their hexahedra meet in whole sides. Turned ones come first, then those of
 /// which a plane is a wall: pieces that meet them with a floor take their sides over into their drawings. Of
 /// two that both meet with floors the second takes over the chords of the first.
+/// @param with_sockets  boxes that something round stands on are divided as `socket_cells` does
 /// @throws Error unsupported  a drawing that cannot be divided, pieces that need no end of divisions
-std::vector<MetPiece> met_pieces(const std::vector<Piece>& pieces);
+std::vector<MetPiece> met_pieces(const std::vector<Piece>& pieces, bool with_sockets = false);
 
 }  // namespace isopatch::segmentation

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "geometry/brep/hexahedra_quality.hpp"
 #include "geometry/brep/tests/made_solids.hpp"
 #include "segmentation/sweeps/tests/sound_cells.hpp"
 
@@ -33,6 +34,18 @@ INSTANTIATE_TEST_SUITE_P(Solids, PiecedSolids,
                                          Sample{"flanged_bend", 2, 24}, Sample{"fork", 3, 17},
                                          Sample{"lugs", 3, 23}),
                          [](const auto& info) { return std::string(info.param.name); });
+
+// The rod's circle crosses the slot, and ends inside the block between them. Sides in there are integrated on
+// both sides: their volumes cancel to 1e-7.
+TEST(PiecedCells, EndWhatIsRoundBeforeASlotThatItCrosses) {
+  const geometry::Brep solid = geometry::test::made_brep("rod_fork");
+  const auto made = pieced_cells(solid);
+  ASSERT_TRUE(made);
+  EXPECT_EQ(made->pieces.size(), 4U);
+  EXPECT_LE(made->complex.cells.size(), 50U);
+  EXPECT_GT(geometry::least_quality(made->complex), 0.3);
+  test::expect_sound(solid, made->complex, 1e-7);
+}
 
 TEST(PiecedCells, AreNoneOfOtherSolids) {
   for (const char* name : {"spring"}) EXPECT_FALSE(pieced_cells(geometry::test::made_brep(name))) << name;

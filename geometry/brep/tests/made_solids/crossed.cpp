@@ -72,7 +72,10 @@ std::map<std::string, TopoDS_Shape> crossed() {
   const TopoDS_Shape fork = without(plate(0, 0, 0, 40, 30, 30), plate(16, -1, 9, 30, 32, 12));
   const TopoDS_Shape lugs =
       joined(plate(0, 0, 0, 40, 30, 6), joined(plate(0, 4, 0, 12, 6, 24), plate(0, 20, 0, 12, 6, 24)));
+  const TopoDS_Shape on_rod = without(
+      joined(plate(0, 0, 0, 40, 30, 30), pin({-20, 15, 15}, gp::DX(), 11, 25)), plate(16, -1, 9, 30, 32, 12));
   return {
+      {"rod_fork", without(on_rod, pin({30, 15, -1}, gp::DZ(), 5, 32))},
       {"angle", bored(angle())},
       {"bent_sheet", bored(rounded(rounded(angle(), 0, 12), 8, 4))},
       {"fork",
