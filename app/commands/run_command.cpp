@@ -117,6 +117,14 @@ Study study_from(const RunCommand& command) {
   return study;
 }
 
+/// Removes the page of stages alone: the report shows them.
+void remove_stage_page(const Study& study) {
+  const BlocksInput* solids = solids_of(study);
+  std::error_code ignored;
+  if (solids && study.output.report && !solids->stages.folder.empty())
+    std::filesystem::remove(solids->stages.folder / "report.html", ignored);
+}
+
 /// Makes what comes before the solution, and a page of it.
 ExitCode run_stages(const Study& study, Stage to, const Console& console) {
   const BlocksInput& solids = *solids_of(study);
@@ -154,6 +162,7 @@ ExitCode run_command(const RunCommand& command, const Console& console) {
   });
   if (!study.options.processes.is_first()) return ExitCode::ok;
   const std::vector<std::string> files = write_results(study, run, display.progress());
+  remove_stage_page(study);
   display.clear();
   for (const Warning& warning : run.built.warnings) console.warn(warning.text);
   if (!console.quiet)

@@ -119,7 +119,7 @@ class SolidStages {
     solids_ = step<FoundSolids>(
         Stage::solid, key, read_solid_file, [&] { return solids_of_files(input_, progress_); },
         solid_file_bytes);
-    if (folder_.is_used() && input_.stages.writes && !solids_.report.kept) write_step();
+    if (!solids_.report.kept && !solids_.report.file.empty()) write_step();
   }
 
   /// The solid that was made of triangles, for other programs; none of an earlier run stays.

@@ -81,8 +81,8 @@ struct Samples {
 Samples samples_along(const geometry::KnotVector& knots) {
   const std::vector<double> breaks = knots.breaks();
   const int spans = static_cast<int>(breaks.size()) - 1;
-  constexpr int most_a_span = 4, wanted = 10;
-  const int pieces = std::clamp(wanted / spans, 1, most_a_span);
+  constexpr int most_a_span = 8, wanted = 16;
+  const int pieces = std::clamp((wanted + spans - 1) / spans, 1, most_a_span);
   Samples samples;
   for (int s = 0; s < spans; ++s) {
     samples.breaks.push_back(static_cast<int>(samples.at.size()));

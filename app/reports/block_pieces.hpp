@@ -23,7 +23,7 @@ BlockPiece piece_of(const geometry::Brep& brep, const std::string& name, const s
 std::vector<BlockPiece> face_pieces(const geometry::Brep& brep, const std::string& body);
 
 /// The outside of a patch as a piece, with the lines of its elements.
-/// @cost  some 100 points a side, and at least one for each element
+/// @cost  some 300 points a side, and at least one for each element
 BlockPiece patch_piece(const geometry::NurbsVolume& patch, const std::string& name);
 
 /// A piece for each face that triangles were joined to, with the edges between it and others.

@@ -358,6 +358,7 @@ std::vector<ShownSection> sections_of_the_problem() {
         {"precision", "precision = \"single\"", "precision 2"},
         {"hdf5", "hdf5 = false", "hdf5 false"},
         {"report", "report = false", "report false"},
+        {"stages", "stages = false", "stages false"},
         {"error_estimate", "error_estimate = false", "error estimate false"},
         {"moments_about", "moments_about = [1, 2, 3]", "moments about 1 2 3"}}},
       {"section",

@@ -242,10 +242,11 @@ std::string words_of(const iga::ElasticityOptions& o) {
 
 std::string words_of(const OutputInput& o) {
   return fmt::format(
-      "directory {}\nfields {}\npieces {}\nexact {}\nprecision {}\nhdf5 {}\nreport {}\nerror estimate "
+      "directory {}\nfields {}\npieces {}\nexact {}\nprecision {}\nhdf5 {}\nreport {}\nstages {}\nerror "
+      "estimate "
       "{}\nmoments about {}\n",
       o.directory.string(), o.fields, o.field_options.pieces, o.field_options.exact,
-      static_cast<int>(o.field_options.precision), o.hdf5, o.report, o.error_estimate,
+      static_cast<int>(o.field_options.precision), o.hdf5, o.report, o.stages, o.error_estimate,
       words_of(o.moments_about));
 }
 

@@ -108,8 +108,7 @@ TEST(Read3mf, RefusesWhatGrowsWithoutEnd) {
     resources += object(id, fmt::format("<components><component objectid=\"{0}\"/><component "
                                         "objectid=\"{0}\"/></components>",
                                         id - 1));
-  EXPECT_ERROR(read(model(resources, "<item objectid=\"31\"/>")), ErrorCode::unsupported,
-               "100,000 objects");
+  EXPECT_ERROR(read(model(resources, "<item objectid=\"31\"/>")), ErrorCode::unsupported, "100,000 objects");
   resources = object(1, corner_mesh);
   for (int id = 2; id <= 200; ++id)
     resources += object(id, fmt::format("<components><component objectid=\"{}\"/></components>", id - 1));
