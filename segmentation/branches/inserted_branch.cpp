@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "geometry/base/error.hpp"
-#include "geometry/brep/require_solid.hpp"
 #include "geometry/splines/arc.hpp"
 #include "geometry/splines/refine.hpp"
 #include "geometry/splines/sweep.hpp"
+#include "segmentation/branches/internal/branch_levels.hpp"
 #include "segmentation/branches/internal/column.hpp"
 #include "segmentation/branches/internal/layer_shape.hpp"
 #include "segmentation/branches/internal/plan_drawing.hpp"

@@ -92,8 +92,7 @@ TEST(QuadrangulationOptions, OutOfRangeIsNamed) {
       {"aspect_weight is -1,", {.aspect_weight = -1}},
       {"slant_weight is inf,", {.slant_weight = std::numeric_limits<double>::infinity()}},
       {"effort is -1, allowed is 0", {.effort = -1}}};
-  for (const auto& [words, options] : wrong)
-    EXPECT_ERROR(validate(options), ErrorCode::invalid_argument, words);
+  for (const auto& each : wrong) EXPECT_ERROR(validate(each.second), ErrorCode::invalid_argument, each.first);
 }
 
 }  // namespace
