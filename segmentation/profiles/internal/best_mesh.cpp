@@ -14,6 +14,7 @@
 #include "segmentation/profiles/internal/midpoint_division.hpp"
 #include "segmentation/profiles/internal/ring.hpp"
 #include "segmentation/profiles/internal/shared_cuts.hpp"
+#include "segmentation/profiles/internal/strips.hpp"
 
 namespace isopatch::segmentation::planar {
 
@@ -206,6 +207,16 @@ std::vector<int> open_in_both(const std::vector<int>& first, const std::vector<i
   return result.empty() ? first : result;
 }
 
+/// Closes what single regions left open, if that goes with shared cuts elsewhere.
+void mend(RegionSearches::Whole& whole, const SearchInput& input, const QuadrangulationOptions& options) {
+  Search search(input, whole.mesh, options.seed, true);
+  search.polish();
+  search.remove_triangles(60);
+  search.improve(static_cast<int>(options.effort * (search.mesh().cells.size() + 5) / 80));
+  search.polish();
+  if (search.is_valid()) whole = {search.mesh(), search.cost(), {}};
+}
+
 }  // namespace
 
 CellMesh best_mesh(const SearchInput& input, const Profile& profile, const QuadrangulationOptions& options) {
@@ -218,6 +229,7 @@ CellMesh best_mesh(const SearchInput& input, const Profile& profile, const Quadr
     for (int round = 0; round < 10; ++round) {
       RegionSearches::Whole as_they_are = searches.divide_as_they_are(places);
       RegionSearches::Whole whole = searches.divide(places);
+      if (any_shared && !whole.open.empty()) mend(whole, input, options);
       const bool done = as_they_are.open.empty() || whole.open.empty() || !any_shared;
       if (!done)
         places = further_places(profile, input.curves, places, open_in_both(whole.open, as_they_are.open));
@@ -237,7 +249,9 @@ CellMesh best_mesh(const SearchInput& input, const Profile& profile, const Quadr
     last.improve(static_cast<int>(options.effort * (last.mesh().cells.size() + 5) / 80));
     last.polish();
   }
-  return last.is_valid() ? last.mesh() : last_resort(input, last.mesh());
+  if (!last.is_valid()) return last_resort(input, last.mesh());
+  const int windows = static_cast<int>(options.effort * (last.mesh().cells.size() + 5) / 40);
+  return with_fewer_strips(input, last.mesh(), windows);
 }
 
 }  // namespace isopatch::segmentation::planar
