@@ -13,6 +13,7 @@ namespace {
 
 // Points of the grid in each span.
 constexpr int places_of_span = 3;
+constexpr int most_halved_steps = 4;
 
 std::vector<double> grid_of(const geometry::KnotVector& knots) {
   const std::vector<double> breaks = knots.breaks();
@@ -58,7 +59,11 @@ Eigen::Vector2d NearestOnSpline::parameters(const Eigen::Vector3d& point,
         step[i] = 0;
         step[1 - i] = slopes.col(1 - i).dot(point - surface_.point(uv)) / matrix(1 - i, 1 - i);
       }
-    const Eigen::Vector2d next = (uv + step).cwiseMax(low).cwiseMin(high);
+    Eigen::Vector2d next = (uv + step).cwiseMax(low).cwiseMin(high);
+    // Where the surface bends away, the whole step leads too far.
+    const double before = (point - surface_.point(uv)).norm();
+    for (int half = 0; half < most_halved_steps && (point - surface_.point(next)).norm() > before; ++half)
+      next = (uv + (step *= 0.5)).cwiseMax(low).cwiseMin(high);
     const bool done = !((next - uv).norm() > 1e-12 * (high - low).norm());
     uv = next;
     if (done) break;

@@ -111,7 +111,7 @@ class RulingSlider {
         matrix(a, a) = 1;
         right[a] = 0;
       }
-    const auto step = solve_by_lu(matrix.sparseView(), right);
+    const auto step = solve_by_lu(Eigen::SparseMatrix<double>(matrix.sparseView()), right);
     if (!step) return 0;
     curves_.low = moved(curves_.low, step->col(0).head(2 * n));
     curves_.high = moved(curves_.high, step->col(0).tail(2 * n));

@@ -90,8 +90,8 @@ std::optional<Eigen::Vector3d> between_planes(const Wireframe& wires, const Regi
   return std::nullopt;
 }
 
-/// Edges of freeform faces that run at right angles from one plane to another do so exactly: what lies over
-/// each other is to be drawn as one.
+/// Straight edges of freeform faces that run at right angles from one plane to another do so exactly: what
+/// lies over each other is to be drawn as one.
 void make_upright(Wireframe& wires, const Regions& regions, double tolerance) {
   for (WireEdge& edge : wires.edges) {
     if (edge.points.size() < 2 || carriers_of(regions, {edge.regions[0], edge.regions[1]}).size() == 2)
@@ -99,7 +99,10 @@ void make_upright(Wireframe& wires, const Regions& regions, double tolerance) {
     const auto up = between_planes(wires, regions, edge);
     if (!up) continue;
     const Eigen::Vector3d way = edge.points.back() - edge.points.front(), aside = way - *up * up->dot(way);
-    if (aside.norm() > tolerance) continue;
+    const bool straight = std::all_of(edge.points.begin(), edge.points.end(), [&](const Eigen::Vector3d& p) {
+      return way.cross(p - edge.points.front()).norm() <= tolerance * way.norm();
+    });
+    if (aside.norm() > tolerance || !straight) continue;
     edge.points.front() += aside / 2;
     for (const Carrier& carrier : carriers_of(regions, {edge.regions[0], edge.regions[1]})) {
       const CarrierDistance off = carrier_distance(carrier, edge.points.front());
@@ -130,6 +133,7 @@ Eigen::Matrix3Xd along(const geometry::NurbsCurve& curve) {
 Eigen::Matrix3Xd exact_points(const WireEdge& edge, const Regions& regions, double size) {
   if (edge.points.empty()) return {};
   if (edge.curve) return along(*edge.curve);
+  if (edge.on_carrier.cols() > 0) return edge.on_carrier;
   const bool seam = edge.regions[0] == edge.regions[1];
   const int pieces = std::clamp(static_cast<int>(edge.points.size()) / 8, 1, most_edge_pieces);
   Eigen::Matrix3Xd points = evenly(edge.points, seam ? edge_intervals : pieces * edge_intervals);
@@ -162,7 +166,7 @@ CarrierSolid solid_of_regions(const geometry::TriangleMesh& mesh, const geometry
   sharpen_corners(wires, regions, size);
   make_upright(wires, regions, tolerance);
   add_seams(wires, regions, mesh, size);
-  add_freeform_faces(mesh, neighbours, wires, regions, tolerance);
+  add_freeform_faces(mesh, neighbours, wires, regions, tolerance, size);
   CarrierSolid solid;
   solid.vertices.resize(3, static_cast<Eigen::Index>(wires.vertices.size()));
   for (std::size_t v = 0; v < wires.vertices.size(); ++v)

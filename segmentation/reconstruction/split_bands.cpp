@@ -85,13 +85,16 @@ class Band {
   }
 
   /// Edges that divide it, from loop to loop.
-  std::vector<std::vector<MeshEdge>> divisions() {
+  /// @param ends  vertices where others were divided, near which divisions begin and end there; those of this
+  /// one are added
+  std::vector<std::vector<MeshEdge>> divisions(std::set<int>& ends) {
     if (length(loops_[1]) > length(loops_[0])) std::swap(loops_[0], loops_[1]);
     std::vector<std::vector<MeshEdge>> result;
     std::set<int> used;
     for (const std::size_t place : places()) {
-      const std::vector<int> way = shortest_way(loops_[0][place], used);
+      const std::vector<int> way = shortest_way(near_end(place, ends, used), used, ends);
       if (way.empty()) continue;
+      ends.insert({way.front(), way.back()});
       result.emplace_back();
       for (std::size_t i = 0; i + 1 < way.size(); ++i) result.back().push_back(mesh_edge(way[i], way[i + 1]));
       used.insert(way.begin(), way.end());
@@ -145,9 +148,26 @@ class Band {
     return result;
   }
 
-  /// From a vertex of the first loop to the second one, along no border and through no used vertex.
-  std::vector<int> shortest_way(int from, const std::set<int>& used) const {
+  /// A vertex of the first loop, or the nearest end along it that is not far.
+  int near_end(std::size_t place, const std::set<int>& ends, const std::set<int>& used) const {
+    const std::vector<int>& loop = loops_[0];
+    const double far = least_apart * length(loop);
+    double way = 0;
+    for (std::size_t step = 0; step < loop.size() / 2; ++step) {
+      for (const std::size_t i : {(place + step) % loop.size(), (place + loop.size() - step) % loop.size()})
+        if (ends.contains(loop[i]) && !used.contains(loop[i])) return loop[i];
+      way +=
+          (point(loop[(place + step + 1) % loop.size()]) - point(loop[(place + step) % loop.size()])).norm();
+      if (way > far) break;
+    }
+    return loop[place];
+  }
+
+  /// From a vertex of the first loop to the second one, along no border and through no used vertex; to
+  /// another vertex than an end only if that is so much shorter.
+  std::vector<int> shortest_way(int from, const std::set<int>& used, const std::set<int>& ends) const {
     const std::set<int> start(loops_[0].begin(), loops_[0].end()), goal(loops_[1].begin(), loops_[1].end());
+    const double detour = 2 * least_apart * length(loops_[1]);
     std::map<int, double> known{{from, 0}};
     std::map<int, int> before;
     std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> open;
@@ -165,7 +185,8 @@ class Band {
       if (beside == beside_.end()) continue;
       for (const int w : beside->second) {
         if (start.contains(w) || used.contains(w)) continue;
-        const double longer = far + (point(w) - point(v)).norm();
+        const double longer =
+            far + (point(w) - point(v)).norm() + (goal.contains(w) && !ends.contains(w) ? detour : 0.0);
         const auto [at, added] = known.emplace(w, std::numeric_limits<double>::infinity());
         if (longer >= at->second) continue;
         at->second = longer;
@@ -210,10 +231,11 @@ std::vector<std::vector<int>> pieces_between(const geometry::TriangleMesh& mesh,
 Regions split_bands(const geometry::TriangleMesh& mesh, const geometry::MeshNeighbours& neighbours,
                     Regions regions) {
   const std::size_t count = regions.regions.size();
+  std::set<int> ends;
   for (std::size_t r = 0; r < count; ++r) {
     if (regions.regions[r].carrier) continue;
     Band band(mesh, neighbours, regions, static_cast<int>(r));
-    const auto divisions = band.is_band()   ? band.divisions()
+    const auto divisions = band.is_band()   ? band.divisions(ends)
                            : band.is_disc() ? band.changes()
                                             : std::vector<std::vector<MeshEdge>>{};
     if (divisions.size() < (band.is_band() ? 2u : 1u)) continue;

@@ -5,6 +5,7 @@
 #include <GeomAPI_Interpolate.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_Plane.hxx>
+#include <Standard_Failure.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
@@ -19,6 +20,7 @@
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -83,9 +85,14 @@ class OnCarriers {
       builder_.MakeVertex(vertex, to_point(scale_ * Eigen::Vector3d(p)), least_edge_tolerance);
       vertices_.push_back(vertex);
     }
-    for (const CarrierSolid::Edge& edge : solid_.edges) edges_.push_back(edge_of(edge));
+    for (const CarrierSolid::Edge& edge : solid_.edges)
+      edges_.push_back(or_refused([&] { return edge_of(edge); }, "an edge", edge.start));
     std::vector<TopoDS_Face> faces;
-    for (const CarrierSolid::Face& face : solid_.faces) faces.push_back(face_of(face));
+    for (const CarrierSolid::Face& face : solid_.faces)
+      faces.push_back(or_refused([&] { return face_of(face); }, fmt::format("face '{}'", face.name),
+                                 face.loops.empty() || face.loops.front().empty()
+                                     ? VertexId(0)
+                                     : start_of(face.loops.front().front().edge)));
     ShapeInput input;
     input.metres = 1 / scale_;
     input.shape = whole(faces);
@@ -101,6 +108,22 @@ class OnCarriers {
  private:
   TopoDS_Vertex& vertex(VertexId id) { return vertices_[static_cast<std::size_t>(id.value)]; }
   TopoDS_Edge& edge(EdgeId id) { return edges_[static_cast<std::size_t>(id.value)]; }
+
+  VertexId start_of(EdgeId id) const { return solid_.edges[static_cast<std::size_t>(id.value)].start; }
+
+  /// What the library cannot draw is refused with its place.
+  auto or_refused(const auto& make, const std::string& what, VertexId id) const -> decltype(make()) {
+    try {
+      return make();
+    } catch (const Standard_Failure&) {
+      const Eigen::Vector3d p = solid_.vertices.col(id.value);
+      throw Error(
+          ErrorCode::unsupported,
+          fmt::format("{} that begins at ({:.6g}, {:.6g}, {:.6g}) m cannot be drawn on the surfaces beside "
+                      "it, which do not meet along it",
+                      what, p.x(), p.y(), p.z()));
+    }
+  }
 
   CurveForm form_of(const CarrierSolid::Edge& given) const {
     if (!given.curve) return form_of_points(scale_ * given.points, tolerance_);

@@ -65,7 +65,13 @@ class SplineSurface : public FaceSurface {
           step[i] = 0;
           step[1 - i] = slopes.col(1 - i).dot(way) / matrix(1 - i, 1 - i);
         }
-      const Eigen::Vector2d next = (uv + step).cwiseMax(low_).cwiseMin(high_);
+      Eigen::Vector2d next = (uv + step).cwiseMax(low_).cwiseMin(high_);
+      // Where the surface bends away, the whole step leads too far.
+      const auto off = [&](const Eigen::Vector2d& at) {
+        return (to_eigen(surface_->Value(at.x(), at.y())) - point).norm();
+      };
+      for (int half = 0; half < 4 && off(next) > way.norm(); ++half)
+        next = (uv + (step *= 0.5)).cwiseMax(low_).cwiseMin(high_);
       const bool done = (next - uv).norm() < 1e-14 * (high_ - low_).norm();
       uv = next;
       if (done) break;

@@ -22,6 +22,7 @@ struct WireEdge {
   std::array<int, 2> regions{};               ///< to the left and to the right; one twice for a seam
   bool free_start = false;                    ///< closed, and its vertex is no corner
   std::optional<geometry::NurbsCurve> curve;  ///< from start to end, of an edge of a freeform face
+  Eigen::Matrix3Xd on_carrier;                ///< or points from start to end, where its other face curves
 };
 
 /// The edges of regions and their loops, as of a B-rep, but with points of the mesh.

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -132,6 +134,24 @@ TEST(Reconstruction, WorksFarFromTheOrigin) {
   mesh = geometry::read_stl(geometry::to_stl(mesh), "far.stl");
   const Reconstruction made = reconstruct(mesh);
   EXPECT_EQ(kinds_text(made.regions), "6 planes, 1 cylinder");
+}
+
+TEST(Reconstruction, FindsTheSameFacesAtAnyScaleAndInAnyPosition) {
+  const geometry::TriangleMesh mesh = test::triangulated(made_brep("drilled"), 1e-3, 12, false).mesh;
+  const Reconstruction first = reconstruct(mesh);
+  const Eigen::Matrix3d turned =
+      Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  for (const double scale : {1e-3, 0.37, 1e6})
+    for (const bool single : {false, true}) {
+      geometry::TriangleMesh other = mesh;
+      other.vertices = scale * turned * mesh.vertices;
+      if (single) other = geometry::read_stl(geometry::to_stl(other), "turned.stl");
+      const Reconstruction made = reconstruct(other);
+      EXPECT_EQ(kinds_text(made.regions), kinds_text(first.regions)) << scale << single;
+      // 32 bits round the vertices by 6e-8 of the largest coordinate, a thickness by as much of some
+      // thirtieth.
+      EXPECT_NEAR(made.brep.volume() / (first.brep.volume() * std::pow(scale, 3)), 1, single ? 1e-5 : 1e-9);
+    }
 }
 
 TEST(Reconstruction, RefusesFreeformFacesAndSaysWhere) {
