@@ -10,19 +10,21 @@
 
 namespace isopatch::iga {
 
-/// What springs add to the stiffness: the integral over their faces of N_a N_b times their stiffness, or the
-/// weighted sum of it over the Greville points of holds, for any spaces on the patches and parts of them.
+/// What springs add to the stiffness: the integral over their faces of N_a N_b times their stiffness, the
+/// weighted sum of it over the Greville points of holds, or its sum over single points, for any spaces on the
+/// patches and parts of them.
 ///
-/// Blocks of pairs of nodes, sparse: only nodes on the faces have any.
+/// Blocks of pairs of nodes, sparse: only nodes whose functions reach the springs have any.
 class SupportStiffness {
  public:
   SupportStiffness() = default;
   /// @param spaces  of all patches; degree + 6 Gauss points per element and direction of the face, as loads
-  /// @param parts   what this process integrates: faces along direction 3 are shared layer by layer, so the
-  ///                shares of all processes add up
-  /// @cost   (degree + 6)^2 (degree + 1)^4 per element of the faces
+  /// @param parts   what this process integrates: faces along direction 3 and points are shared layer by
+  /// layer,
+  ///                so the shares of all processes add up
+  /// @cost   (degree + 6)^2 (degree + 1)^4 per element of the faces, (degree + 1)^6 per point inside
   SupportStiffness(const std::vector<PatchSpace>& spaces, const std::vector<PatchLayers>& parts,
-                   const std::vector<SprungFace>& faces);
+                   const Springs& springs);
 
   bool is_empty() const { return blocks_.empty(); }
   /// forces += S displacement, per node of all patches. (3, nodes)
@@ -38,6 +40,7 @@ class SupportStiffness {
     int second = 0;
     Eigen::Matrix3d value;  // symmetric
   };
+  class Sums;
   std::vector<Block> blocks_;  // by nodes
 };
 

@@ -36,11 +36,11 @@ std::vector<PatchSpace> with_fewest_points(std::vector<PatchSpace> spaces) {
 
 // The coarsest level's matrix, the same on every process, which has all rows there.
 solvers::LinearOperator coarse_inverse(const Level& level, const std::vector<Material>& materials,
-                                       const std::vector<SprungFace>& elastic, int points) {
+                                       const Springs& springs, int points) {
   const RowNumbering numbering{level.global_of, level.rows.global_rows()};
   solvers::SymmetricBlockMatrix stiffness =
       assemble_stiffness(level.spaces, whole_patches(level.spaces), materials, numbering, points);
-  SupportStiffness(level.spaces, whole_patches(level.spaces), elastic).add_to(stiffness, numbering);
+  SupportStiffness(level.spaces, whole_patches(level.spaces), springs).add_to(stiffness, numbering);
   apply_supports(stiffness, level.free, solvers::SharedRows(stiffness.block_rows()));
   return solvers::cholmod_inverse(std::move(stiffness));
 }
@@ -87,9 +87,9 @@ ElasticityMultigrid::ElasticityMultigrid(const ElasticityProblem& problem, const
   }
   // On coarser levels holds are integrated: seen from there the points of the finest level are everywhere,
   // and points of their own would let coarse functions do what the finest level forbids.
-  const std::vector<SprungFace> of_finest = sprung_faces(problem);
-  std::vector<SprungFace> of_coarser = of_finest;
-  for (SprungFace& face : of_coarser) face.is_hold = false;
+  const Springs of_finest = springs_of(problem);
+  Springs of_coarser = of_finest;
+  for (SprungFace& face : of_coarser.faces) face.is_hold = false;
   std::vector<solvers::MultigridLevel> described;
   for (std::size_t l = 0; l < levels.size(); ++l) {
     const Level& level = *levels[l];

@@ -25,15 +25,14 @@ Eigen::Matrix3Xd at_nodes(const Level& level, const Eigen::VectorXd& of_rows) {
 }
 
 LevelOperator::LevelOperator(const Level& level, const std::vector<Material>& materials, int points,
-                             const std::vector<SprungFace>& elastic)
-    : LevelOperator(level, level.spaces, materials, points, elastic) {}
+                             const Springs& springs)
+    : LevelOperator(level, level.spaces, materials, points, springs) {}
 
 LevelOperator::LevelOperator(const Level& level, const std::vector<PatchSpace>& spaces,
-                             const std::vector<Material>& materials, int points,
-                             const std::vector<SprungFace>& elastic)
+                             const std::vector<Material>& materials, int points, const Springs& springs)
     : level_(&level),
       stiffness_(spaces, level.parts, materials, points),
-      springs_(spaces, level.parts, elastic) {}
+      springs_(spaces, level.parts, springs) {}
 
 Eigen::VectorXd LevelOperator::forces(const Eigen::VectorXd& displacement) const {
   const Eigen::Matrix3Xd of_nodes = at_nodes(*level_, displacement);

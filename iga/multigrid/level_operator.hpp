@@ -21,11 +21,10 @@ class LevelOperator {
  public:
   /// `level` must outlive it.
   LevelOperator(const Level& level, const std::vector<Material>& materials, int points,
-                const std::vector<SprungFace>& elastic = {});
+                const Springs& springs = {});
   /// @param spaces  those of the level, but for their Gauss points; must outlive it as well
   LevelOperator(const Level& level, const std::vector<PatchSpace>& spaces,
-                const std::vector<Material>& materials, int points,
-                const std::vector<SprungFace>& elastic = {});
+                const std::vector<Material>& materials, int points, const Springs& springs = {});
 
   /// K x for consistent local vectors; the fixed components of the result are 0. (3 rows)
   Eigen::VectorXd apply(const Eigen::VectorXd& x) const;

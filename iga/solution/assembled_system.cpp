@@ -62,7 +62,7 @@ AssembledSystem assembled_system(const CoupledProblem& coupled, const Progress& 
   system.rows = local.rows;
   system.stiffness = assemble_stiffness(coupled.spaces, coupled.parts, coupled.problem->materials,
                                         local.numbering, coupled.points, progress);
-  SupportStiffness(coupled.spaces, coupled.parts, sprung_faces(*coupled.problem))
+  SupportStiffness(coupled.spaces, coupled.parts, springs_of(*coupled.problem))
       .add_to(system.stiffness, local.numbering);
   std::vector<LoadOfRows> loads;
   for (const RightSide& side : coupled.right_sides) {

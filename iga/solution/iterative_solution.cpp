@@ -46,7 +46,7 @@ solvers::SymmetricBlockMatrix assembled(const Level& level, const CoupledProblem
   const RowNumbering numbering{level.row_of_node, level.rows.local_rows()};
   solvers::SymmetricBlockMatrix matrix = assemble_stiffness(
       level.spaces, level.parts, coupled.problem->materials, numbering, coupled.points, progress);
-  SupportStiffness(level.spaces, level.parts, sprung_faces(*coupled.problem)).add_to(matrix, numbering);
+  SupportStiffness(level.spaces, level.parts, springs_of(*coupled.problem)).add_to(matrix, numbering);
   apply_supports(matrix, level.free, level.rows);
   return matrix;
 }
@@ -61,7 +61,7 @@ std::vector<DiscreteSolution> solve_eliminated(const CoupledProblem& coupled,
   const Level level =
       finest_level(coupled.spaces, coupled.global, coupled.frames, coupled.distribution, coupled.processes);
   const LevelOperator stiffness(level, coupled.problem->materials, coupled.points,
-                                sprung_faces(*coupled.problem));
+                                springs_of(*coupled.problem));
   solvers::OperatorSystem system;
   system.rows = level.rows;
   solvers::SymmetricBlockMatrix matrix;

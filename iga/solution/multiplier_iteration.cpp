@@ -18,7 +18,7 @@ std::vector<DiscreteSolution> solve_with_multipliers(const CoupledProblem& coupl
   const Level level =
       finest_level(coupled.spaces, coupled.global, coupled.frames, coupled.distribution, coupled.processes);
   const LevelOperator stiffness(level, coupled.problem->materials, coupled.points,
-                                sprung_faces(*coupled.problem));
+                                springs_of(*coupled.problem));
   const ElasticityMultigrid multigrid(*coupled.problem, level, coupled.frames, coupled.distribution,
                                       coupled.processes, {}, {options.multigrid, coupled.points}, progress);
   const SaddlePoint saddle(coupled, level, multigrid, stiffness.diagonal());

@@ -53,7 +53,7 @@ SaddlePoint::SaddlePoint(const CoupledProblem& coupled, const Level& level,
       level_(&level),
       multigrid_(&multigrid),
       stiffness_(level.spaces, level.parts, coupled.problem->materials, coupled.points),
-      springs_(level.spaces, level.parts, sprung_faces(*coupled.problem)),
+      springs_(level.spaces, level.parts, springs_of(*coupled.problem)),
       rows_(saddle_rows(coupled, level)) {
   // Jumps cost some hundred times what they cost in a node's own stiffness: what is continuous hardly feels
   // them, and all eigenvalues of jumps and multipliers are near (1 +- sqrt 5) / 2. More would save

@@ -88,13 +88,11 @@ double external_work(const GlobalNodes& global, const RightSide& side, const Eig
   return 0.5 * work;
 }
 
-// Multipliers, and what follows from the stresses of `solution.field`.
+// Multipliers, and what follows from the stresses of `solution.field`, whose own process' shares are given.
 void add_results(const CoupledProblem& coupled, const RightSide& side, const DiscreteSolution& discrete,
-                 ElasticitySolution& solution, const Progress& progress) {
+                 InternalForces share, const FaceStresses& faces, ElasticitySolution& solution) {
   const ElasticityProblem& problem = *coupled.problem;
   ElasticReactions springs = elastic_reactions(problem, discrete.displacement, coupled.spaces, coupled.parts);
-  InternalForces share = internal_forces(problem.discretization, problem.materials, discrete.displacement,
-                                         coupled.parts, coupled.points, progress, side.thermal);
   share.forces += springs.forces;
   const InternalForces internal = summed(std::move(share), coupled.processes);
   springs = summed(std::move(springs), coupled.processes);
@@ -108,7 +106,7 @@ void add_results(const CoupledProblem& coupled, const RightSide& side, const Dis
                    : recovered_multipliers(coupled.multipliers, coupled.global, coupled.frames, -unbalanced));
   ElasticityResults& results = solution.results;
   results.max_displacement = largest(max_displacement(solution.field, coupled.parts), coupled.processes);
-  const FaceStresses on_faces = summed(stresses_on_faces(solution.field, coupled.parts), coupled.processes);
+  const FaceStresses on_faces = summed(faces, coupled.processes);
   results.max_von_mises = larger(internal.max_von_mises, on_faces.max_von_mises);
   results.peaks = together(internal.peaks, on_faces.peaks);
   results.max_strain = internal.max_strain;
@@ -169,6 +167,7 @@ std::vector<ElasticitySolution> with_results(const CoupledProblem& coupled,
                                              const std::vector<DiscreteSolution>& discrete,
                                              const PlannedSolution& planned, const Progress& progress) {
   std::vector<ElasticitySolution> result;
+  std::vector<StrainedPart> displacements;
   for (std::size_t i = 0; i < sides.size(); ++i) {
     if (!discrete[i].displacement.allFinite())
       throw Error(ErrorCode::singular_system,
@@ -180,8 +179,17 @@ std::vector<ElasticitySolution> with_results(const CoupledProblem& coupled,
     solution.solver = discrete[i].report;
     solution.field = field_of(*coupled.problem, discrete[i].displacement);
     solution.field.thermal = sides[i].thermal;
-    add_results(coupled, sides[i], discrete[i], solution, progress);
-    if (!planned.is_first) require_balance(solution.results, discrete[i].report);
+    displacements.push_back({discrete[i].displacement, sides[i].thermal});
+  }
+  std::vector<const ElasticField*> fields;
+  for (const ElasticitySolution& solution : result) fields.push_back(&solution.field);
+  std::vector<InternalForces> internal =
+      internal_forces(coupled.discretization(), coupled.problem->materials, displacements, coupled.parts,
+                      coupled.points, progress);
+  const std::vector<FaceStresses> faces = stresses_on_faces(fields, coupled.parts);
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    add_results(coupled, sides[i], discrete[i], std::move(internal[i]), faces[i], result[i]);
+    if (!planned.is_first) require_balance(result[i].results, discrete[i].report);
   }
   return result;
 }
