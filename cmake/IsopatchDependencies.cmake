@@ -1,20 +1,7 @@
-# Everything isopatch links. scripts/packages.txt names the Debian packages.
+# Everything else that isopatch links. scripts/packages.txt names the Debian packages.
 
-find_package(Threads REQUIRED)
-find_package(OpenMP REQUIRED COMPONENTS CXX)
-find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(fmt REQUIRED)
-find_package(PkgConfig REQUIRED)
-pkg_check_modules(PUGIXML REQUIRED IMPORTED_TARGET pugixml)
-pkg_check_modules(LIBZIP REQUIRED IMPORTED_TARGET libzip)
-pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5-serial)
-pkg_check_modules(PETSC REQUIRED IMPORTED_TARGET PETSc)
-# Debian's file gives flags that PETSc itself was built with (_FORTIFY_SOURCE), which do not suit our headers.
-set_property(TARGET PkgConfig::PETSC PROPERTY INTERFACE_COMPILE_OPTIONS "")
-find_package(MPI REQUIRED COMPONENTS C)
+include("${CMAKE_CURRENT_LIST_DIR}/IsopatchSolveDependencies.cmake")
 pkg_check_modules(NLOPT REQUIRED IMPORTED_TARGET nlopt)
-find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
-find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
 find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel FiltersCore FiltersGeneral FiltersGeometry
   FiltersSources IOXML IOImage RenderingFreeType RenderingOpenGL2)
 # By hand: the package file of Debian asks for libraries of OpenCASCADE's viewer, too.

@@ -1,5 +1,6 @@
 # Installs the program, the libraries with their headers and a package file, so that another project says
-#   find_package(isopatch) and target_link_libraries(... isopatch::iga).
+#   find_package(isopatch) and target_link_libraries(... isopatch::iga),
+# or find_package(isopatch COMPONENTS solve) for the libraries that solve and what these need alone.
 
 include(CMakePackageConfigHelpers)
 
@@ -9,7 +10,14 @@ get_property(libraries GLOBAL PROPERTY ISOPATCH_LIBRARIES)
 install(TARGETS isopatch RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
 install(TARGETS isopatch_drawing isopatch_brep_module LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/isopatch")
 install(TARGETS isopatch_cad_reader RUNTIME DESTINATION "${CMAKE_INSTALL_LIBDIR}/isopatch")
-install(TARGETS isopatch_settings ${libraries} EXPORT isopatch ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+set(solving)
+foreach(name base splines geometry mesh hex models io solvers iga)
+  list(APPEND solving isopatch_${name})
+endforeach()
+list(REMOVE_ITEM libraries ${solving})
+install(TARGETS isopatch_settings ${solving} EXPORT isopatch_solve ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+install(EXPORT isopatch_solve NAMESPACE isopatch:: FILE isopatchSolveTargets.cmake DESTINATION "${config_folder}")
+install(TARGETS ${libraries} EXPORT isopatch ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 install(EXPORT isopatch NAMESPACE isopatch:: FILE isopatchTargets.cmake DESTINATION "${config_folder}")
 
 # Headers keep their folders, so that they are included as in the tree: "geometry/multi_patch.hpp".
@@ -22,4 +30,4 @@ configure_package_config_file(cmake/isopatchConfig.cmake.in "${PROJECT_BINARY_DI
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/isopatchConfigVersion.cmake"
   COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/isopatchConfig.cmake" "${PROJECT_BINARY_DIR}/isopatchConfigVersion.cmake"
-  cmake/IsopatchDependencies.cmake DESTINATION "${config_folder}")
+  cmake/IsopatchSolveDependencies.cmake cmake/IsopatchDependencies.cmake DESTINATION "${config_folder}")

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "geometry/base/error.hpp"
+#include "solvers/residuals.hpp"
 
 namespace isopatch::solvers {
 namespace {
@@ -20,30 +21,29 @@ class Refinement {
   Refinement(const ScaledSystem& system, double tolerance)
       : system_(&system), tolerance_(tolerance), load_norm_(system.load_norm()) {}
 
-  void start(Eigen::VectorXd z) {
+  const ScaledSystem& system() const { return *system_; }
+  bool goes_on(int step) const { return !is_done_ && (step <= 1 || best_.history.back() > tolerance_); }
+  // The solution that a correction leads to, from nothing at first.
+  Eigen::VectorXd corrected(const Eigen::VectorXd& correction) const {
+    Eigen::VectorXd z = best_.history.empty() ? correction : best_.z + correction;
     check_finite(z);
-    best_.z = std::move(z);
-    residual_ = system_->residual(best_.z);
-    best_.history.push_back(system_->norm(residual_) / load_norm_);
+    return z;
   }
-
-  bool goes_on(int step) const { return !is_done_ && (step == 1 || best_.history.back() > tolerance_); }
-
-  void correct(const Eigen::VectorXd& correction) {
-    const double before = best_.history.back();
-    Eigen::VectorXd z = best_.z + correction;
-    check_finite(z);
-    residual_ = system_->residual(z);
+  void take(Eigen::VectorXd z, Eigen::VectorXd residual) {
+    residual_ = std::move(residual);
     const double after = system_->norm(residual_) / load_norm_;
-    // At the round-off level residuals waver, while the error of z may still shrink.
-    is_done_ = after > 0.5 * before;
-    if (after > before && after > tolerance_) return;
+    if (!best_.history.empty()) {
+      const double before = best_.history.back();
+      // At the round-off level residuals waver, while the error of z may still shrink.
+      is_done_ = after > 0.5 * before;
+      if (after > before && after > tolerance_) return;
+    }
     best_.z = std::move(z);
     best_.history.push_back(after);
   }
 
   const Eigen::VectorXd& residual() const { return residual_; }
-  RefinedSolution take() { return std::move(best_); }
+  RefinedSolution result() { return std::move(best_); }
 
  private:
   const ScaledSystem* system_;
@@ -54,6 +54,20 @@ class Refinement {
   bool is_done_ = false;
 };
 
+// One step of some right sides: from their residuals in `columns` to better solutions and what these leave.
+void step(const std::vector<Refinement*>& active, Eigen::MatrixXd columns, const ApplyInverse& inverse) {
+  columns = inverse(columns);
+  std::vector<const ScaledSystem*> systems;
+  for (std::size_t i = 0; i < active.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    systems.push_back(&active[i]->system());
+    columns.col(k) = active[i]->corrected(columns.col(k));
+  }
+  const Eigen::MatrixXd left = residuals(systems, columns);
+  for (std::size_t i = 0; i < active.size(); ++i)
+    active[i]->take(columns.col(static_cast<Eigen::Index>(i)), left.col(static_cast<Eigen::Index>(i)));
+}
+
 }  // namespace
 
 std::vector<RefinedSolution> solve_and_refine(const ScaledSystems& systems, const ApplyInverse& inverse,
@@ -61,27 +75,20 @@ std::vector<RefinedSolution> solve_and_refine(const ScaledSystems& systems, cons
   constexpr int most_steps = 10;
   const Eigen::Index rows = systems.front().rows();
   std::vector<Refinement> all;
-  Eigen::MatrixXd columns(rows, static_cast<Eigen::Index>(systems.size()));
-  for (const ScaledSystem& system : systems) {
-    columns.col(static_cast<Eigen::Index>(all.size())) = system.right_side();
-    all.emplace_back(system, tolerance);
-  }
-  columns = inverse(columns);
-  for (std::size_t i = 0; i < all.size(); ++i) all[i].start(columns.col(static_cast<Eigen::Index>(i)));
-  for (int step = 1; step <= most_steps; ++step) {
+  for (const ScaledSystem& system : systems) all.emplace_back(system, tolerance);
+  for (int k = 0; k <= most_steps; ++k) {
     std::vector<Refinement*> active;
     for (Refinement& one : all)
-      if (one.goes_on(step)) active.push_back(&one);
+      if (one.goes_on(k)) active.push_back(&one);
     if (active.empty()) break;
-    columns.resize(rows, static_cast<Eigen::Index>(active.size()));
+    Eigen::MatrixXd columns(rows, static_cast<Eigen::Index>(active.size()));
     for (std::size_t i = 0; i < active.size(); ++i)
-      columns.col(static_cast<Eigen::Index>(i)) = active[i]->residual();
-    columns = inverse(columns);
-    for (std::size_t i = 0; i < active.size(); ++i)
-      active[i]->correct(columns.col(static_cast<Eigen::Index>(i)));
+      columns.col(static_cast<Eigen::Index>(i)) =
+          k == 0 ? active[i]->system().right_side() : active[i]->residual();
+    step(active, std::move(columns), inverse);
   }
   std::vector<RefinedSolution> result;
-  for (Refinement& one : all) result.push_back(one.take());
+  for (Refinement& one : all) result.push_back(one.result());
   return result;
 }
 

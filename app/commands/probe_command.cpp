@@ -1,6 +1,7 @@
 #include "app/commands/probe_command.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -51,10 +52,17 @@ std::string values_text(const StoredValues& found) {
       place_text(tidy(principal.directions.col(2)), 4));
 }
 
-std::string values_json(const StoredValues& found, double yield) {
+// "case          braking, of gravity, braking, design"; nothing of results without cases.
+std::string case_text(const iga::StoredResult& result) {
+  if (result.case_name.empty()) return "";
+  return fmt::format("case          {}, of {}\n", result.case_name, fmt::join(result.case_names, ", "));
+}
+
+std::string values_json(const StoredValues& found, double yield, const std::string& case_name) {
   const iga::PrincipalStresses principal = iga::principal_stresses(found.values.stress);
   return file_text(
-      {{"patch", found.patch},
+      {{"case", case_name.empty() ? Json() : Json(case_name)},
+       {"patch", found.patch},
        {"parameter", to_json(Eigen::Vector3d(found.parameter))},
        {"point", to_json(found.values.place)},
        {"displacement", to_json(found.values.displacement)},
@@ -79,7 +87,7 @@ ExitCode probe_command(const ProbeCommand& command, const Console& console) {
     if (!command.point.empty() || command.patch || command.json || (!command.line.empty() && command.places))
       throw Error(ErrorCode::invalid_argument,
                   "--line and --places print CSV and go with none of the other options but --count");
-    console.out << places_csv(iga::read_result(command.results),
+    console.out << places_csv(iga::read_result(command.results, command.case_name),
                               command.places ? read_places(*command.places)
                                              : line_places(parse_point(command.line.at(0)),
                                                            parse_point(command.line.at(1)), command.count));
@@ -96,7 +104,8 @@ ExitCode probe_command(const ProbeCommand& command, const Console& console) {
   const iga::StoredResult result = iga::read_result(command.results, command.case_name);
   const StoredValues found = probe(result, where);
   const double yield = result.field.materials[static_cast<std::size_t>(found.patch)].yield;
-  console.out << (command.json ? values_json(found, yield) : values_text(found));
+  console.out << (command.json ? values_json(found, yield, result.case_name)
+                               : case_text(result) + values_text(found));
   if (!command.json && yield > 0)
     console.out << fmt::format("safety factor {:.4g} against yield\n",
                                iga::safety_factor(found.values.von_mises, yield));

@@ -70,6 +70,8 @@ std::string region_text(const AppliedRegion& region) {
   if (!region.patches.empty())
     return fmt::format("{}: {} in {}, {}", region.name, region.kind,
                        counted(region.patches.size(), "patch", "patches"), with_unit(region.volume, "m^3"));
+  if (region.length > 0)
+    return fmt::format("{}: {} along a line of {}", region.name, region.kind, with_unit(region.length, "m"));
   if (region.points > 0)
     return fmt::format("{}: {} at {}", region.name, region.kind,
                        counted(static_cast<std::size_t>(region.points), "point", "points"));
@@ -78,8 +80,8 @@ std::string region_text(const AppliedRegion& region) {
   if (!region.edges.empty())
     return fmt::format("{}: {} on {} of patches", region.name, region.kind,
                        counted(region.edges.size(), "edge", "edges"));
-  return fmt::format("{}: {} on {}, {}", region.name, region.kind, faces_text(region),
-                     with_unit(region.area, "m^2"));
+  return fmt::format("{}: {} on {}{}, {}", region.name, region.kind, region.is_part ? "part of " : "",
+                     faces_text(region), with_unit(region.area, "m^2"));
 }
 
 }  // namespace isopatch::app

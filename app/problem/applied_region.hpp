@@ -22,7 +22,9 @@ struct AppliedRegion {
   std::vector<std::string> edges = {};              ///< "0:east+back", in the input's naming
   std::string key = {};                             ///< what results call it: "left bore", or "support 1"
   std::vector<std::string> given = {};              ///< names of its faces, as the study gives them
-  int points = 0;                                   ///< corners of patches that a support holds
+  int points = 0;                                   ///< places that a support holds or a load acts at
+  double length = 0;     ///< of the lines that a support holds or a load acts along, m
+  bool is_part = false;  ///< whether it is a part of its faces alone, whose area `area` is
 };
 
 AppliedRegion region_of(const std::string& name, std::string_view kind,

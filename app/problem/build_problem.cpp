@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <type_traits>
@@ -15,6 +16,8 @@
 #include "app/problem/attachment.hpp"
 #include "app/problem/corner_selection.hpp"
 #include "app/problem/edge_selection.hpp"
+#include "app/problem/face_part.hpp"
+#include "app/problem/located_points.hpp"
 #include "app/problem/loose_bodies.hpp"
 #include "app/problem/plausibility.hpp"
 #include "app/problem/read_model_file.hpp"
@@ -66,24 +69,43 @@ std::vector<iga::Material> assign_materials(const Study& study, const MultiPatch
   return result;
 }
 
+/// Faces, and where on them.
+struct CaughtFaces {
+  std::vector<geometry::PatchFace> faces;
+  iga::Region region;
+};
+
 /// The faces of a support or a load, with its share of the report and a warning if some are missed by little.
-std::vector<geometry::PatchFace> caught_faces(const FaceSelection& selection, const std::string& name,
-                                              std::string_view kind, BuiltProblem& built,
-                                              std::vector<AppliedRegion>& regions) {
+CaughtFaces caught_faces(const FaceSelection& selection, const std::string& name, std::string_view kind,
+                         BuiltProblem& built, std::vector<AppliedRegion>& regions) {
   const MultiPatch& model = built.problem.discretization.model;
   SelectedFaces selected = select_faces(model, selection);
-  regions.push_back(region_of(name, kind, selected.faces, built.report));
+  CaughtFaces caught{std::move(selected.faces), part_of(selection)};
+  if (selection.part) caught.faces = faces_reaching_into(caught.region, model, caught.faces, selection.place);
+  regions.push_back(region_of(name, kind, caught.faces, built.report));
   regions.back().given = selection.faces;
+  if (selection.part) {
+    regions.back().is_part = true;
+    regions.back().area = iga::area_of(model.patches(), caught.faces, caught.region);
+  }
   const std::string warning = near_miss_warning(model, selection, name, selected);
   if (!warning.empty()) built.warnings.push_back({warning});
-  return std::move(selected.faces);
+  return caught;
+}
+
+// Lines and points take forces by stresses without limit.
+void warn_of_singular(const Place& place, const std::string& name, const char* what, BuiltProblem& built) {
+  built.warnings.push_back(
+      {fmt::format("{}: {} {}: where that takes a force, stresses grow without limit as elements become "
+                   "small, and so does what gives way; look at them elsewhere",
+                   to_string(place), name, what)});
 }
 
 Eigen::Vector3d total_of(const iga::SurfaceLoad& load, const iga::Discretization& discretization) {
   Eigen::Vector3d total = Eigen::Vector3d::Zero();
   for (const geometry::PatchFace& face : load.faces)
     total += iga::face_load(discretization.patches[static_cast<std::size_t>(face.patch.value)], face.side,
-                            load.traction)
+                            load.traction, load.region)
                  .rowwise()
                  .sum();
   return total;
@@ -95,32 +117,44 @@ class LoadAdder {
   LoadAdder(const AppliedLoad& load, BuiltProblem& built) : load_(load), built_(built) {}
 
   void operator()(const Traction& traction) {
-    add(iga::constant_traction(load_.name, faces_on(traction.selection), traction.value));
+    CaughtFaces on = faces_on(traction.selection);
+    add(iga::constant_traction(load_.name, std::move(on.faces), traction.value, on.region));
   }
   void operator()(const Pressure& pressure) {
-    add(iga::pressure_load(load_.name, faces_on(pressure.selection), pressure.value));
+    CaughtFaces on = faces_on(pressure.selection);
+    add(iga::pressure_load(load_.name, std::move(on.faces), pressure.value, on.region));
   }
   void operator()(const Force& force) {
-    add(iga::total_force(load_.name, faces_on(force.selection), force.value, built_.problem.discretization));
+    if (!force.points.empty()) return add_points(force);
+    if (!force.line.empty()) return add_line(force);
+    add(placed(
+        [&](const CaughtFaces& on) {
+          return iga::total_force(load_.name, on.faces, force.value, built_.problem.discretization,
+                                  on.region);
+        },
+        force.selection));
   }
   void operator()(const Bearing& bearing) {
     add(placed(
-        [&](auto faces) {
-          return iga::bearing_load(load_.name, faces, bearing.value, built_.problem.discretization);
+        [&](const CaughtFaces& on) {
+          return iga::bearing_load(load_.name, on.faces, bearing.value, built_.problem.discretization,
+                                   on.region);
         },
         bearing.selection));
   }
   void operator()(const Remote& remote) {
     add(placed(
-        [&](auto faces) {
-          return iga::remote_load(load_.name, faces, remote.value, built_.problem.discretization);
+        [&](const CaughtFaces& on) {
+          return iga::remote_load(load_.name, on.faces, remote.value, built_.problem.discretization,
+                                  on.region);
         },
         remote.selection));
   }
   void operator()(const Hydrostatic& liquid) {
     add(placed(
-        [&](auto faces) {
-          return iga::hydrostatic_load(load_.name, faces, liquid.value, built_.problem.discretization);
+        [&](const CaughtFaces& on) {
+          return iga::hydrostatic_load(load_.name, on.faces, liquid.value, built_.problem.discretization,
+                                       on.region);
         },
         liquid.selection));
   }
@@ -159,8 +193,25 @@ class LoadAdder {
   }
   template <class Make>
   iga::SurfaceLoad placed(Make make, const FaceSelection& selection) {
-    const auto faces = faces_on(selection);
-    return at_place([&] { return make(faces); });
+    const CaughtFaces on = faces_on(selection);
+    return at_place([&] { return make(on); });
+  }
+  void add_points(const Force& force) {
+    add_at(force, located_points(built_.problem.discretization.model, force.points, load_.place),
+           "acts at points");
+    built_.loads.back().points = static_cast<int>(force.points.size());
+  }
+  void add_line(const Force& force) {
+    add_at(force, located_line(built_.problem.discretization.model, force.line, load_.place),
+           "acts along a line");
+    built_.loads.back().length = length_of(force.line);
+  }
+  void add_at(const Force& force, std::vector<iga::PatchPoint> points, const char* how) {
+    built_.loads.push_back(
+        region_of(load_.name, kind_name(load_), std::vector<geometry::PatchFace>{}, built_.report));
+    built_.problem.point_loads.push_back({load_.name, force.value, std::move(points)});
+    total() = force.value;
+    warn_of_singular(load_.place, load_.name, how, built_);
   }
   void add_weight(const PatchSelection& selection, const Eigen::Vector3d& acceleration) {
     const auto patches = patches_in(selection);
@@ -170,7 +221,7 @@ class LoadAdder {
     for (const PatchId id : patches)
       total() += volume(id) * materials[static_cast<std::size_t>(id.value)].density * acceleration;
   }
-  std::vector<geometry::PatchFace> faces_on(const FaceSelection& selection) {
+  CaughtFaces faces_on(const FaceSelection& selection) {
     return caught_faces(selection, load_.name, kind_name(load_), built_, built_.loads);
   }
   std::vector<PatchId> patches_in(const PatchSelection& selection) {
@@ -225,12 +276,32 @@ struct SupportCondition {
   Place place;
 };
 
-// Lines and points take forces by stresses without limit.
-void warn_of_singular(const SupportInput& support, const char* what, BuiltProblem& built) {
-  built.warnings.push_back({fmt::format(
-      "{}: {} holds {}: where that takes a force, stresses grow without limit as elements become "
-      "small, and so does what gives way; look at them elsewhere",
-      to_string(support.selection.place), support.name, what)});
+// Springs cannot move what they hold; said here, where the study's line is known.
+void require_held_at_zero(const iga::Support& made, const Place& place) {
+  const auto* held = std::get_if<iga::PrescribedDisplacement>(&made.condition);
+  const bool moves =
+      held && (!held->gradient.isZero(0) || std::any_of(held->value.begin(), held->value.end(),
+                                                        [](const auto& u) { return u.value_or(0) != 0; }));
+  if (moves && !made.points.empty())
+    throw error_at(place, made.name +
+                              " moves points or a line that are no corners of patches: these can be held "
+                              "where they are, with a displacement of 0, and not moved");
+}
+
+// The places that a support holds instead of faces: corners of patches as such, others as points.
+void hold_points(const HeldDisplacement& held, const Place& place, const MultiPatch& model,
+                 iga::Support& made, AppliedRegion& region) {
+  for (const Eigen::Vector3d& wanted : held.points) {
+    const auto corners = corners_at(model, wanted);
+    made.corners.insert(made.corners.end(), corners.begin(), corners.end());
+    if (!corners.empty()) continue;
+    const auto points = located_points(model, {wanted}, place);
+    made.points.insert(made.points.end(), points.begin(), points.end());
+  }
+  region.points = static_cast<int>(held.points.size());
+  if (held.line.empty()) return;
+  made.points = located_line(model, held.line, place);
+  region.length = length_of(held.line);
 }
 
 void add_support(const SupportInput& support, BuiltProblem& built) {
@@ -238,10 +309,14 @@ void add_support(const SupportInput& support, BuiltProblem& built) {
   const Place& place = support.selection.place;
   iga::Support made{support.name, {}, iga::FreeBodySupport{}};
   const auto* held = std::get_if<HeldDisplacement>(&support.condition);
-  if (std::holds_alternative<FreeBody>(support.condition) || (held && !held->points.empty())) {
+  const bool has_points = held && !(held->points.empty() && held->line.empty());
+  if (std::holds_alternative<FreeBody>(support.condition) || has_points) {
     built.supports.push_back(region_of(support.name, kind_name(support), made.faces, built.report));
   } else {
-    made.faces = caught_faces(support.selection, support.name, kind_name(support), built, built.supports);
+    CaughtFaces caught =
+        caught_faces(support.selection, support.name, kind_name(support), built, built.supports);
+    made.faces = std::move(caught.faces);
+    made.region = std::move(caught.region);
   }
   made.condition =
       std::visit(SupportCondition{model, made.faces, built.supports.back().area, place}, support.condition);
@@ -250,14 +325,14 @@ void add_support(const SupportInput& support, BuiltProblem& built) {
     built.supports.back() = region_of(support.name, kind_name(support), made.edges, model);
     built.supports.back().given = support.selection.faces;
     made.faces.clear();
-    warn_of_singular(support, "lines", built);
+    warn_of_singular(place, support.name, "holds lines", built);
   }
-  if (held && !held->points.empty()) {
-    made.corners = select_corners(model, held->points, place);
-    built.supports.back().points = static_cast<int>(held->points.size());
-    warn_of_singular(support, "points", built);
+  if (has_points) {
+    hold_points(*held, place, model, made, built.supports.back());
+    warn_of_singular(place, support.name, held->line.empty() ? "holds points" : "holds a line", built);
   }
   built.supports.back().key = support.key;
+  require_held_at_zero(made, place);
   built.problem.supports.push_back(std::move(made));
 }
 

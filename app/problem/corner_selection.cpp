@@ -1,12 +1,8 @@
 #include "app/problem/corner_selection.hpp"
 
-#include <fmt/format.h>
-
 #include <limits>
 #include <utility>
 
-#include "app/base/engineering_units.hpp"
-#include "app/base/place_text.hpp"
 #include "app/base/place_tolerance.hpp"
 
 namespace isopatch::app {
@@ -33,25 +29,12 @@ std::pair<iga::PatchCorner, double> nearest_corner(const MultiPatch& model, cons
 
 }  // namespace
 
-std::vector<iga::PatchCorner> select_corners(const MultiPatch& model,
-                                             const std::vector<Eigen::Vector3d>& places, const Place& place) {
+std::vector<iga::PatchCorner> corners_at(const MultiPatch& model, const Eigen::Vector3d& wanted) {
   const double tolerance = place_tolerance * model.size();
   std::vector<iga::PatchCorner> result;
-  for (const Eigen::Vector3d& wanted : places) {
-    std::pair<iga::PatchCorner, double> nearest{{}, std::numeric_limits<double>::infinity()};
-    const std::size_t before = result.size();
-    for (const std::vector<PatchId>& body : model.bodies()) {
-      const auto found = nearest_corner(model, body, wanted);
-      if (found.second <= tolerance) result.push_back(found.first);
-      if (found.second < nearest.second) nearest = found;
-    }
-    if (result.size() > before) continue;
-    throw error_at(place,
-                   fmt::format("points: no corner of a patch lies at {}; the nearest is {} away at {}. Only "
-                               "corners of patches can be held: give that one, or cut the patches there",
-                               place_with_unit(wanted, model.size()), with_unit(nearest.second, "m"),
-                               place_with_unit(place_of(model, nearest.first), model.size())));
-  }
+  for (const std::vector<PatchId>& body : model.bodies())
+    if (const auto found = nearest_corner(model, body, wanted); found.second <= tolerance)
+      result.push_back(found.first);
   return result;
 }
 

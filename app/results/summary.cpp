@@ -100,7 +100,10 @@ Json caught_json(const std::vector<AppliedRegion>& regions) {
                       {"kind", region.kind},
                       {"given", region.given},
                       {"faces", region.faces},
-                      {"area", region.area}});
+                      {"area", region.area},
+                      {"is_part", region.is_part},
+                      {"points", region.points},
+                      {"length", region.length}});
   return result;
 }
 
@@ -157,16 +160,17 @@ Json reactions_json(const StudyRun& run, const iga::ElasticityResults& results,
   return reactions;
 }
 
-Json error_json(const StudyRun& run) {
-  if (!run.error) return run.error_missing.empty() ? Json(nullptr) : Json{{"missing", run.error_missing}};
-  return {{"energy_norm", run.error->relative},
-          {"energy", run.error->energy},
-          {"max_von_mises", iga::von_mises(run.error->stress_at_max)},
-          {"singular", run.error->singular ? Json(*run.error->singular) : Json(nullptr)},
-          {"iterations", run.error->iterations}};
+Json error_json(const std::optional<RunError>& error, const std::string& missing) {
+  if (!error) return missing.empty() ? Json(nullptr) : Json{{"missing", missing}};
+  return {{"energy_norm", error->relative},
+          {"energy", error->energy},
+          {"max_von_mises", iga::von_mises(error->stress_at_max)},
+          {"singular", error->singular ? Json(*error->singular) : Json(nullptr)},
+          {"iterations", error->iterations}};
 }
 
-Json results_json(const Study& study, const StudyRun& run, const iga::ElasticityResults& results) {
+Json results_json(const Study& study, const StudyRun& run, const CaseView& one) {
+  const iga::ElasticityResults& results = one.solution.results;
   const auto& model = run.built.problem.discretization.model;
   const auto at = [&](const iga::Extremum& e) {
     if (e.patch < 0) return Json(nullptr);
@@ -206,7 +210,7 @@ Json results_json(const Study& study, const StudyRun& run, const iga::Elasticity
           {"max_strain", results.max_strain.value},
           {"max_strain_at", at(results.max_strain)},
           {"unresolved_energy_share", unresolved_share(results)},
-          {"discretization_error", &results == &run.solution.results ? error_json(run) : Json(nullptr)},
+          {"discretization_error", error_json(one.error, run.error_missing)},
           {"total_load", to_json(results.total_load)},
           {"moments_about", to_json(study.output.moments_about)},
           {"reactions", reactions_json(run, results, study.output.moments_about)}};
@@ -231,6 +235,7 @@ Json probes_json(const std::vector<ProbeValues>& probes) {
                                         {"stress", symmetric_to_json(side.values.stress)},
                                         {"von_mises", side.values.von_mises}});
     if (probe.stress_error) result.back()["von_mises_error"] = iga::von_mises(*probe.stress_error);
+    if (probe.singular) result.back()["singular"] = *probe.singular;
   }
   return result;
 }
@@ -264,7 +269,7 @@ Json cases_json(const Study& study, const StudyRun& run) {
                       {"kind", one.name.factors.empty() ? "case" : "combination"},
                       {"loads", one.name.loads},
                       {"factors", factors},
-                      {"results", results_json(study, run, one.solution.results)},
+                      {"results", results_json(study, run, one)},
                       {"probes", probes_json(one.probes)},
                       {"sections", sections_json(one.sections)},
                       {"solver", solver_json(one.solution.solver, study.options.solver.tolerance,
@@ -301,7 +306,7 @@ std::string summary_json(const Study& study, const StudyRun& run) {
       {"solver",
        solver_json(run.solution.solver, study.options.solver.tolerance, run.solution.predicted_bytes)},
       {"mass", mass_json(run.built.mass)},
-      {"results", results_json(study, run, run.solution.results)},
+      {"results", results_json(study, run, cases_of(run).front())},
       {"probes", probes_json(run.probes)},
       {"sections", sections_json(run.sections)},
       {"cases", cases_json(study, run)},

@@ -45,23 +45,26 @@ std::string with_uncertainty(double value, const std::optional<Eigen::Matrix3d>&
   return fmt::format("{} +- {:.2g}", text, error / unit_for(value, "Pa").factor);
 }
 
-std::string error_text(const StudyRun& run) {
-  if (!run.error)
-    return run.error_missing.empty()
-               ? ""
-               : fmt::format("  discretization    its error is not estimated: {}\n", run.error_missing);
+std::string error_text(const std::optional<RunError>& error, const std::string& missing) {
+  if (!error)
+    return missing.empty() ? ""
+                           : fmt::format("  discretization    its error is not estimated: {}\n", missing);
   // The norm is the root of the energy: 1 % of it is 0.01 % of the energy.
   return fmt::format("  discretization    error about {:.2g} % in the energy norm, {:.2g} % of the energy\n",
-                     100 * run.error->relative, 100 * run.error->relative * run.error->relative);
+                     100 * error->relative, 100 * error->relative * error->relative);
 }
 
 std::string probes_text(const std::vector<ProbeValues>& probes, const iga::ElasticityResults& results) {
   std::string text;
   for (const ProbeValues& probe : probes)
-    text += fmt::format(
-        "  {:<17} displacement {}, von Mises {}\n", probe.name,
-        vector_with_unit(without_round_off(probe.values.displacement, results.max_displacement.value), "m"),
-        with_uncertainty(probe.values.von_mises, probe.stress_error, results.max_von_mises.value));
+    text +=
+        fmt::format(
+            "  {:<17} displacement {}, von Mises {}\n", probe.name,
+            vector_with_unit(without_round_off(probe.values.displacement, results.max_displacement.value),
+                             "m"),
+            with_uncertainty(probe.values.von_mises, probe.stress_error, results.max_von_mises.value)) +
+        (probe.singular ? fmt::format("    grows           with refinement: it is at {}\n", *probe.singular)
+                        : "");
   return text;
 }
 
@@ -151,14 +154,12 @@ std::string case_heading(const CaseName& name) {
 std::string case_text(const Study& study, const StudyRun& run, const CaseView& one) {
   const iga::ElasticityResults& results = one.solution.results;
   const double size = run.built.problem.discretization.model.size();
-  const bool is_estimated = &one.solution == &run.solution;
   return case_heading(one.name) +
          fmt::format("  max displacement  {} at {}\n", with_unit(results.max_displacement.value, "m"),
                      place_with_unit(results.max_displacement.place, size)) +
-         von_mises_text(results, is_estimated ? run.error : std::nullopt, size) +
-         principal_text(results, size) +
+         von_mises_text(results, one.error, size) + principal_text(results, size) +
          fmt::format("  internal energy   {}\n", with_unit(results.internal_energy, "J")) +
-         (is_estimated ? error_text(run) : "") + reactions_text(run, results) +
+         error_text(one.error, run.error_missing) + reactions_text(run, results) +
          moments_text(study, one, size) + probes_text(one.probes, results);
 }
 
@@ -188,6 +189,7 @@ std::string summary_text(const Study& study, const StudyRun& run) {
                       with_separators(size.elements), iga::name(study.options.coupling));
   text += solver_text(run.solution.solver);
   for (const CaseView& one : cases_of(run)) text += case_text(study, run, one);
+  if (!run.levels.empty() && run.has_cases()) text += fmt::format("levels of case {}\n", run.case_name.name);
   text += run_levels_text(run.levels);
   text += fmt::format("  time, memory      {}, {}{}\n", seconds_text(total), bytes_text(run.peak_bytes),
                       study.options.processes.count() == 1

@@ -13,30 +13,76 @@ namespace {
 // A stress that is off by less than this share is no sign of one without a limit, wherever it is.
 constexpr double least_singular_error = 0.05;
 
+// One solution of a run, with what is to be filled in.
+struct Estimated {
+  iga::ElasticitySolution& solution;
+  std::vector<ProbeValues>& probes;
+  std::optional<RunError>& error;
+};
+
+std::vector<Estimated> solutions_of(StudyRun& run) {
+  std::vector<Estimated> result = {{run.solution, run.probes, run.error}};
+  for (CaseRun& other : run.further) result.push_back({other.solution, other.probes, other.error});
+  return result;
+}
+
 // The largest von Mises stress first, if it is anywhere, then the probes.
-std::vector<iga::PatchPlace> places_of(const StudyRun& run) {
+std::vector<iga::PatchPlace> places_of(const BuiltProblem& built, const iga::ElasticityResults& results) {
   std::vector<iga::PatchPlace> places;
-  const iga::Extremum& most = run.solution.results.max_von_mises;
+  const iga::Extremum& most = results.max_von_mises;
   if (most.patch >= 0) places.push_back({most.patch, most.parameter});
-  for (const LocatedProbe& probe : run.built.probes) places.push_back({probe.patch, probe.parameter});
+  for (const LocatedProbe& probe : built.probes) places.push_back({probe.patch, probe.parameter});
   return places;
 }
 
-void add_estimate(const Study& study, const iga::ElasticityProblem& problem, StudyRun& run,
-                  const Progress& progress) {
-  const std::vector<iga::PatchPlace> places = places_of(run);
-  iga::ErrorEstimate estimate =
-      iga::estimate_error(problem, run.solution.field, places, study.options, progress);
-  run.error = RunError{estimate.energy, estimate.relative, Eigen::Matrix3d::Zero(), estimate.iterations};
-  auto stress = estimate.stress_at.begin();
-  const iga::Extremum& most = run.solution.results.max_von_mises;
+// Where the error says that a stress may have no limit, the place is looked at.
+std::optional<std::string> why_it_grows(const std::vector<std::optional<std::string>>& singular,
+                                        std::size_t place, const Eigen::Matrix3d& error, double stress) {
+  return iga::von_mises(error) > least_singular_error * stress ? singular[place] : std::nullopt;
+}
+
+void add_estimate(const iga::ElasticityProblem& problem, const std::vector<iga::PatchPlace>& places,
+                  iga::ErrorEstimate estimate, Estimated& of) {
+  of.error = RunError{estimate.energy, estimate.relative, Eigen::Matrix3d::Zero(), estimate.iterations};
+  const auto singular = iga::singular_places(problem, places);
+  const iga::Extremum& most = of.solution.results.max_von_mises;
+  std::size_t place = 0;
   if (most.patch >= 0) {
-    run.error->stress_at_max = *stress++;
-    if (iga::von_mises(run.error->stress_at_max) > least_singular_error * most.value)
-      run.error->singular = iga::singular_places(problem, places).front();
+    of.error->stress_at_max = estimate.stress_at[place];
+    of.error->singular = why_it_grows(singular, place, of.error->stress_at_max, most.value);
+    ++place;
   }
-  for (ProbeValues& probe : run.probes) probe.stress_error = *stress++;
-  run.solution.field.errors = std::move(estimate.elements);
+  for (ProbeValues& probe : of.probes) {
+    probe.stress_error = estimate.stress_at[place];
+    probe.singular = why_it_grows(singular, place, *probe.stress_error, probe.values.von_mises);
+    ++place;
+  }
+  of.solution.field.errors = std::move(estimate.elements);
+}
+
+// The loads of every case, then of every combination, in the estimator's space.
+std::vector<Eigen::Matrix3Xd> loads_of(const iga::ErrorEstimator& estimator,
+                                       const iga::ElasticityProblem& problem, const iga::LoadCases& cases) {
+  if (cases.cases.empty()) return {estimator.loads(problem)};
+  std::vector<Eigen::Matrix3Xd> result;
+  for (const iga::LoadCase& one : cases.cases) result.push_back(estimator.loads(iga::of_case(problem, one)));
+  for (const iga::LoadCombination& sum : cases.combinations) {
+    Eigen::Matrix3Xd load = sum.factors[0] * result[0];
+    for (std::size_t i = 1; i < sum.factors.size(); ++i) load += sum.factors[i] * result[i];
+    result.push_back(std::move(load));
+  }
+  return result;
+}
+
+void add_estimates(const Study& study, const iga::LoadCases& cases, StudyRun& run, const Progress& progress) {
+  const iga::ElasticityProblem& problem = run.built.problem;
+  const iga::ErrorEstimator estimator(problem, study.options, progress);
+  const std::vector<Eigen::Matrix3Xd> loads = loads_of(estimator, problem, cases);
+  std::size_t i = 0;
+  for (Estimated& one : solutions_of(run)) {
+    const std::vector<iga::PatchPlace> places = places_of(run.built, one.solution.results);
+    add_estimate(problem, places, estimator.estimate(loads[i++], one.solution.field, places, progress), one);
+  }
 }
 
 // What all processes come to alike.
@@ -46,12 +92,12 @@ bool is_common(ErrorCode code) {
 
 }  // namespace
 
-void estimate_error(const Study& study, const iga::ElasticityProblem& problem, StudyRun& run,
-                    const Progress& progress) {
+void estimate_errors(const Study& study, const iga::LoadCases& cases, StudyRun& run,
+                     const Progress& progress) {
   const Stopwatch watch;
   const bool is_alone = study.options.processes.count() == 1;
   try {
-    add_estimate(study, problem, run, progress);
+    add_estimates(study, cases, run, progress);
   } catch (const Error& error) {
     if (!is_alone && !is_common(error.code())) throw;
     run.error_missing = error.what();

@@ -6,11 +6,12 @@
 
 namespace isopatch::app {
 
-/// Estimates the error of a solution and adds it: of the whole, of the elements, of the stress at probes and
-/// where it is largest. Where it cannot be, the run says why and keeps its results.
+/// Estimates the errors of a run's solutions and adds them: of the whole, of the elements, of the stress at
+/// probes and where it is largest. All load cases and combinations share one set-up. Where they cannot be
+/// estimated, the run says why and keeps its results.
+/// @param cases  of the study; none where it has no load cases
 /// @throws Error  on several processes, what one of them alone came to
-/// @param problem  with the loads of the solution alone, where the run has load cases
-void estimate_error(const Study& study, const iga::ElasticityProblem& problem, StudyRun& run,
-                    const Progress& progress = {});
+void estimate_errors(const Study& study, const iga::LoadCases& cases, StudyRun& run,
+                     const Progress& progress = {});
 
 }  // namespace isopatch::app

@@ -91,12 +91,7 @@ StudyRun run_study(const Study& study, const Progress& progress) {
     other.probes = probe_values(run.built, other.solution.field);
     other.sections = section_values(run.built, other.solution.field);
   }
-  if (study.output.error_estimate) {
-    if (cases.cases.empty())
-      estimate_error(study, run.built.problem, run, progress);
-    else
-      estimate_error(study, iga::of_case(run.built.problem, cases.cases.front()), run, progress);
-  }
+  if (study.output.error_estimate) estimate_errors(study, cases, run, progress);
   std::vector<Warning> warnings;
   for (const CaseView& one : cases_of(run))
     add_warnings(one.name.name, result_warnings(run.built, one.solution), warnings);

@@ -10,17 +10,6 @@
 
 namespace isopatch::app {
 
-/// What is estimated of the error of the discretization; of elements it is in the solution's field.
-struct RunError {
-  double energy = 0;                                        ///< J
-  double relative = 0;                                      ///< in the energy norm
-  Eigen::Matrix3d stress_at_max = Eigen::Matrix3d::Zero();  ///< of the error, where the largest von Mises
-                                                            ///< stress is, Pa
-  int iterations = 0;
-  /// Why the largest von Mises stress grows with refinement: "a re-entrant edge of 270 degrees"; or nothing.
-  std::optional<std::string> singular = {};
-};
-
 /// A run's figures on one of several refinements.
 struct RunLevel {
   int refine = 0;                    ///< of the study's discretization
@@ -44,8 +33,8 @@ struct StudyRun {
   CaseName case_name = {};  ///< of the solution
   std::vector<CaseRun> further = {};         ///< the other cases, then the combinations
   std::vector<SectionValues> sections = {};  ///< of the solution
-  std::optional<RunError> error = {};        ///< if it was asked for and could be estimated
-  std::string error_missing = {};            ///< why there is none though it was asked for
+  std::optional<RunError> error = {};        ///< of the solution, if it was asked for and could be estimated
+  std::string error_missing = {};            ///< why no case has one though they were asked for
   std::vector<RunLevel> levels = {};         ///< of a run on several, this one the last
 
   bool has_cases() const { return !case_name.name.empty(); }
@@ -57,6 +46,7 @@ struct CaseView {
   const iga::ElasticitySolution& solution;
   const std::vector<ProbeValues>& probes;
   const std::vector<SectionValues>& sections;
+  const std::optional<RunError>& error;
 };
 
 /// The case of `solution`, then the others; one alone of a study without cases.

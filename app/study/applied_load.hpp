@@ -28,10 +28,12 @@ struct Pressure {
   bool operator==(const Pressure&) const = default;
 };
 
-/// A total force, spread evenly over the area of all its faces, N.
+/// A total force, N, spread evenly over the area of all its faces, over points, or along lines.
 struct Force {
   FaceSelection selection = {};
   Eigen::Vector3d value = Eigen::Vector3d::Zero();
+  std::vector<Eigen::Vector3d> points = {};  ///< instead of faces, m
+  std::vector<Eigen::Vector3d> line = {};    ///< instead of faces: straight from each to the next, m
   bool operator==(const Force&) const = default;
 };
 

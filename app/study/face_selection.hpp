@@ -50,6 +50,9 @@ struct FaceConditions {
 struct FaceSelection {
   std::vector<std::string> faces = {};  ///< as the study names them; see problem/face_name
   std::optional<FaceConditions> where = {};
+  /// Of these faces, or of all, only what lies in here: on the side of the plane to which its normal points,
+  /// within the cylinder, the sphere, the box; normal, angle and tolerance say nothing.
+  std::optional<FaceConditions> part = {};
   Place place = {};  ///< in the study file
   bool operator==(const FaceSelection&) const = default;
 };

@@ -27,6 +27,25 @@ PatchSelection& loaded_patches(AppliedLoad& load, const ConfigValue& value) {
                  fmt::format("[[load]]: {} acts on faces, not in patches; use faces", kind_name(load)));
 }
 
+Force& force_of(AppliedLoad& load, const ConfigValue& value) {
+  if (auto* force = std::get_if<Force>(&load.load)) return *force;
+  throw error_at(value.place,
+                 fmt::format("[[load]]: points and lines take a force, not {}", kind_name(load)));
+}
+
+// Where a load on faces, points or a line acts.
+void require_places(const AppliedLoad& load, const FaceSelection& selection) {
+  const bool has_faces = !selection.faces.empty() || selection.where || selection.part;
+  const auto* force = std::get_if<Force>(&load.load);
+  const bool has_points = force && !force->points.empty(), has_line = force && !force->line.empty();
+  if (!has_faces && !has_points && !has_line)
+    throw error_at(load.place, "[[load]] needs faces, where or part: which faces are loaded?");
+  if (has_faces + has_points + has_line > 1)
+    throw error_at(load.place, "[[load]] has more than one of faces, points and a line; write several loads");
+  if (has_line && force->line.size() == 1)
+    throw error_at(load.place, "[[load]] a line needs two points or more");
+}
+
 /// The vector of one kind of load.
 template <class Load>
 Key<AppliedLoad> load_vector_key(const std::string& name, const Dimension& dimension, std::string meaning) {
@@ -77,13 +96,27 @@ const Keys<AppliedLoad>& load_keys() {
       text_key<L>("name", &L::key, "For messages and reports.").with_default("\"load 1\", ..."),
       faces_key<L>(loaded_faces),
       where_key<L>(loaded_faces),
+      part_key<L>(loaded_faces),
       load_vector_key<Traction>("traction", dim::pressure, "Force per area of the faces."),
       custom_key<L>("pressure", type_name(dim::pressure), "Pushes against the faces where positive.",
                     [](L& target, const ConfigValue& value) {
                       std::get<Pressure>(target.load).value = read_quantity(value, "pressure", dim::pressure);
                     }),
       load_vector_key<Force>("force", dim::force,
-                             "Total force, spread evenly over the area of all faces of this load."),
+                             "Total force, spread evenly over the area of all faces of this load, over its "
+                             "points or along its line."),
+      custom_key<L>("points", "array of points, each 3 of length (m)",
+                    "Places of the part that take equal shares of `force`, instead of faces. Displacements "
+                    "and stresses there grow without limit as elements become small.",
+                    [](L& target, const ConfigValue& value) {
+                      force_of(target, value).points = read_places(value, "points");
+                    }),
+      custom_key<L>("line", "array of points, each 3 of length (m)",
+                    "Straight lines from each of these points to the next, which must lie in the part; they "
+                    "take `force`, spread evenly, instead of faces.",
+                    [](L& target, const ConfigValue& value) {
+                      force_of(target, value).line = read_places(value, "line");
+                    }),
       load_vector_key<Bearing>("bearing", dim::force,
                                "Total force of a pin in a bore, or of a housing on a shaft, across its axis: "
                                "a pressure that falls "
@@ -124,8 +157,7 @@ AppliedLoad read_load(const ConfigSection& input, std::size_t index) {
   result.place = input.place;
   if (FaceSelection* selection = faces_of(result)) {
     selection->place = input.place;
-    if (selection->faces.empty() && !selection->where)
-      throw error_at(input.place, "[[load]] needs faces or where: which faces are loaded?");
+    require_places(result, *selection);
   }
   result.name = fmt::format("load {}{}", index + 1, result.key.empty() ? "" : " (" + result.key + ")");
   if (result.key.empty()) result.key = result.name;

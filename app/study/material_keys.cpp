@@ -27,9 +27,9 @@ std::string material_names() {
   std::string result;
   for (const StandardMaterial& material : standard_materials())
     result += fmt::format(
-        "{}{} (E {:g} GPa, nu {:g}, {:g} kg/m^3{})", result.empty() ? "" : ", ", material.name,
-        material.young / 1e9, material.poisson, material.density,
-        material.yield > 0 ? fmt::format(", yield {:g} MPa: {}", material.yield / 1e6, material.source) : "");
+        "{}{} (E {:g} GPa, nu {:g}, {:g} kg/m^3, {:g}e-6 1/K{}: {})", result.empty() ? "" : ", ",
+        material.name, material.young / 1e9, material.poisson, material.density, material.expansion * 1e6,
+        material.yield > 0 ? fmt::format(", yield {:g} MPa", material.yield / 1e6) : "", material.source);
   return result;
 }
 
@@ -45,6 +45,7 @@ iga::Material read_standard_material(const MaterialKeys& keys, const Place& plac
     iga::Material result = iga::isotropic(material.young, material.poisson,
                                           keys.density.value_or(material.density), material.name);
     result.yield = keys.yield.value_or(material.yield);
+    result.expansion = material.expansion;
     return result;
   }
   throw error_at(place,
@@ -106,7 +107,7 @@ const Keys<MaterialKeys>& material_keys() {
                                  "table has it."),
       quantity_key<MaterialKeys>("expansion", &MaterialKeys::expansion, dim::expansion, any_number,
                                  "Linear thermal expansion, \"12e-6 1/K\" for steel; needed by "
-                                 "temperature."),
+                                 "temperature unless the table has it."),
       quantity_key<MaterialKeys>(
           "yield", &MaterialKeys::yield, dim::pressure, positive,
           "Yield stress, for the safety factor against it; grades of the table have one."),

@@ -67,6 +67,15 @@ std::vector<std::string> read_face_names(const ConfigValue& value) {
   return faces;
 }
 
+std::vector<Eigen::Vector3d> read_places(const ConfigValue& value, const std::string& what) {
+  std::vector<Eigen::Vector3d> result;
+  for (const ConfigValue& item : read_array(value, what))
+    result.push_back(read_vector(item, what, dim::length));
+  if (result.empty())
+    throw error_at(value.place, fmt::format("{} is empty: give at least one, as [[0, 0, 0]]", what));
+  return result;
+}
+
 PatchSelection read_patch_selection(const ConfigValue& value) {
   PatchSelection selection{{}, {}, value.place};
   if (const auto* text = std::get_if<std::string>(&value.value); text && *text == "all") return selection;
@@ -136,6 +145,19 @@ const Keys<FaceConditions>& where_keys() {
     result.push_back(tolerance_key());
     return result;
   }();
+  return keys;
+}
+
+const Keys<FaceConditions>& part_keys() {
+  using C = FaceConditions;
+  static const Keys<C> keys = {
+      table_key<C, PlaneCondition>("plane", &C::plane, plane_keys,
+                                   "What lies on the side of the plane to which its normal points."),
+      table_key<C, CylinderCondition>("cylinder", &C::cylinder, cylinder_keys,
+                                      "What lies within the cylinder."),
+      table_key<C, SphereCondition>("sphere", &C::sphere, sphere_keys, "What lies within the sphere."),
+      table_key<C, BoxCondition>("box", &C::box, box_keys, "What lies in the box."),
+  };
   return keys;
 }
 

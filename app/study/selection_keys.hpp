@@ -11,6 +11,7 @@ namespace isopatch::app {
 
 const Keys<FaceConditions>& where_keys();
 const Keys<FaceConditions>& edges_keys();
+const Keys<FaceConditions>& part_keys();
 const Keys<PlaneCondition>& plane_keys();
 const Keys<CylinderCondition>& cylinder_keys();
 const Keys<SphereCondition>& sphere_keys();
@@ -46,6 +47,23 @@ Key<S> where_key(Of selection_of) {
             read_table<FaceConditions>(read_subtable(value, "where"), value.place, "where", where_keys());
       });
 }
+
+template <class S, class Of>
+Key<S> part_key(Of selection_of) {
+  return custom_key<S>(
+      "part", "table, see below",
+      "Only what lies in here of the faces; without `faces` and `where`, of all faces of the part.",
+      [=](S& target, const ConfigValue& value) {
+        const ConfigTable& table = read_subtable(value, "part");
+        if (table.entries.empty())
+          throw error_at(value.place, "part is empty: give it a plane, cylinder, sphere or box");
+        selection_of(target, value).part =
+            read_table<FaceConditions>(table, value.place, "part", part_keys());
+      });
+}
+
+/// Places, at least one.
+std::vector<Eigen::Vector3d> read_places(const ConfigValue& value, const std::string& what);
 
 template <class S, class Of>
 Key<S> patches_key(std::string meaning, Of selection_of) {

@@ -12,11 +12,12 @@ namespace isopatch::app {
 /// their standard.
 struct StandardMaterial {
   std::string name;
-  double young;    ///< Pa
-  double poisson;  ///< pure number
-  double density;  ///< kg/m^3
-  double yield;    ///< Pa; 0 for families and brittle materials
-  std::string source;
+  double young;        ///< Pa
+  double poisson;      ///< pure number
+  double density;      ///< kg/m^3
+  double expansion;    ///< linear thermal, 1/K; of steels and alloys the mean between 20 and 100 C
+  double yield;        ///< Pa; 0 for families and brittle materials
+  std::string source;  ///< of all values
 };
 
 const std::vector<StandardMaterial>& standard_materials();

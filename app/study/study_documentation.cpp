@@ -149,11 +149,18 @@ std::vector<SectionText> study_sections() {
        "hold "
        "at every point of an edge.",
        texts(edges_keys())},
-      {"where.plane", "where or edges = { plane = { ... } }", "A plane.", texts(plane_keys())},
-      {"where.cylinder", "where or edges = { cylinder = { ... } }", "An infinite cylinder.",
+      {"part", "part = { ... } of supports and loads",
+       "A part of faces, bounded by what need not be an edge of a patch. Loads and springs are integrated up "
+       "to "
+       "its rim. What is held there are the functions of the solution that are largest there, so the rim is "
+       "met "
+       "to half an element.",
+       texts(part_keys())},
+      {"where.plane", "where, edges or part = { plane = { ... } }", "A plane.", texts(plane_keys())},
+      {"where.cylinder", "where, edges or part = { cylinder = { ... } }", "An infinite cylinder.",
        texts(cylinder_keys())},
-      {"where.sphere", "where or edges = { sphere = { ... } }", "A sphere.", texts(sphere_keys())},
-      {"where.box", "where or edges = { box = { ... } }", "A box.", texts(box_keys())},
+      {"where.sphere", "where, edges or part = { sphere = { ... } }", "A sphere.", texts(sphere_keys())},
+      {"where.box", "where, edges or part = { box = { ... } }", "A box.", texts(box_keys())},
       {"coupling", "[coupling]", "How the patches are held together.", texts(coupling_keys())},
       {"solver", "[solver]", "How the equations are solved.", texts(solver_keys())},
       {"probe", "[[probe]]",

@@ -16,7 +16,8 @@ namespace isopatch::app {
 struct HeldDisplacement {
   iga::PrescribedDisplacement displacement;
   std::optional<FaceConditions> edges = {};  ///< holds edges of the faces selected and not the faces
-  std::vector<Eigen::Vector3d> points = {};  ///< holds corners of patches there and no faces, m
+  std::vector<Eigen::Vector3d> points = {};  ///< holds these places and no faces, m
+  std::vector<Eigen::Vector3d> line = {};    ///< holds straight lines from each to the next, m
   bool operator==(const HeldDisplacement&) const = default;
 };
 

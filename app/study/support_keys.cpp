@@ -70,14 +70,6 @@ Key<SupportInput> support_table_key(const std::string& name, const Keys<Conditio
       });
 }
 
-std::vector<Eigen::Vector3d> read_points(const ConfigValue& value) {
-  std::vector<Eigen::Vector3d> result;
-  for (const ConfigValue& item : read_array(value, "points"))
-    result.push_back(read_vector(item, "points", dim::length));
-  if (result.empty()) throw error_at(value.place, "points is empty: give at least one, as [[0, 0, 0]]");
-  return result;
-}
-
 bool is_set(const ConfigTable& table, const char* key) {
   const ConfigEntry* entry = table.find(key);
   return entry && read_flag(entry->value, key);
@@ -103,18 +95,24 @@ void require_condition(const SupportInput& support, const ConfigSection& input) 
 
 // What a support holds: faces, points, or the body.
 void require_place(const SupportInput& support, const ConfigSection& input) {
-  const bool has_faces = !support.selection.faces.empty() || support.selection.where;
+  const FaceSelection& selection = support.selection;
+  const bool has_faces = !selection.faces.empty() || selection.where || selection.part;
   const auto* held = std::get_if<HeldDisplacement>(&support.condition);
-  const bool has_points = held && !held->points.empty();
+  const bool has_points = held && !(held->points.empty() && held->line.empty());
   const bool is_free = std::holds_alternative<FreeBody>(support.condition);
   if (is_free && has_faces)
     throw error_at(input.place,
                    "[[support]] free_body holds bodies by points that it chooses itself; leave out faces and "
                    "where");
-  if (has_points && (has_faces || held->edges))
-    throw error_at(input.place, "[[support]] has points beside faces, where or edges; write two supports");
+  if (has_points && (has_faces || held->edges || (!held->points.empty() && !held->line.empty())))
+    throw error_at(input.place,
+                   "[[support]] has points or a line beside faces, where, part or edges; write two supports");
   if (!has_faces && !has_points && !is_free)
-    throw error_at(input.place, "[[support]] needs faces, where or points: what is held?");
+    throw error_at(input.place, "[[support]] needs faces, where, part, points or a line: what is held?");
+  if (held && held->edges && selection.part)
+    throw error_at(input.place, "[[support]] edges hold whole edges; leave out part, or write a line");
+  if (held && held->line.size() == 1)
+    throw error_at(input.place, "[[support]] a line needs two points or more");
   const auto* springs = std::get_if<Elastic>(&support.condition);
   if (springs && *springs == Elastic{})
     throw error_at(input.place,
@@ -138,6 +136,7 @@ const Keys<SupportInput>& support_keys() {
           .with_default("\"support 1\", ..."),
       faces_key<S>(held_faces),
       where_key<S>(held_faces),
+      part_key<S>(held_faces),
       custom_key<S>(
           "edges", "table, see below",
           "Holds, instead of the faces, those of their patches' edges that lie there: lines. Displacements "
@@ -152,14 +151,26 @@ const Keys<SupportInput>& support_keys() {
           }),
       custom_key<S>(
           "points", "array of points, each 3 of length (m)",
-          "Holds, instead of faces, corners of patches at these places. Where a point takes a force, "
+          "Holds, instead of faces, these places of the part: corners of patches exactly, others by springs "
+          "ten thousand times as stiff as the part, which hold at 0 alone. Where a point takes a force, "
           "displacements and stresses grow without limit as elements become small.",
           [](S& target, const ConfigValue& value) {
             condition_of<HeldDisplacement>(
                 target, value,
                 "[[support]] has points: all but displacement needs faces, because a point has no "
                 "normal; give displacement components")
-                .points = read_points(value);
+                .points = read_places(value, "points");
+          }),
+      custom_key<S>(
+          "line", "array of points, each 3 of length (m)",
+          "Holds, instead of faces, what lies on straight lines from each of these points to the next, which "
+          "must lie in the part, by springs as `points` does; at 0 alone.",
+          [](S& target, const ConfigValue& value) {
+            condition_of<HeldDisplacement>(
+                target, value,
+                "[[support]] has a line: all but displacement needs faces, because a line has no "
+                "normal; give displacement components")
+                .line = read_places(value, "line");
           }),
       custom_key<S>("displacement", "3 of length (m) or \"free\"",
                     "Prescribed displacement; \"free\" leaves a component free.",

@@ -39,6 +39,9 @@ traction = [0, "-1 MPa", 0]
 [[probe]]
 name = "leg"
 point = [1.6, 0.3, 0.5]
+[[probe]]
+name = "edge"
+point = [1, 1, 0.5]
 )";
 
 class Accuracy : public Program {
@@ -56,6 +59,8 @@ TEST_F(Accuracy, OfARunIsSaidEverywhere) {
   const double norm = error["energy_norm"];
   EXPECT_NEAR(norm * norm, share / (1 + share), 1e-6 * share);
   EXPECT_GT(summary()["probes"][0]["von_mises_error"], 0);
+  EXPECT_FALSE(summary()["probes"][0].contains("singular"));
+  EXPECT_EQ(summary()["probes"][1]["singular"], "a re-entrant edge of 270 degrees");
   EXPECT_EQ(error["singular"], "a re-entrant edge of 270 degrees");
   EXPECT_THAT(out_, HasSubstr("% in the energy norm"));
   EXPECT_THAT(out_, HasSubstr("with refinement: it is at a re-entrant edge of 270 degrees"));

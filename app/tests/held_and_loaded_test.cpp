@@ -52,18 +52,73 @@ TEST(HeldAndLoaded, ATotalStiffnessIsSpreadOverTheArea) {
   EXPECT_NEAR(std::get<iga::ElasticSupport>(p.problem.supports[0].condition).normal, 3, 1e-12);
 }
 
-TEST(HeldAndLoaded, PointsAreCornersOfPatches) {
+TEST(HeldAndLoaded, PointsAreCornersOfPatchesOrSprung) {
   const std::string at = "[[support]]\ndisplacement = [0, 0, 0]\npoints = ";
   const BuiltProblem p = built(cube, at + "[[0, 0, 0], [1, 1, 0]]\n");
   EXPECT_EQ(p.problem.supports[0].corners.size(), 2u);
   ASSERT_FALSE(p.warnings.empty());
   EXPECT_THAT(p.warnings[0].text, HasSubstr("holds points: where that takes a force, stresses grow"));
-  EXPECT_THAT(
-      refusal(cube, at + "[[0.9, 0, 0]]\n"),
-      HasSubstr(
-          "no corner of a patch lies at (900, 0, 0) mm; the nearest is 100 mm away at (1000, 0, 0) mm"));
+  const BuiltProblem inside = built(cube, at + "[[0.9, 0, 0], [0, 0, 0], [0.2, 0.3, 0.4]]\n");
+  EXPECT_EQ(inside.problem.supports[0].corners.size(), 1u);
+  ASSERT_EQ(inside.problem.supports[0].points.size(), 2u);
+  EXPECT_LT((inside.problem.supports[0].points[1].parameter - Eigen::Vector3d(0.2, 0.3, 0.4)).norm(), 1e-9);
+  EXPECT_THAT(refusal(cube, at + "[[1.1, 0, 0]]\n"), HasSubstr("lies 100 mm outside the part"));
+  EXPECT_THAT(refusal(cube, "[[support]]\ndisplacement = [0.1, 0, 0]\npoints = [[0.5, 0, 0]]\n"),
+              HasSubstr("study.toml:6:1: support 1 moves points or a line"));
   EXPECT_THAT(refusal(cube, at + "[]\n"), HasSubstr("points is empty"));
   EXPECT_THAT(refusal(cube, at + "[[0, 0, 0]]\nfaces = [\"x_min\"]\n"), HasSubstr("write two supports"));
+}
+
+TEST(HeldAndLoaded, LinesAreHeldAndLoaded) {
+  const BuiltProblem p =
+      built(cube,
+            "[[support]]\ndisplacement = [0, 0, 0]\nline = [[0, 0.5, 0], [1, 0.5, 0]]\n"
+            "[[load]]\nforce = [0, 0, 2]\nline = [[0.2, 0.3, 1], [0.8, 0.3, 1], [0.8, 0.9, 1]]\n"
+            "[[load]]\nforce = [0, 0, 3]\npoints = [[0.5, 0.5, 0.5], [0.5, 0.5, 1]]\n");
+  const auto weight = [](const std::vector<iga::PatchPoint>& points) {
+    double sum = 0;
+    for (const iga::PatchPoint& point : points) sum += point.weight;
+    return sum;
+  };
+  EXPECT_NEAR(weight(p.problem.supports[0].points), 1, 1e-12);
+  ASSERT_EQ(p.problem.point_loads.size(), 2u);
+  EXPECT_NEAR(weight(p.problem.point_loads[0].points), 1, 1e-12);
+  EXPECT_EQ(p.problem.point_loads[1].points.size(), 2u);
+  EXPECT_EQ(p.loads[1].total, Eigen::Vector3d(0, 0, 3));
+  EXPECT_THAT(region_text(p.loads[0]), HasSubstr("along a line of 1.2 m"));
+  EXPECT_THAT(p.warnings.front().text, HasSubstr("holds a line: where that takes a force, stresses grow"));
+  EXPECT_THAT(refusal(cube, clamp + "[[load]]\nforce = [0, 0, 1]\nline = [[0, 0, 1]]\n"),
+              HasSubstr("a line needs two points"));
+  EXPECT_THAT(refusal(cube, clamp + "[[load]]\npressure = 1\nline = [[0, 0, 1]]\n"),
+              HasSubstr("points and lines take a force, not pressure"));
+  EXPECT_THAT(refusal(cube, clamp + "[[load]]\nforce = [0, 0, 1]\nline = [[0, 0, 1], [0, 0, 2]]\n"),
+              HasSubstr("outside the part"));
+  EXPECT_THAT(
+      refusal(cube, clamp + "[[load]]\nforce = [0, 0, 1]\nfaces = [\"x_max\"]\npoints = [[0, 0, 1]]\n"),
+      HasSubstr("more than one of faces, points and a line"));
+}
+
+TEST(HeldAndLoaded, PartsOfFacesAreHeldAndLoaded) {
+  const std::string disc = "part = { cylinder = { point = [0.5, 0.5, 0], axis = \"z\", radius = 0.3 } }\n";
+  const BuiltProblem p =
+      built(cube, "[[support]]\nfaces = [\"z_min\"]\nsymmetry = true\n" + disc +
+                      "[[support]]\nfaces = [\"z_min\"]\nelastic = { total_normal = 2 }\n" + disc +
+                      "[[load]]\nfaces = [\"z_max\"]\npressure = 2\n" + disc +
+                      "[[load]]\nforce = [1, 2, 3]\npart = { box = { min = [0.9, 0, 0], max = "
+                      "[2, 1, 0.5] } }\n");
+  const double area = 3.14159265358979 * 0.09;
+  EXPECT_NEAR(p.supports[0].area, area, 1e-9);
+  EXPECT_NEAR(std::get<iga::ElasticSupport>(p.problem.supports[1].condition).normal, 2 / area, 1e-6);
+  EXPECT_NEAR(p.loads[0].total[2], -2 * area, 1e-9);
+  EXPECT_THAT(region_text(p.loads[0]), HasSubstr("on part of z_max (1 face), 0.282743 m^2"));
+  // What of all faces lies in the box: half of the end, and strips of three sides.
+  EXPECT_NEAR(p.loads[1].area, 0.5 + 0.1 + 0.05 + 0.05, 1e-12);
+  EXPECT_THAT(
+      refusal(cube, clamp + "[[load]]\nfaces = [\"x_max\"]\npressure = 1\npart = { plane = { point = [0, 0, "
+                            "2], normal = \"z\" } }\n"),
+      HasSubstr("none of the faces has an area in there; 0:east comes nearest, to 1 m"));
+  EXPECT_THAT(refusal(cube, clamp + "[[load]]\nfaces = [\"x_max\"]\npressure = 1\npart = {}\n"),
+              HasSubstr("part is empty"));
 }
 
 TEST(HeldAndLoaded, SupportsThatHoldNothingOrTooMuchAreRefused) {

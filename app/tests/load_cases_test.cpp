@@ -102,6 +102,9 @@ TEST_F(CasesOfProgram, HaveTheirOwnResults) {
     EXPECT_NEAR(stress("both"), -0.75e6, 1);
     EXPECT_NEAR(stress("pressed"), -1e6, 1);
     EXPECT_NEAR(stress("worst"), 1.5 * -1e6 + 2 * 0.75e6, 1);
+    // Every case and combination has an estimate; constant stresses are in the space.
+    for (const char* name : {"squeezed", "both", "pressed", "worst"})
+      EXPECT_LT(of_case(name)["results"]["discretization_error"]["energy_norm"].get<double>(), 1e-6) << name;
     EXPECT_EQ(of_case("worst")["kind"], "combination");
     EXPECT_EQ(of_case("worst")["factors"]["both"], -2);
     EXPECT_THAT(out_, HasSubstr("case squeezed: side\n"));
@@ -125,6 +128,11 @@ TEST_F(CasesOfProgram, AreAllInTheFiles) {
   const std::string stored = (results() / "results.h5").string();
   ASSERT_EQ(run({"probe", stored, "--point", "2,1,1", "--case", "worst", "--json"}), 0) << err_;
   EXPECT_NEAR(json::parse(out_)["displacement"][0].get<double>(), -0.003, 1e-12);
+  EXPECT_EQ(json::parse(out_)["case"], "worst");
+  ASSERT_EQ(run({"probe", stored, "--point", "2,1,1", "--case", "worst"}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("case          worst, of squeezed, both, pressed, worst"));
+  ASSERT_EQ(run({"probe", stored, "--line", "2,0,1", "2,1,1", "--count", "2", "--case", "worst"}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr(",-0.003"));
   ASSERT_EQ(run({"probe", stored, "--point", "2,1,1", "--json"}), 0) << err_;
   EXPECT_NEAR(json::parse(out_)["displacement"][0].get<double>(), 0, 1e-12);
   EXPECT_NE(run({"probe", stored, "--point", "2,1,1", "--case", "wort"}), 0);

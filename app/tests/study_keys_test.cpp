@@ -202,7 +202,10 @@ std::vector<ShownSection> sections_of_conditions() {
   where.push_back({"normal", "normal = [0, 0, -2]", "support where normal 0 0 -1"});
   where.push_back({"angle", "angle = \"45 deg\"", "support where angle 0.785398", "normal = \"z\"\n"});
   const std::string open = "[[support]]\ndisplacement = [0, 0, 0]\n";
+  std::vector<Shown> part = shapes("support part");
+  part.pop_back();  // a part has no tolerance
   return {{"where", open + "[support.where]\n", where},
+          {"part", open + "[support.part]\n", part},
           {"edges", open + held + "[support.edges]\n", shapes("support edges")},
           {"where.plane",
            open + "[support.where.plane]\n",
@@ -255,6 +258,7 @@ std::vector<ShownSection> sections_of_the_problem() {
        {{"name", "name = \"clamp\"", "support key clamp", displaced},
         {"faces", "faces = [\"0:back\", \"inner\"]", "support face inner", "symmetry = true\n"},
         {"where", "where = { sphere = { radius = 2 } }", "support where sphere radius 2", displaced},
+        {"part", "part = { sphere = { radius = 2 } }", "support part sphere radius 2", displaced},
         {"edges", "edges = { sphere = { radius = 2 } }", "support edges sphere radius 2", displaced},
         {"displacement", "displacement = [\"1 mm\", \"free\", 0]", "held 0.001", held},
         {"displacement_gradient", "displacement_gradient = [[1, 2, 3], [4, 5, 6], [7, 8, 9]]",
@@ -265,6 +269,7 @@ std::vector<ShownSection> sections_of_the_problem() {
          held + "roller = true\n"},
         {"points", "points = [[0, 0, 0], [\"1 mm\", 0, 0]]", "held point 0.001 0 0",
          "displacement = [0, 0, 0]\n"},
+        {"line", "line = [[0, 0, 0], [\"1 mm\", 0, 0]]", "held line 0.001 0 0", "displacement = [0, 0, 0]\n"},
         {"cylindrical", "cylindrical = { axial = \"fixed\" }",
          "about radial true tangential false axial true", held},
         {"elastic", "elastic = { normal = \"1 MPa/mm\" }", "springs 1e+09 and 0, in all 0 and 0", held},
@@ -289,6 +294,9 @@ std::vector<ShownSection> sections_of_the_problem() {
        {{"name", "name = \"wind\"", "load key wind", pushed},
         {"faces", "faces = [\"0:east\"]", "load face 0:east", "pressure = 1\n"},
         {"where", "where = { sphere = { radius = 2 } }", "load where sphere radius 2", pushed},
+        {"part", "part = { sphere = { radius = 2 } }", "load part sphere radius 2", pushed},
+        {"points", "points = [[\"1 mm\", 0, 0]]", "load point 0.001 0 0", "force = [1, 0, 0]\n"},
+        {"line", "line = [[0, 0, 0], [\"1 mm\", 0, 0]]", "load line 0.001 0 0", "force = [1, 0, 0]\n"},
         {"traction", "traction = [\"20 MPa\", -3, 0]", "load traction 2e+07 -3 0", on_face},
         {"pressure", "pressure = \"1 bar\"", "load pressure 100000", on_face},
         {"force", "force = [0, 0, \"1 kN\"]", "load force 0 0 1000", on_face},

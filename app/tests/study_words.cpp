@@ -47,6 +47,7 @@ std::string words_of(const FaceConditions& c, const std::string& of) {
 std::string words_of(const FaceSelection& selection, const std::string& of) {
   std::string text;
   for (const std::string& face : selection.faces) text += fmt::format("{} face {}\n", of, face);
+  if (selection.part) text += words_of(*selection.part, of + " part");
   return text + (selection.where ? words_of(*selection.where, of + " where") : "");
 }
 
@@ -150,6 +151,7 @@ std::string words_of(const HeldDisplacement& held) {
   std::string text;
   if (held.edges) text += words_of(*held.edges, "support edges");
   for (const Eigen::Vector3d& point : held.points) text += fmt::format("held point {}\n", words_of(point));
+  for (const Eigen::Vector3d& point : held.line) text += fmt::format("held line {}\n", words_of(point));
   for (const auto& value : held.displacement.value)
     text += value ? fmt::format("held {:g}\n", *value) : "free\n";
   return text + fmt::format("gradient {:g}\n", fmt::join(held.displacement.gradient.reshaped(), " "));
@@ -220,6 +222,11 @@ std::string words_of(const AppliedLoad& input) {
   if (const PatchSelection* patches = patches_of(input))
     text += fmt::format("load patches{}\n", words_of(*patches));
   if (const FaceSelection* faces = faces_of(input)) text += words_of(*faces, "load");
+  if (const auto* force = std::get_if<Force>(&input.load)) {
+    for (const Eigen::Vector3d& point : force->points)
+      text += fmt::format("load point {}\n", words_of(point));
+    for (const Eigen::Vector3d& point : force->line) text += fmt::format("load line {}\n", words_of(point));
+  }
   return text;
 }
 

@@ -1,8 +1,6 @@
 #include "geometry/io/vtu_file.hpp"
 
 #include <fmt/format.h>
-#include <vtkCellType.h>
-#include <vtkHigherOrderHexahedron.h>
 
 #include <bit>
 #include <cmath>
@@ -12,6 +10,7 @@
 #include <sstream>
 
 #include "geometry/base/error.hpp"
+#include "geometry/io/vtk_cell_points.hpp"
 #include "geometry/splines/knot_vector.hpp"
 
 namespace isopatch::geometry {
@@ -53,15 +52,13 @@ std::vector<std::int64_t> first_cell(const VtuGrid& grid, VtuCell cell) {
   for (int k = 0; k <= r; ++k)
     for (int j = 0; j <= q; ++j)
       for (int i = 0; i <= p; ++i)
-        result[static_cast<std::size_t>(vtkHigherOrderHexahedron::PointIndexFromIJK(
-            i, j, k, grid.degree.data()))] = i + row * j + plane * k;
+        result[static_cast<std::size_t>(vtk_cell_point({i, j, k}, grid.degree))] = i + row * j + plane * k;
   return result;
 }
 
+// The numbers of vtkCellType.h.
 int vtk_type(VtuCell cell) {
-  return cell == VtuCell::quadrilateral ? VTK_QUAD
-         : cell == VtuCell::hexahedron  ? VTK_HEXAHEDRON
-                                        : VTK_BEZIER_HEXAHEDRON;
+  return cell == VtuCell::quadrilateral ? 9 : cell == VtuCell::hexahedron ? 12 : 79;
 }
 
 // One <DataArray>: how it is declared, where it lies in the file, and bytes that wait to be written.

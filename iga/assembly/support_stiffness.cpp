@@ -7,6 +7,7 @@
 #include "geometry/quadrature.hpp"
 #include "geometry/splines/basis.hpp"
 #include "iga/spaces/element_tables.hpp"
+#include "iga/spaces/node_values.hpp"
 
 namespace isopatch::iga {
 namespace {
@@ -38,14 +39,23 @@ DirectionTable greville_table(const geometry::KnotVector& knots) {
   return table;
 }
 
+// Whether the layer in which a parameter lies along direction 3 is one of a part.
+bool has_layer_of(const PatchLayers& part, const geometry::KnotVector& knots,
+                  const std::vector<double>& breaks, double parameter) {
+  const auto behind = std::upper_bound(breaks.begin(), breaks.end(), parameter) - breaks.begin();
+  const int layer = std::clamp(static_cast<int>(behind) - 1, 0, knots.element_count() - 1);
+  return layer >= part.first_layer && layer < part.last_layer;
+}
+
+bool has_layer_of(const PatchLayers& part, const PatchSpace& space, double parameter) {
+  return has_layer_of(part, space.knots[2], space.knots[2].breaks(), parameter);
+}
+
 // Those of a table's elements that have a point in the layers of a part.
 void keep_layers(DirectionTable& table, const geometry::KnotVector& knots, const PatchLayers& part) {
   const std::vector<double> breaks = knots.breaks();
-  std::erase_if(table.elements, [&](const Element& element) {
-    const auto behind = std::upper_bound(breaks.begin(), breaks.end(), element.nodes[0]) - breaks.begin();
-    const int layer = std::min(static_cast<int>(behind) - 1, knots.element_count() - 1);
-    return layer < part.first_layer || layer >= part.last_layer;
-  });
+  std::erase_if(table.elements,
+                [&](const Element& element) { return !has_layer_of(part, knots, breaks, element.nodes[0]); });
 }
 
 // The functions and the geometry of one face of a patch, and the elements of it that a part has.
@@ -131,18 +141,27 @@ class FaceOfPart {
 }  // namespace
 
 NodeBlocks support_stiffness(const std::vector<PatchSpace>& spaces, const std::vector<PatchLayers>& parts,
-                             const std::vector<SprungFace>& faces) {
+                             const Springs& springs) {
   NodeBlocks result;
-  if (faces.empty()) return result;
+  if (springs.empty()) return result;
   std::vector<int> first_node = {0};
   for (const PatchSpace& space : spaces) first_node.push_back(first_node.back() + space.size());
   for (const PatchLayers& part : parts) {
     const auto p = static_cast<std::size_t>(part.patch);
-    for (const SprungFace& sprung : faces) {
-      if (sprung.face.patch.value != part.patch) continue;
-      FaceOfPart(spaces[p], part, sprung).for_each_element([&](int a, int b, const Eigen::Matrix3d& value) {
-        result.add(first_node[p] + a, first_node[p] + b, value);
-      });
+    const int first = first_node[p];
+    for (const SprungFace& sprung : springs.faces)
+      if (sprung.face.patch.value == part.patch)
+        FaceOfPart(spaces[p], part, sprung).for_each_element([&](int a, int b, const Eigen::Matrix3d& value) {
+          result.add(first + a, first + b, value);
+        });
+    for (const SprungPoint& sprung : springs.points) {
+      if (sprung.place.patch.value != part.patch || !has_layer_of(part, spaces[p], sprung.place.parameter[2]))
+        continue;
+      const std::vector<NodeValue> values = node_values(spaces[p], sprung.place.parameter);
+      for (std::size_t a = 0; a < values.size(); ++a)
+        for (std::size_t b = a; b < values.size(); ++b)
+          result.add(first + values[a].node, first + values[b].node,
+                     values[a].value * values[b].value * sprung.stiffness);
     }
   }
   return result;

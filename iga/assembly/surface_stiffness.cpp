@@ -6,7 +6,7 @@ namespace isopatch::iga {
 
 SurfaceTerms surface_terms(const ElasticityProblem& problem) {
   const Discretization& d = problem.discretization;
-  return {sprung_faces(problem), coupled_faces(d, problem.materials), problem.materials,
+  return {springs_of(problem), coupled_faces(d, problem.materials), problem.materials,
           d.model.tolerance().same_point * d.model.size()};
 }
 

@@ -10,7 +10,7 @@ namespace isopatch::iga {
 
 /// All that adds to the stiffness of a part on its surfaces and between its patches.
 struct SurfaceTerms {
-  std::vector<SprungFace> springs;
+  Springs springs;
   std::vector<CoupledFaces> interfaces;  ///< that do not match
   std::vector<Material> materials;       ///< one per patch
   double same_point = 0;                 ///< m

@@ -38,18 +38,24 @@ void hold_by_frames(const FreeMotions& body, const Discretization& d, const Glob
 }
 
 void hold_by_springs(const FreeMotions& body, const ElasticityProblem& problem, Gram& gram) {
-  const auto is_of_body = [&](const geometry::PatchFace& face) {
-    return std::find(body.patches.begin(), body.patches.end(), face.patch) != body.patches.end();
+  const auto is_of_body = [&](PatchId patch) {
+    return std::find(body.patches.begin(), body.patches.end(), patch) != body.patches.end();
   };
-  for (const SprungFace& sprung : sprung_faces(problem)) {
-    if (!is_of_body(sprung.face)) continue;
-    for (const FacePoint& point : face_points(problem.discretization.model.patches(), {sprung.face})) {
-      // Soft springs hold as well as stiff ones.
-      const PrincipalAxes springs = principal_axes(sprung.stiffness(point.place, point.normal));
-      for (int k = 0; k < 3; ++k)
-        if (springs.values[k] > 1e-12 * springs.values[2]) hold(body, point.place, springs.axes.col(k), gram);
-    }
-  }
+  // Soft springs hold as well as stiff ones.
+  const auto hold_by = [&](const Eigen::Vector3d& place, const Eigen::Matrix3d& stiffness) {
+    const PrincipalAxes springs = principal_axes(stiffness);
+    for (int k = 0; k < 3; ++k)
+      if (springs.values[k] > 1e-12 * springs.values[2]) hold(body, place, springs.axes.col(k), gram);
+  };
+  const Springs springs = springs_of(problem);
+  for (const SprungFace& sprung : springs.faces)
+    if (is_of_body(sprung.face.patch))
+      for (const FacePoint& point : face_points(problem.discretization.model.patches(), {sprung.face}))
+        hold_by(point.place, sprung.stiffness(point.place, point.normal));
+  for (const SprungPoint& sprung : springs.points)
+    if (is_of_body(sprung.place.patch))
+      hold_by(problem.discretization.model.patch(sprung.place.patch).point(sprung.place.parameter),
+              sprung.stiffness);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ std::map<int, Eigen::Vector3d> forces_of(const ElasticityProblem& problem, const
   std::map<int, Eigen::Vector3d> forces;
   for (const geometry::PatchFace& face : load.faces) {
     const auto p = static_cast<std::size_t>(face.patch.value);
-    const Eigen::Matrix3Xd on_face = face_load(d.patches[p], face.side, load.traction);
+    const Eigen::Matrix3Xd on_face = face_load(d.patches[p], face.side, load.traction, load.region);
     const std::vector<int> indices = geometry::face_control_points(d.patches[p].sizes(), face.side);
     for (std::size_t i = 0; i < indices.size(); ++i) {
       const int node = d.first_node[p] + indices[i];

@@ -10,6 +10,7 @@
 #include "geometry/base/error.hpp"
 #include "geometry/measures.hpp"
 #include "iga/coupling/free_body_support.hpp"
+#include "iga/problem/internal/held_parts.hpp"
 #include "iga/problem/springs.hpp"
 
 namespace isopatch::iga {
@@ -171,7 +172,7 @@ void hold(const std::vector<int>& points, PatchId patch, int support, const Plan
 
 void require_faces_alone(const Support& support) {
   if (std::holds_alternative<PrescribedDisplacement>(support.condition) ||
-      (support.edges.empty() && support.corners.empty()))
+      (support.edges.empty() && support.corners.empty() && support.points.empty()))
     return;
   throw Error(
       ErrorCode::invalid_argument,
@@ -189,6 +190,7 @@ void require_patches(const Support& support, const Discretization& d) {
   };
   for (const SupportedEdge& held : support.edges) require(held.patch);
   for (const PatchCorner& corner : support.corners) require(corner.patch);
+  for (const PatchPoint& point : support.points) require(point.patch);
 }
 
 }  // namespace
@@ -203,15 +205,26 @@ std::vector<SupportFrame> support_frames(const ElasticityProblem& problem, const
     const bool plane = std::holds_alternative<PlaneSupport>(support.condition);
     require_faces_alone(support);
     require_patches(support, d);
+    std::size_t count = 0;  // of control points on faces
     for (const PatchFace face : support.faces) {
       if (std::find(boundary.begin(), boundary.end(), face) == boundary.end())
         throw Error(ErrorCode::invalid_argument,
                     fmt::format("'{}': face {} is not on the boundary of the model", support.name,
                                 d.model.label(face)));
       if (std::holds_alternative<ElasticSupport>(support.condition)) continue;
-      hold(geometry::face_control_points(sizes(face.patch), face.side), face.patch, static_cast<int>(s),
+      const std::vector<int> held = held_control_points(d.patches[static_cast<std::size_t>(face.patch.value)],
+                                                        face.side, support.region);
+      count += held.size();
+      hold(held, face.patch, static_cast<int>(s),
            plane ? plane_normal(d.model, face, support.name) : PlaneNormal{}, problem, global, frames);
     }
+    if (count == 0 && !support.region.is_everywhere() &&
+        !std::holds_alternative<ElasticSupport>(support.condition))
+      throw Error(
+          ErrorCode::invalid_argument,
+          fmt::format("'{}': the part of its faces is smaller than half an element, so no function can "
+                      "be held there; refine the discretization, or hold a point",
+                      support.name));
     for (const SupportedEdge& held : support.edges)
       hold(geometry::edge_control_points(sizes(held.patch), held.edge), held.patch, static_cast<int>(s), {},
            problem, global, frames);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "geometry/base/error.hpp"
 #include "iga/estimate/element_errors.hpp"
@@ -72,31 +73,10 @@ Eigen::VectorXd forces_of(const Level& level, const LevelOperator& stiffness, co
   return forces;
 }
 
-// Those of temperatures included; every process has all.
-Eigen::Matrix3Xd loads_of(const ElasticityProblem& problem, const Level& level,
-                          const solvers::Processes& processes) {
-  Eigen::Matrix3Xd result = load_vector(problem);
-  const std::vector<ThermalStrain> strains = thermal_strains(problem.temperatures, problem.materials);
-  if (strains.empty()) return result;
-  Eigen::Matrix3Xd thermal = thermal_forces(problem.discretization, problem.materials, strains, level.parts);
-  if (processes.count() > 1) processes.sum(Eigen::Map<Eigen::VectorXd>(thermal.data(), thermal.size()));
-  return result + thermal;
-}
-
-// Holds act at points of their own in each space: between two of them they tell of no error.
-void require_no_holds(const std::vector<SprungFace>& faces) {
-  if (std::any_of(faces.begin(), faces.end(), [](const SprungFace& face) { return face.is_hold; }))
-    throw Error(ErrorCode::unsupported,
-                "a cylindrical support that holds only the radial or only the tangential direction");
-}
-
-Residual residual_of(const ElasticityProblem& problem, const ElasticityProblem& raised, const Level& level,
-                     const LevelOperator& stiffness, const ElasticField& solution,
-                     const solvers::Processes& processes) {
-  const Eigen::VectorXd u = rows_of(level, in_raised_space(problem, raised, solution.displacement));
-  const Eigen::VectorXd forces = forces_of(level, stiffness, u, processes);
-  return {level.free.to_free(sum_of_nodes(level, loads_of(raised, level, processes)) - forces),
-          0.5 * level.rows.dot(u, forces)};
+// Between the points at which holds act they would tell of no error: they hold everywhere.
+SurfaceTerms held_everywhere(SurfaceTerms terms) {
+  for (SprungFace& face : terms.springs.faces) face.is_hold = false;
+  return terms;
 }
 
 // The displacement that a residual causes, on the free unknowns, and its energy.
@@ -156,31 +136,87 @@ std::vector<Eigen::Matrix3d> stresses_at(const std::vector<PatchPlace>& places,
 
 }  // namespace
 
-ErrorEstimate estimate_error(const ElasticityProblem& problem, const ElasticField& solution,
-                             const std::vector<PatchPlace>& places, const ElasticityOptions& options,
-                             const Progress& progress) {
-  const SurfaceTerms surfaces = surface_terms(problem);
-  require_no_holds(surfaces.springs);
-  const ElasticityProblem raised = with_degree_raised(problem, options.quadrature_points);
-  const Discretization& d = raised.discretization;
-  require_room(d, options);
+struct ErrorEstimator::State {
+  State(const ElasticityProblem& given, ElasticityProblem with_raised_degree,
+        const ElasticityOptions& with_options)
+      : problem(given),
+        raised(std::move(with_raised_degree)),
+        options(with_options),
+        spaces(isoparametric_spaces(raised.discretization)),
+        level(raised_level(raised.discretization, raised, spaces, options)),
+        stiffness(level, raised.materials, 0, held_everywhere(surface_terms(problem))),
+        smoother(raised.discretization.model, level, raised.materials, stiffness.diagonal()) {}
+
+  // What a solution leaves of the loads.
+  Residual residual(const Eigen::Matrix3Xd& loads, const ElasticField& solution) const {
+    const Eigen::VectorXd u = rows_of(level, in_raised_space(problem, raised, solution.displacement));
+    const Eigen::VectorXd forces = forces_of(level, stiffness, u, options.processes);
+    return {level.free.to_free(sum_of_nodes(level, loads) - forces), 0.5 * level.rows.dot(u, forces)};
+  }
+
+  const ElasticityProblem& problem;
+  ElasticityProblem raised;  // its loads say nothing
+  ElasticityOptions options;
+  std::vector<PatchSpace> spaces;
+  Level level;
+  LevelOperator stiffness;
+  FastDiagonalization smoother;
+};
+
+ErrorEstimator::ErrorEstimator(const ElasticityProblem& problem, const ElasticityOptions& options,
+                               const Progress& progress) {
+  ElasticityProblem raised = with_degree_raised(problem, options.quadrature_points);
+  require_room(raised.discretization, options);
   progress("estimating the error", 0);
-  const std::vector<PatchSpace> spaces = isoparametric_spaces(d);
-  const Level level = raised_level(d, raised, spaces, options);
-  const LevelOperator stiffness(level, raised.materials, 0, surfaces);
-  Residual residual = residual_of(problem, raised, level, stiffness, solution, options.processes);
-  const FastDiagonalization smoother(d.model, level, raised.materials, stiffness.diagonal());
+  state_ = std::make_unique<State>(problem, std::move(raised), options);
+}
+
+ErrorEstimator::~ErrorEstimator() = default;
+ErrorEstimator::ErrorEstimator(ErrorEstimator&&) noexcept = default;
+
+// Those of temperatures included; every process has all.
+Eigen::Matrix3Xd ErrorEstimator::loads(const ElasticityProblem& problem) const {
+  const ElasticityProblem& raised = state_->raised;
+  const solvers::Processes& processes = state_->options.processes;
+  Eigen::Matrix3Xd result = load_vector({raised.discretization,
+                                         problem.materials,
+                                         {},
+                                         problem.surface_loads,
+                                         problem.volume_loads,
+                                         {},
+                                         problem.point_loads});
+  const std::vector<ThermalStrain> strains = thermal_strains(problem.temperatures, problem.materials);
+  if (strains.empty()) return result;
+  Eigen::Matrix3Xd thermal =
+      thermal_forces(raised.discretization, problem.materials, strains, state_->level.parts);
+  if (processes.count() > 1) processes.sum(Eigen::Map<Eigen::VectorXd>(thermal.data(), thermal.size()));
+  return result + thermal;
+}
+
+ErrorEstimate ErrorEstimator::estimate(const Eigen::Matrix3Xd& loads, const ElasticField& solution,
+                                       const std::vector<PatchPlace>& places,
+                                       const Progress& progress) const {
+  const State& s = *state_;
+  Residual residual = s.residual(loads, solution);
   const Correction correction =
-      correction_of(std::move(residual.force), level, stiffness, smoother, progress);
-  const Eigen::Matrix3Xd error = at_nodes(level, level.free.to_space(correction.displacement));
+      correction_of(std::move(residual.force), s.level, s.stiffness, s.smoother, progress);
+  const Eigen::Matrix3Xd error = at_nodes(s.level, s.level.free.to_space(correction.displacement));
   ErrorEstimate result;
   result.energy = correction.energy;
   result.iterations = correction.iterations;
   const double whole = residual.energy + result.energy;
   result.relative = whole > 0 ? std::sqrt(result.energy / whole) : 0;
-  result.elements = element_errors(d, raised.materials, error, level.parts, options.processes);
-  result.stress_at = stresses_at(places, raised, level, error, options.processes);
+  result.elements =
+      element_errors(s.raised.discretization, s.raised.materials, error, s.level.parts, s.options.processes);
+  result.stress_at = stresses_at(places, s.raised, s.level, error, s.options.processes);
   return result;
+}
+
+ErrorEstimate estimate_error(const ElasticityProblem& problem, const ElasticField& solution,
+                             const std::vector<PatchPlace>& places, const ElasticityOptions& options,
+                             const Progress& progress) {
+  const ErrorEstimator estimator(problem, options, progress);
+  return estimator.estimate(estimator.loads(problem), solution, places, progress);
 }
 
 }  // namespace isopatch::iga

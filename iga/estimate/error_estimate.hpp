@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
 #include "geometry/base/progress.hpp"
@@ -36,14 +37,39 @@ struct ErrorEstimate {
 /// less than a tenth where the solution is smooth, by some 30 % at re-entrant edges and other places where
 /// stress grows without limit.
 ///
-/// @param solution  of `solve_elasticity` with either coupling and the same options
-/// @param places    whose stress errors are wanted
-/// @return          the same on all processes
+/// One set-up serves any number of load cases and sums of them.
+///
 /// @throws Error out_of_memory  before anything large exists, saying what it would need
 /// @throws Error fold_over      a Gauss point with det J <= 0, of which there are more than in the solution
-/// @cost   seven to fifteen products of the raised space, whose unknowns are up to eight times as many and
-///         whose products cost two to four times as much; 180 bytes for each of these unknowns
+/// @cost   of the set-up, the diagonal of the raised stiffness and the smoother; of every solution seven to
+///         fifteen products of the raised space, whose unknowns are up to eight times as many and whose
+///         products cost two to four times as much; 180 bytes for each of these unknowns
 /// @source the idea of hierarchical bases as in Bank, Smith, SIAM J. Numer. Anal. 30 (1993), (2.9)
+class ErrorEstimator {
+ public:
+  /// @param problem  must outlive this; of its loads nothing is used
+  ErrorEstimator(const ElasticityProblem& problem, const ElasticityOptions& options = {},
+                 const Progress& progress = {});
+  ~ErrorEstimator();
+  ErrorEstimator(ErrorEstimator&&) noexcept;
+
+  /// The loads of a problem with the same discretization and materials, as `of_case` makes it, in the raised
+  /// space: (3, raised nodes), N. They add up as loads do.
+  Eigen::Matrix3Xd loads(const ElasticityProblem& problem) const;
+
+  /// @param loads     of the solution, from `loads`
+  /// @param solution  of `solve_elasticity` or `solve_cases` with either coupling and the same options
+  /// @param places    whose stress errors are wanted
+  /// @return          the same on all processes
+  ErrorEstimate estimate(const Eigen::Matrix3Xd& loads, const ElasticField& solution,
+                         const std::vector<PatchPlace>& places = {}, const Progress& progress = {}) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// The same for one solution of a problem under its own loads.
 ErrorEstimate estimate_error(const ElasticityProblem& problem, const ElasticField& solution,
                              const std::vector<PatchPlace>& places = {},
                              const ElasticityOptions& options = {}, const Progress& progress = {});

@@ -35,7 +35,8 @@ GaussPoints raised_points(const GaussPoints& points, const NurbsVolume& raised) 
 ElasticityProblem with_degree_raised(const ElasticityProblem& problem, int points) {
   const Discretization& given = problem.discretization;
   ElasticityProblem result{{given.model, {}, {0}, {}}, problem.materials,    problem.supports,
-                           problem.surface_loads,      problem.volume_loads, problem.temperatures};
+                           problem.surface_loads,      problem.volume_loads, problem.temperatures,
+                           problem.point_loads};
   Discretization& raised = result.discretization;
   for (std::size_t p = 0; p < given.patches.size(); ++p) {
     const NurbsVolume::KnotVectors knots = raised_knots(given.patches[p]);

@@ -10,6 +10,7 @@
 
 #include "geometry/base/angle.hpp"
 #include "iga/coupling/global_nodes.hpp"
+#include "iga/estimate/internal/held_places.hpp"
 
 namespace isopatch::iga {
 namespace {
@@ -68,6 +69,7 @@ class PartEdges {
       for (const PatchEdge& edge : geometry::all_edges()) members_[nodes_of({p, edge})].push_back({p, edge});
     boundary_.insert(d.model.boundary_faces().begin(), d.model.boundary_faces().end());
     for (const Support& support : problem.supports) {
+      if (!support.region.is_everywhere()) continue;  // ends inside of faces
       const auto* given = std::get_if<PrescribedDisplacement>(&support.condition);
       if (given && std::all_of(given->value.begin(), given->value.end(),
                                [](const auto& component) { return component.has_value(); }))
@@ -170,6 +172,7 @@ std::vector<std::optional<std::string>> singular_places(const ElasticityProblem&
       if (!near || result.back()) continue;
       result.back() = edges.why_singular({place.patch, edge});
     }
+    if (!result.back()) result.back() = why_held_singular(problem, place);
   }
   return result;
 }

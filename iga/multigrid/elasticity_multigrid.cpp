@@ -89,7 +89,7 @@ ElasticityMultigrid::ElasticityMultigrid(const ElasticityProblem& problem, const
   // and points of their own would let coarse functions do what the finest level forbids.
   const SurfaceTerms of_finest = surface_terms(problem);
   SurfaceTerms of_coarser = of_finest;
-  for (SprungFace& face : of_coarser.springs) face.is_hold = false;
+  for (SprungFace& face : of_coarser.springs.faces) face.is_hold = false;
   std::vector<solvers::MultigridLevel> described;
   for (std::size_t l = 0; l < levels.size(); ++l) {
     const Level& level = *levels[l];

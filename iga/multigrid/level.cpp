@@ -36,7 +36,8 @@ int representative(int i, int count, int fine_count) {
   return std::clamp(static_cast<int>(std::int64_t{i} * (fine_count - 1) / (count - 1)), 1, fine_count - 2);
 }
 
-// Supports hold whole faces or edges, so a coarse function has the frame of any fine one on the same ones.
+// Supports hold whole faces or edges, so a coarse function has the frame of any fine one on the same ones; of
+// parts of faces that of the fine one at the same place, which is right but at the rim.
 std::vector<const SupportFrame*> coarse_frames(const Level& coarse, const GlobalNodes& global,
                                                const Level& finest, const std::vector<SupportFrame>& frames) {
   std::vector<const SupportFrame*> result(static_cast<std::size_t>(global.count()));

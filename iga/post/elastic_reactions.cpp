@@ -15,10 +15,10 @@ ElasticReactions elastic_reactions(const ElasticityProblem& problem, const Eigen
   for (const Support& support : problem.supports) {
     Reaction& reaction = result.reactions.emplace_back();
     reaction.support = support.name;
-    const std::vector<SprungFace> faces = sprung_faces(problem, support);
-    if (faces.empty()) continue;
+    const Springs springs = springs_of(problem, support);
+    if (springs.empty()) continue;
     Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, displacement.cols());
-    support_stiffness(spaces, parts, faces).add_forces(displacement, forces);
+    support_stiffness(spaces, parts, springs).add_forces(displacement, forces);
     for (std::size_t p = 0; p < d.patches.size(); ++p)
       for (int i = 0; i < d.patches[p].size(); ++i) {
         const Eigen::Vector3d force = -forces.col(d.first_node[p] + i);

@@ -47,61 +47,90 @@ std::vector<std::int64_t> elements_at(const NurbsVolume& patch, const PatchLayer
   return result;
 }
 
+// A point of a face, whatever moves there.
+struct FaceGeometry {
+  Eigen::Vector3d place;
+  Eigen::Matrix3d inverse;
+  MapState state = MapState::sound;
+  double scaled = 0;
+};
+
+struct FaceScratch {
+  TensorBuffers<4> geometry, displacement;
+  std::vector<FaceGeometry> points;
+  std::vector<StressPeaks> seen;  // of each field, by this thread, whose elements come in order
+};
+
+// The stresses of several fields on one side of a patch.
 class FaceOfPatch {
  public:
-  FaceOfPatch(const ElasticField& field, int patch, Side side)
+  FaceOfPatch(const std::vector<const ElasticField*>& fields, int patch, Side side)
       : index_(patch),
-        patch_(field.patches[static_cast<std::size_t>(patch)]),
-        displacement_(field.displacement[static_cast<std::size_t>(patch)].data()),
-        material_(field.materials[static_cast<std::size_t>(patch)]),
-        thermal_(field.thermal_strain(static_cast<std::size_t>(patch))),
+        fields_(fields),
+        patch_(fields.front()->patches[static_cast<std::size_t>(patch)]),
+        material_(fields.front()->materials[static_cast<std::size_t>(patch)]),
         tensors_(patch_, points_on(patch_, side)) {}
 
-  FaceStresses on_element(std::int64_t element, TensorBuffers<8>& buffers) const {
-    FaceStresses result;
-    result.max_von_mises.value = -1;
-    gather(tensors_, element, patch_, displacement_, buffers.coefficients);
-    tensors_.gradients(element, buffers);
-    for (Eigen::Index point = 0; point < tensors_.point_count(); ++point)
-      at_point(element, point, buffers, result);
+  std::vector<FaceStresses> on_element(std::int64_t element, FaceScratch& scratch) const {
+    evaluate_geometry(element, scratch);
+    scratch.seen.resize(fields_.size());
+    std::vector<FaceStresses> result(fields_.size());
+    for (std::size_t i = 0; i < fields_.size(); ++i) {
+      const auto p = static_cast<std::size_t>(index_);
+      result[i].max_von_mises.value = -1;
+      gather(tensors_, element, fields_[i]->displacement[p], patch_.weights(),
+             scratch.displacement.coefficients);
+      tensors_.gradients(element, scratch.displacement);
+      const ThermalStrain thermal = fields_[i]->thermal_strain(p);
+      for (Eigen::Index point = 0; point < tensors_.point_count(); ++point)
+        at_point(element, point, scratch, thermal, scratch.seen[i], result[i]);
+    }
     return result;
   }
 
  private:
-  void at_point(std::int64_t element, Eigen::Index point, const TensorBuffers<8>& buffers,
-                FaceStresses& result) const {
+  void evaluate_geometry(std::int64_t element, FaceScratch& scratch) const {
+    gather(tensors_, element, patch_.control_points(), patch_.weights(), scratch.geometry.coefficients);
+    tensors_.gradients(element, scratch.geometry);
+    scratch.points.resize(static_cast<std::size_t>(tensors_.point_count()));
+    for (std::size_t q = 0; q < scratch.points.size(); ++q) {
+      const RationalPoint place = rational_point(scratch.geometry, q);
+      FaceGeometry& at = scratch.points[q];
+      at.place = place.value;
+      at.state = map_state(place.derivatives, at.scaled);
+      if (at.state == MapState::sound) at.inverse = place.derivatives.inverse();
+    }
+  }
+  void at_point(std::int64_t element, Eigen::Index point, const FaceScratch& scratch,
+                const ThermalStrain& thermal, StressPeaks& seen, FaceStresses& result) const {
     const auto q = static_cast<std::size_t>(point);
-    const RationalPoint place = rational_point(buffers, q);
-    double scaled = 0;
-    const MapState state = map_state(place.derivatives, scaled);
-    if (state == MapState::collapsed) {
+    const FaceGeometry& at = scratch.points[q];
+    if (at.state == MapState::collapsed) {
       ++result.left_out.collapsed;
-    } else if (state == MapState::folded) {
+    } else if (at.state == MapState::folded) {
       ++result.left_out.folded;
-      if (is_larger(-scaled, result.left_out.worst.value))
-        result.left_out.worst = {-scaled, place.value, index_, tensors_.parameter(element, point)};
+      if (is_larger(-at.scaled, result.left_out.worst.value))
+        result.left_out.worst = {-at.scaled, at.place, index_, tensors_.parameter(element, point)};
     } else {
-      const Eigen::Matrix3d gradient =
-          rational_point(buffers, q, 4).derivatives * place.derivatives.inverse();
-      const Eigen::Matrix3d sigma = stress_of_gradient(gradient, material_, thermal_.at(place.value));
+      const Eigen::Matrix3d gradient = rational_point(scratch.displacement, q).derivatives * at.inverse;
+      const Eigen::Matrix3d sigma = stress_of_gradient(gradient, material_, thermal.at(at.place));
       const double stress = von_mises(sigma);
-      require_finite(stress, index_, place.value);
+      require_finite(stress, index_, at.place);
       if (is_larger(stress, result.max_von_mises.value))
-        result.max_von_mises = {stress, place.value, index_, tensors_.parameter(element, point)};
+        result.max_von_mises = {stress, at.place, index_, tensors_.parameter(element, point)};
       take(
           StressPoint{sigma, stress, material_.yield},
           [&]() -> Extremum {
-            return {0, place.value, index_, tensors_.parameter(element, point)};
+            return {0, at.place, index_, tensors_.parameter(element, point)};
           },
-          result.peaks);
+          seen, result.peaks);
     }
   }
 
   int index_;
+  const std::vector<const ElasticField*>& fields_;
   const NurbsVolume& patch_;
-  const double* displacement_;
   const Material& material_;
-  ThermalStrain thermal_;
   ElementTensors tensors_;
 };
 
@@ -112,23 +141,29 @@ FaceStresses together(const FaceStresses& a, const FaceStresses& b) {
 
 }  // namespace
 
-FaceStresses stresses_on_faces(const ElasticField& field, const std::vector<PatchLayers>& parts) {
-  FaceStresses result;
-  result.max_von_mises.value = -1;
-  std::vector<TensorBuffers<8>> buffers(static_cast<std::size_t>(omp_get_max_threads()));
+std::vector<FaceStresses> stresses_on_faces(const std::vector<const ElasticField*>& fields,
+                                            const std::vector<PatchLayers>& parts) {
+  std::vector<FaceStresses> result(fields.size());
+  for (FaceStresses& one : result) one.max_von_mises.value = -1;
+  std::vector<FaceScratch> scratch(static_cast<std::size_t>(omp_get_max_threads()));
   for (const PatchLayers& part : parts)
     for (const Side side : geometry::all_sides) {
-      const NurbsVolume& patch = field.patches[static_cast<std::size_t>(part.patch)];
+      const NurbsVolume& patch = fields.front()->patches[static_cast<std::size_t>(part.patch)];
       const std::vector<std::int64_t> elements = elements_at(patch, part, side);
-      const FaceOfPatch face(field, part.patch, side);
-      std::vector<FaceStresses> found(elements.size());
+      const FaceOfPatch face(fields, part.patch, side);
+      std::vector<std::vector<FaceStresses>> found(elements.size());
       parallel_for(static_cast<std::int64_t>(elements.size()), [&](std::int64_t i, int thread) {
         const auto e = static_cast<std::size_t>(i);
-        found[e] = face.on_element(elements[e], buffers[static_cast<std::size_t>(thread)]);
+        found[e] = face.on_element(elements[e], scratch[static_cast<std::size_t>(thread)]);
       });
-      for (const FaceStresses& of_element : found) result = together(result, of_element);
+      for (const std::vector<FaceStresses>& of_element : found)
+        for (std::size_t i = 0; i < result.size(); ++i) result[i] = together(result[i], of_element[i]);
     }
   return result;
+}
+
+FaceStresses stresses_on_faces(const ElasticField& field, const std::vector<PatchLayers>& parts) {
+  return stresses_on_faces(std::vector<const ElasticField*>{&field}, parts).front();
 }
 
 FaceStresses stresses_on_faces(const ElasticField& field) {

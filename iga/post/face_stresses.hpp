@@ -22,6 +22,10 @@ struct FaceStresses {
 /// @throws Error singular_system  a stress that is no finite number
 /// @cost  O(degree^4) per element at a face
 FaceStresses stresses_on_faces(const ElasticField& field, const std::vector<PatchLayers>& parts);
+/// The same of several fields on the same patches, whose geometry is evaluated once.
+/// @param fields  not empty
+std::vector<FaceStresses> stresses_on_faces(const std::vector<const ElasticField*>& fields,
+                                            const std::vector<PatchLayers>& parts);
 /// The same of all patches.
 FaceStresses stresses_on_faces(const ElasticField& field);
 

@@ -1,5 +1,8 @@
 #include "iga/post/internal_forces.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "iga/material/internal/point_fields.hpp"
 #include "iga/operator/internal/highest_modes.hpp"
 #include "iga/post/results.hpp"
@@ -13,11 +16,23 @@ namespace {
 // Elements whose forces are kept until they are added up: 13 MB at degree 3.
 constexpr std::int64_t elements_per_batch = 8192;
 
+// What the map of a patch is at a point, whatever moves there.
+struct PointGeometry {
+  Eigen::Vector3d place;
+  Eigen::Matrix3d inverse;  // of the derivatives
+  double measure = 0;       // weight times det J, m^3
+  double denominator = 0;   // one over W
+  Eigen::Vector3d rate;     // of W, times that
+  MapState state = MapState::sound;
+  double scaled = 0;
+};
+
 struct Scratch {
-  TensorBuffers<8> fields;
-  TensorBuffers<4> test;
+  TensorBuffers<4> geometry, displacement, test;
+  std::vector<PointGeometry> points;
   PointStresses stresses, modes;
   Eigen::VectorXd measures;
+  std::vector<StressPeaks> seen;  // of each displacement, by this thread, whose elements come in order
 };
 
 // The largest of an element's points and where it is.
@@ -42,24 +57,62 @@ struct ElementForces {
   UnresolvedEnergy modes;
 };
 
+// What the stresses of several displacements do in one element.
+using ElementResults = std::vector<ElementForces>;
+
 class PatchForces {
  public:
-  PatchForces(const Discretization& d, int patch, const Material& material, const ThermalStrain& thermal,
-              const Eigen::Matrix3Xd& displacement, const GaussPoints& points)
+  PatchForces(const Discretization& d, int patch, const Material& material,
+              const std::vector<StrainedPart>& displacements, const GaussPoints& points)
       : d_(d),
         index_(patch),
         patch_(d.patches[static_cast<std::size_t>(patch)]),
         material_(material),
-        thermal_(thermal),
-        displacement_(displacement.data() + 3 * d.first_node[static_cast<std::size_t>(patch)]),
         tensors_(patch_, gauss_rules(points)),
-        modes_(points, {patch_.degree(0), patch_.degree(1), patch_.degree(2)}) {}
+        modes_(points, {patch_.degree(0), patch_.degree(1), patch_.degree(2)}) {
+    const auto p = static_cast<std::size_t>(patch);
+    for (const StrainedPart& one : displacements) {
+      displacements_.emplace_back(one.displacement.middleCols(d.first_node[p], patch_.size()));
+      thermal_.push_back(one.thermal.empty() ? ThermalStrain{} : one.thermal[p]);
+    }
+  }
 
   const ElementTensors& tensors() const { return tensors_; }
 
-  void compute(std::int64_t element, Scratch& scratch, ElementForces& out) const {
-    gather(tensors_, element, patch_, displacement_, scratch.fields.coefficients);
-    tensors_.gradients(element, scratch.fields);
+  void compute(std::int64_t element, Scratch& scratch, ElementResults& out) const {
+    evaluate_geometry(element, scratch);
+    out.resize(displacements_.size());
+    scratch.seen.resize(displacements_.size());
+    for (std::size_t i = 0; i < displacements_.size(); ++i) compute(element, i, scratch, out[i]);
+  }
+
+ private:
+  void evaluate_geometry(std::int64_t element, Scratch& scratch) const {
+    gather(tensors_, element, patch_.control_points(), patch_.weights(), scratch.geometry.coefficients);
+    tensors_.gradients(element, scratch.geometry);
+    scratch.points.resize(static_cast<std::size_t>(tensors_.point_count()));
+    scratch.measures.resize(tensors_.point_count());
+    tensors_.for_each_point(element, [&](Eigen::Index point, double weight) {
+      const auto q = static_cast<std::size_t>(point);
+      const RationalPoint place = rational_point(scratch.geometry, q);
+      const double jacobian = place.derivatives.determinant();
+      if (!(jacobian > 0))
+        refuse_folded(index_, patch_, d_.model.was_reversed(PatchId(index_)),
+                      tensors_.parameter(element, point));
+      PointGeometry& at = scratch.points[q];
+      at.place = place.value;
+      at.inverse = place.derivatives.inverse();
+      scratch.measures[point] = at.measure = weight * jacobian;
+      const auto& [value, du, dv, dw] = scratch.geometry.at;
+      at.denominator = 1 / value[q][3];
+      at.rate = at.denominator * Eigen::Vector3d(du[q][3], dv[q][3], dw[q][3]);
+      at.state = map_state(place.derivatives, at.scaled);
+    });
+  }
+
+  void compute(std::int64_t element, std::size_t which, Scratch& scratch, ElementForces& out) const {
+    gather(tensors_, element, displacements_[which], patch_.weights(), scratch.displacement.coefficients);
+    tensors_.gradients(element, scratch.displacement);
     for (auto& at : scratch.test.at) at.resize(static_cast<std::size_t>(tensors_.point_count()));
     out.energy = out.thermal_work = 0;
     out.von_mises = out.strain = {};
@@ -67,9 +120,7 @@ class PatchForces {
     out.folded = 0;
     out.worst = {-2, 0, Eigen::Vector3d::Zero()};
     scratch.stresses.resize(6, tensors_.point_count());
-    scratch.measures.resize(tensors_.point_count());
-    tensors_.for_each_point(
-        element, [&](Eigen::Index q, double weight) { at_point(element, q, weight, scratch, out); });
+    for (Eigen::Index q = 0; q < tensors_.point_count(); ++q) at_point(element, q, which, scratch, out);
     out.modes = modes_.energies(scratch.stresses, scratch.measures, material_, scratch.modes);
     tensors_.test_with_gradients(element, scratch.test);
     out.forces.resize(static_cast<std::size_t>(3 * tensors_.function_count()));
@@ -79,60 +130,49 @@ class PatchForces {
     });
   }
 
- private:
   // Stress, energy, and what the functions N = w B / W and their gradients are multiplied by: with the stress
   // on the unit cube T, sum over k of T_k dN/dk = w (sum over k of T_k / W dB/dk - B sum over k of T_k / W
   // W_k / W).
-  void at_point(std::int64_t element, Eigen::Index point, double weight, Scratch& scratch,
+  void at_point(std::int64_t element, Eigen::Index point, std::size_t which, Scratch& scratch,
                 ElementForces& out) const {
     const auto q = static_cast<std::size_t>(point);
-    const RationalPoint place = rational_point(scratch.fields, q);
-    const double jacobian = place.derivatives.determinant();
-    if (!(jacobian > 0))
-      refuse_folded(index_, patch_, d_.model.was_reversed(PatchId(index_)),
-                    tensors_.parameter(element, point));
-    const Eigen::Matrix3d inverse = place.derivatives.inverse();
-    const Eigen::Matrix3d gradient = rational_point(scratch.fields, q, 4).derivatives * inverse;
-    const double thermal = thermal_.at(place.value);
+    const PointGeometry& geometry = scratch.points[q];
+    const Eigen::Matrix3d gradient = rational_point(scratch.displacement, q).derivatives * geometry.inverse;
+    const double thermal = thermal_[which].at(geometry.place);
     const Eigen::Matrix3d sigma = stress_of_gradient(gradient, material_, thermal);
-    const double measure = weight * jacobian;
-    const double thermal_work = -0.5 * measure * sigma.trace() * thermal;
-    out.energy += 0.5 * measure * sigma.cwiseProduct(gradient).sum() + thermal_work;
+    const double thermal_work = -0.5 * geometry.measure * sigma.trace() * thermal;
+    out.energy += 0.5 * geometry.measure * sigma.cwiseProduct(gradient).sum() + thermal_work;
     out.thermal_work += thermal_work;
-    const auto& [value, du, dv, dw] = scratch.fields.at;
-    const double denominator = 1 / value[q][3];
-    const Eigen::Matrix3d on_cube = (measure * denominator) * sigma * inverse.transpose();
-    const Eigen::Vector3d rate = denominator * Eigen::Vector3d(du[q][3], dv[q][3], dw[q][3]);
-    scratch.test.at[0][q] << (-on_cube * rate).array(), 0.0;
+    const Eigen::Matrix3d on_cube =
+        (geometry.measure * geometry.denominator) * sigma * geometry.inverse.transpose();
+    scratch.test.at[0][q] << (-on_cube * geometry.rate).array(), 0.0;
     for (int k = 0; k < 3; ++k)
       scratch.test.at[static_cast<std::size_t>(k + 1)][q] << on_cube.col(k).array(), 0.0;
-    scratch.measures[point] = measure;
     scratch.stresses.col(point) << sigma(0, 0), sigma(1, 1), sigma(2, 2), sigma(0, 1), sigma(1, 2),
         sigma(2, 0);
-    double scaled = 0;
-    if (map_state(place.derivatives, scaled) != MapState::sound) {
+    if (geometry.state != MapState::sound) {
       ++out.folded;
-      out.worst.take(-scaled, point, place.value);
+      out.worst.take(-geometry.scaled, point, geometry.place);
       return;
     }
     const double equivalent = von_mises(sigma);
-    require_finite(equivalent, index_, place.value);
-    out.von_mises.take(equivalent, point, place.value);
+    require_finite(equivalent, index_, geometry.place);
+    out.von_mises.take(equivalent, point, geometry.place);
     iga::take(
         StressPoint{sigma, equivalent, material_.yield},
         [&]() -> Extremum {
-          return {0, place.value, index_, tensors_.parameter(element, point)};
+          return {0, geometry.place, index_, tensors_.parameter(element, point)};
         },
-        out.peaks);
-    out.strain.take((0.5 * (gradient + gradient.transpose())).norm(), point, place.value);
+        scratch.seen[which], out.peaks);
+    out.strain.take((0.5 * (gradient + gradient.transpose())).norm(), point, geometry.place);
   }
 
   const Discretization& d_;
   int index_;
   const geometry::NurbsVolume& patch_;
   const Material& material_;
-  ThermalStrain thermal_;
-  const double* displacement_;
+  std::vector<Eigen::Matrix3Xd> displacements_;  // of this patch
+  std::vector<ThermalStrain> thermal_;
   ElementTensors tensors_;
   HighestModes modes_;
 };
@@ -149,48 +189,57 @@ ElementRange elements_of(const Discretization& d, const PatchLayers& part) {
   return {layer * part.first_layer, layer * (part.last_layer - part.first_layer)};
 }
 
+// Adds what the stresses of one displacement do in an element.
+void add(const PatchForces& of_patch, int patch, std::int64_t number, const ElementForces& element,
+         double* forces, InternalForces& result) {
+  result.energy += element.energy;
+  result.thermal_work += element.thermal_work;
+  of_patch.tensors().for_each_function(number, [&](Eigen::Index a, Eigen::Index i) {
+    Eigen::Map<Eigen::Vector3d>(forces + 3 * i) +=
+        Eigen::Map<const Eigen::Vector3d>(&element.forces[static_cast<std::size_t>(3 * a)]);
+  });
+  const auto take = [&](const Largest& found, Extremum& so_far) {
+    if (is_larger(found.value, so_far.value))
+      so_far = {found.value, found.place, patch, of_patch.tensors().parameter(number, found.point)};
+  };
+  take(element.von_mises, result.max_von_mises);
+  take(element.strain, result.max_strain);
+  take(element.worst, result.left_out.worst);
+  result.peaks = together(result.peaks, element.peaks);
+  result.left_out.folded += element.folded;
+  result.unresolved += element.modes;
+}
+
 }  // namespace
 
-InternalForces internal_forces(const Discretization& d, const std::vector<Material>& materials,
-                               const Eigen::Matrix3Xd& displacement, const std::vector<PatchLayers>& parts,
-                               int points, const Progress& progress,
-                               const std::vector<ThermalStrain>& thermal) {
-  InternalForces result;
-  result.forces = Eigen::Matrix3Xd::Zero(3, d.node_count());
-  result.max_von_mises.value = result.max_strain.value = -1;
+std::vector<InternalForces> internal_forces(const Discretization& d, const std::vector<Material>& materials,
+                                            const std::vector<StrainedPart>& displacements,
+                                            const std::vector<PatchLayers>& parts, int points,
+                                            const Progress& progress) {
+  std::vector<InternalForces> result(displacements.size());
+  for (InternalForces& one : result) {
+    one.forces = Eigen::Matrix3Xd::Zero(3, d.node_count());
+    one.max_von_mises.value = one.max_strain.value = -1;
+  }
   std::int64_t total = 0, done = 0;
   for (const PatchLayers& part : parts) total += elements_of(d, part).count;
+  const std::int64_t batch =
+      std::max<std::int64_t>(1, elements_per_batch / static_cast<std::int64_t>(displacements.size()));
   for (const PatchLayers& part : parts) {
-    const int p = part.patch;
-    const auto patch = static_cast<std::size_t>(p);
-    const PatchForces of_patch(d, p, materials[patch], thermal.empty() ? ThermalStrain{} : thermal[patch],
-                               displacement, d.points_of(p, points));
-    double* const forces = result.forces.data() + 3 * d.first_node[patch];
+    const auto patch = static_cast<std::size_t>(part.patch);
+    const PatchForces of_patch(d, part.patch, materials[patch], displacements,
+                               d.points_of(part.patch, points));
     const ElementRange range = elements_of(d, part);
-    in_batches<Scratch, ElementForces>(
-        range.count, elements_per_batch,
-        [&](std::int64_t element, Scratch& scratch, ElementForces& out) {
+    in_batches<Scratch, ElementResults>(
+        range.count, batch,
+        [&](std::int64_t element, Scratch& scratch, ElementResults& out) {
           of_patch.compute(range.first + element, scratch, out);
         },
-        [&](std::int64_t first, std::span<const ElementForces> elements) {
-          for (const ElementForces& element : elements) {
-            result.energy += element.energy;
-            result.thermal_work += element.thermal_work;
-            of_patch.tensors().for_each_function(range.first + first, [&](Eigen::Index a, Eigen::Index i) {
-              Eigen::Map<Eigen::Vector3d>(forces + 3 * i) +=
-                  Eigen::Map<const Eigen::Vector3d>(&element.forces[static_cast<std::size_t>(3 * a)]);
-            });
-            const auto take = [&](const Largest& found, Extremum& so_far) {
-              if (is_larger(found.value, so_far.value))
-                so_far = {found.value, found.place, p,
-                          of_patch.tensors().parameter(range.first + first, found.point)};
-            };
-            take(element.von_mises, result.max_von_mises);
-            take(element.strain, result.max_strain);
-            take(element.worst, result.left_out.worst);
-            result.peaks = together(result.peaks, element.peaks);
-            result.left_out.folded += element.folded;
-            result.unresolved += element.modes;
+        [&](std::int64_t first, std::span<const ElementResults> elements) {
+          for (const ElementResults& element : elements) {
+            for (std::size_t i = 0; i < element.size(); ++i)
+              add(of_patch, part.patch, range.first + first, element[i],
+                  result[i].forces.data() + 3 * d.first_node[patch], result[i]);
             ++first;
           }
           done += static_cast<std::int64_t>(elements.size());
@@ -198,6 +247,15 @@ InternalForces internal_forces(const Discretization& d, const std::vector<Materi
         });
   }
   return result;
+}
+
+InternalForces internal_forces(const Discretization& d, const std::vector<Material>& materials,
+                               const Eigen::Matrix3Xd& displacement, const std::vector<PatchLayers>& parts,
+                               int points, const Progress& progress,
+                               const std::vector<ThermalStrain>& thermal) {
+  return std::move(internal_forces(d, materials, std::vector<StrainedPart>{{displacement, thermal}}, parts,
+                                   points, progress)
+                       .front());
 }
 
 InternalForces internal_forces(const Discretization& d, const std::vector<Material>& materials,

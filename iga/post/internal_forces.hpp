@@ -44,6 +44,19 @@ InternalForces internal_forces(const Discretization& discretization, const std::
                                int points = 0, const Progress& progress = {},
                                const std::vector<ThermalStrain>& thermal = {});
 
+/// A displacement and the strains that cause no stress beside it.
+struct StrainedPart {
+  const Eigen::Matrix3Xd& displacement;       ///< as `internal_forces` takes it
+  const std::vector<ThermalStrain>& thermal;  ///< one per patch; empty: none
+};
+
+/// The same of several displacements, for which the geometry at the points is computed once.
+std::vector<InternalForces> internal_forces(const Discretization& discretization,
+                                            const std::vector<Material>& materials,
+                                            const std::vector<StrainedPart>& displacements,
+                                            const std::vector<PatchLayers>& parts, int points = 0,
+                                            const Progress& progress = {});
+
 /// The forces per node that hold thermal strains back where nothing moves, turned round: what they load the
 /// part with. (3, nodes), N
 Eigen::Matrix3Xd thermal_forces(const Discretization& discretization, const std::vector<Material>& materials,

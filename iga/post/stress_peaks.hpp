@@ -38,22 +38,24 @@ struct HigherPeaks {
 /// @source  eigenvalues of a deviator are at most 2/3 of its von Mises stress, their range at most 2/sqrt(3)
 HigherPeaks higher_peaks(const StressPoint& point, const StressPeaks& so_far);
 
-/// Takes a point into the peaks.
+/// Takes a point into the peaks if it is above those that a search has seen.
 /// @param place_of  gives the point as an Extremum without a value; called only for a new peak
+/// @param seen      by the same thread, in this element and in those before it: a point that is not above
+///                  cannot be the largest of all
 template <class PlaceOf>
-void take(const StressPoint& point, const PlaceOf& place_of, StressPeaks& peaks) {
-  const HigherPeaks higher = higher_peaks(point, peaks);
+void take(const StressPoint& point, const PlaceOf& place_of, StressPeaks& seen, StressPeaks& peaks) {
+  const HigherPeaks higher = higher_peaks(point, seen);
   if (!higher.any()) return;
   Extremum here = place_of();
-  const auto set = [&](bool is_higher, double value, Extremum& peak) {
+  const auto set_both = [&](bool is_higher, double value, Extremum& seen_peak, Extremum& peak) {
     if (!is_higher) return;
     here.value = value;
-    peak = here;
+    seen_peak = peak = here;
   };
-  set(higher.tension, higher.principal[0], peaks.tension);
-  set(higher.compression, -higher.principal[2], peaks.compression);
-  set(higher.tresca, higher.principal[0] - higher.principal[2], peaks.tresca);
-  set(higher.utilization, point.von_mises / point.yield, peaks.utilization);
+  set_both(higher.tension, higher.principal[0], seen.tension, peaks.tension);
+  set_both(higher.compression, -higher.principal[2], seen.compression, peaks.compression);
+  set_both(higher.tresca, higher.principal[0] - higher.principal[2], seen.tresca, peaks.tresca);
+  set_both(higher.utilization, point.von_mises / point.yield, seen.utilization, peaks.utilization);
 }
 
 }  // namespace isopatch::iga

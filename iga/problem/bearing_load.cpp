@@ -77,12 +77,15 @@ Eigen::Vector3d pressure_gradient(const std::string& name, const std::vector<Fac
 }  // namespace
 
 SurfaceLoad bearing_load(std::string name, std::vector<geometry::PatchFace> faces,
-                         const Eigen::Vector3d& force, const Discretization& discretization) {
-  const Eigen::Vector3d gradient = pressure_gradient(name, face_points(discretization.patches, faces), force);
+                         const Eigen::Vector3d& force, const Discretization& discretization,
+                         const Region& region) {
+  const Eigen::Vector3d gradient =
+      pressure_gradient(name, face_points(discretization.patches, faces, region), force);
   return {std::move(name), std::move(faces),
           [gradient](const Eigen::Vector3d&, const Eigen::Vector3d& normal) {
             return Eigen::Vector3d(-pressure_at(normal, gradient) * normal);
-          }};
+          },
+          region};
 }
 
 }  // namespace isopatch::iga

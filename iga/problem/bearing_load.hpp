@@ -19,6 +19,7 @@ namespace isopatch::iga {
 /// @throws Error invalid_argument  a force of 0, or one that no pressure on these faces adds up to: along the
 ///     axis of a cylinder, or away from all of it
 SurfaceLoad bearing_load(std::string name, std::vector<geometry::PatchFace> faces,
-                         const Eigen::Vector3d& force, const Discretization& discretization);
+                         const Eigen::Vector3d& force, const Discretization& discretization,
+                         const Region& region = {});
 
 }  // namespace isopatch::iga

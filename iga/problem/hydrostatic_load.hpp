@@ -18,11 +18,10 @@ struct Liquid {
 /// Pressure (Pa) of a liquid: density (x - surface) . gravity below the surface, nothing above it.
 double pressure(const Liquid& liquid, const Eigen::Vector3d& place);
 
-/// The pressure of a liquid on faces. Elements that the surface crosses see the kink at their Gauss points
-/// only.
+/// The pressure of a liquid on faces, or the part of them in a region, integrated up to the liquid's surface.
 /// @throws Error invalid_argument  a density that is not positive, gravity of 0, or faces that it nowhere
 /// wets
 SurfaceLoad hydrostatic_load(std::string name, std::vector<geometry::PatchFace> faces, const Liquid& liquid,
-                             const Discretization& discretization);
+                             const Discretization& discretization, const Region& region = {});
 
 }  // namespace isopatch::iga

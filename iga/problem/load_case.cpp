@@ -42,6 +42,7 @@ ElasticityProblem of_case(const ElasticityProblem& problem, const LoadCase& load
   for (const SurfaceLoad& load : problem.surface_loads) loads.insert(load.name);
   for (const VolumeLoad& load : problem.volume_loads) loads.insert(load.name);
   for (const TemperatureLoad& load : problem.temperatures) loads.insert(load.name);
+  for (const PointLoad& load : problem.point_loads) loads.insert(load.name);
   for (const Support& support : problem.supports) supports.insert(support.name);
   require_known(load_case.loads, loads, load_case, "load");
   require_known(load_case.moving_supports, supports, load_case, "support");
@@ -50,6 +51,7 @@ ElasticityProblem of_case(const ElasticityProblem& problem, const LoadCase& load
   std::erase_if(result.surface_loads, is_absent);
   std::erase_if(result.volume_loads, is_absent);
   std::erase_if(result.temperatures, is_absent);
+  std::erase_if(result.point_loads, is_absent);
   for (Support& support : result.supports)
     if (!is_among(support.name, load_case.moving_supports)) hold_still(support);
   return result;

@@ -10,37 +10,42 @@
 #include "iga/problem/internal/face_quadrature.hpp"
 #include "iga/spaces/internal/element_batches.hpp"
 #include "iga/spaces/internal/element_tensors.hpp"
+#include "iga/spaces/node_values.hpp"
 
 namespace isopatch::iga {
 
 using geometry::PatchFace;
 
-SurfaceLoad constant_traction(std::string name, std::vector<PatchFace> faces,
-                              const Eigen::Vector3d& traction) {
+SurfaceLoad constant_traction(std::string name, std::vector<PatchFace> faces, const Eigen::Vector3d& traction,
+                              const Region& region) {
   return {std::move(name), std::move(faces),
-          [traction](const Eigen::Vector3d&, const Eigen::Vector3d&) { return traction; }};
+          [traction](const Eigen::Vector3d&, const Eigen::Vector3d&) { return traction; }, region};
 }
 
-SurfaceLoad pressure_load(std::string name, std::vector<PatchFace> faces, double pressure) {
+SurfaceLoad pressure_load(std::string name, std::vector<PatchFace> faces, double pressure,
+                          const Region& region) {
   return {std::move(name), std::move(faces),
           [pressure](const Eigen::Vector3d&, const Eigen::Vector3d& normal) {
             return Eigen::Vector3d(-pressure * normal);
-          }};
+          },
+          region};
 }
 
 SurfaceLoad total_force(std::string name, std::vector<PatchFace> faces, const Eigen::Vector3d& force,
-                        const Discretization& d) {
+                        const Discretization& d, const Region& region) {
   // With the rule that the load itself is integrated with, the force adds up to the last digits.
-  double area = 0;
-  for (const PatchFace face : faces)
-    area += face_load(d.patches.at(static_cast<std::size_t>(face.patch.value)), face.side,
-                      [](const Eigen::Vector3d&, const Eigen::Vector3d&) { return Eigen::Vector3d(1, 0, 0); })
-                .row(0)
-                .sum();
+  const double area = area_of(d.patches, faces, region);
   if (!(area > 0))
     throw Error(ErrorCode::invalid_argument,
                 fmt::format("'{}': a force needs faces with an area to act on", name));
-  return constant_traction(std::move(name), std::move(faces), force / area);
+  return constant_traction(std::move(name), std::move(faces), force / area, region);
+}
+
+double area_of(const std::vector<geometry::NurbsVolume>& patches, const std::vector<PatchFace>& faces,
+               const Region& region) {
+  double area = 0;
+  for (const FacePoint& point : face_points(patches, faces, region)) area += point.area;
+  return area;
 }
 
 std::vector<VolumeLoad> gravity(const std::string& name, const std::vector<PatchId>& patches,
@@ -61,8 +66,9 @@ std::vector<VolumeLoad> gravity(const std::string& name, const std::vector<Patch
 
 Eigen::Matrix3Xd face_load(
     const geometry::NurbsVolume& patch, geometry::Side side,
-    const std::function<Eigen::Vector3d(const Eigen::Vector3d&, const Eigen::Vector3d&)>& traction) {
-  const FaceQuadrature quadrature(patch, side);
+    const std::function<Eigen::Vector3d(const Eigen::Vector3d&, const Eigen::Vector3d&)>& traction,
+    const Region& region) {
+  const FaceQuadrature quadrature(patch, side, region);
   const geometry::NurbsSurface& surface = quadrature.surface();
   Eigen::Matrix3Xd load = Eigen::Matrix3Xd::Zero(3, surface.size());
   quadrature.for_each([&](const FacePoint& point, const DirectionTable::Element& u, Eigen::Index qu,
@@ -95,13 +101,27 @@ void add_surface_load(const ElasticityProblem& problem, const SurfaceLoad& surfa
                   fmt::format("'{}': face {} is not on the boundary of the model", surface_load.name,
                               d.model.label(face)));
     const auto p = static_cast<std::size_t>(face.patch.value);
-    const Eigen::Matrix3Xd on_face = face_load(d.patches[p], face.side, surface_load.traction);
+    const Eigen::Matrix3Xd on_face =
+        face_load(d.patches[p], face.side, surface_load.traction, surface_load.region);
     if (!on_face.allFinite())
       throw Error(ErrorCode::invalid_argument, fmt::format("'{}': the load on face {} is not finite",
                                                            surface_load.name, d.model.label(face)));
     const std::vector<int> indices = geometry::face_control_points(d.patches[p].sizes(), face.side);
     for (std::size_t i = 0; i < indices.size(); ++i)
       load.col(d.first_node[p] + indices[i]) += on_face.col(static_cast<Eigen::Index>(i));
+  }
+}
+
+void add_point_load(const Discretization& d, const PointLoad& point_load, Eigen::Matrix3Xd& load) {
+  for (const PatchPoint& point : point_load.points) {
+    if (point.patch.value < 0 || point.patch.value >= d.patch_count() || !point_load.force.allFinite())
+      throw Error(ErrorCode::invalid_argument,
+                  fmt::format("'{}': a point load needs a finite force and points in patches 0 to {}",
+                              point_load.name, d.patch_count() - 1));
+    const auto p = static_cast<std::size_t>(point.patch.value);
+    const PatchSpace space{&d.patches[p], d.patches[p].knots(), d.patches[p].weights()};
+    for (const NodeValue& at : node_values(space, point.parameter))
+      load.col(d.first_node[p] + at.node) += point.weight * at.value * point_load.force;
   }
 }
 
@@ -179,6 +199,8 @@ Eigen::Matrix3Xd load_vector(const ElasticityProblem& problem, int points) {
   for (const SurfaceLoad& surface_load : problem.surface_loads) add_surface_load(problem, surface_load, load);
   for (const VolumeLoad& volume_load : problem.volume_loads)
     add_volume_load(problem.discretization, volume_load, points, load);
+  for (const PointLoad& point_load : problem.point_loads)
+    add_point_load(problem.discretization, point_load, load);
   return load;
 }
 

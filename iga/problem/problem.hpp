@@ -12,6 +12,8 @@
 #include "geometry/patch_face.hpp"
 #include "iga/material/material.hpp"
 #include "iga/problem/corners.hpp"
+#include "iga/problem/patch_point.hpp"
+#include "iga/problem/region.hpp"
 #include "iga/problem/thermal_load.hpp"
 #include "iga/spaces/discretization.hpp"
 
@@ -31,7 +33,7 @@ struct PlaneSupport {
 
 /// Faces about an axis that are held along the directions of cylinder coordinates: no displacement along
 /// those that are true. Radial or tangential alone is held by springs ten thousand times as stiff as the
-/// part, at as many points as the faces have functions (`sprung_faces`); all else exactly.
+/// part, at as many points as the faces have functions (`springs_of`); all else exactly.
 struct CylindricalSupport {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< on the axis, m
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< of any length
@@ -44,6 +46,10 @@ struct CylindricalSupport {
 struct ElasticSupport {
   double normal = 0;      ///< against displacement across the faces, both ways
   double tangential = 0;  ///< against displacement along them
+  /// The stiffness where faces have a normal of length 1.
+  Eigen::Matrix3d at(const Eigen::Vector3d& n) const {
+    return tangential * Eigen::Matrix3d::Identity() + (normal - tangential) * n * n.transpose();
+  }
   bool operator==(const ElasticSupport&) const = default;
 };
 
@@ -71,6 +77,12 @@ struct Support {
   /// have no limit, while stresses away from the line have.
   std::vector<SupportedEdge> edges = {};
   std::vector<PatchCorner> corners = {};  ///< points that are held, with the same reservation as edges
+  /// Where on the faces it holds, if not everywhere. Springs act exactly there; what is held rigidly are the
+  /// functions whose Greville points lie there, so up to half an element at the rim.
+  Region region = {};
+  /// Points anywhere in the part that springs hold, as stiff as ten thousand times the part for each unit of
+  /// weight; by a PrescribedDisplacement of 0 alone.
+  std::vector<PatchPoint> points = {};
 };
 
 /// Traction on boundary faces as a function of place and outward unit normal, Pa.
@@ -78,14 +90,26 @@ struct SurfaceLoad {
   std::string name;
   std::vector<geometry::PatchFace> faces;
   std::function<Eigen::Vector3d(const Eigen::Vector3d& place, const Eigen::Vector3d& normal)> traction;
+  Region region = {};  ///< where on the faces it acts
 };
 SurfaceLoad constant_traction(std::string name, std::vector<geometry::PatchFace> faces,
-                              const Eigen::Vector3d& traction);
+                              const Eigen::Vector3d& traction, const Region& region = {});
 /// @param pressure  Pa, positive pushes against the face
-SurfaceLoad pressure_load(std::string name, std::vector<geometry::PatchFace> faces, double pressure);
-/// A total force (N) spread evenly over the faces' area.
+SurfaceLoad pressure_load(std::string name, std::vector<geometry::PatchFace> faces, double pressure,
+                          const Region& region = {});
+/// A total force (N) spread evenly over the area of the faces, or of the part of them in a region.
+/// @throws Error invalid_argument  no area there
 SurfaceLoad total_force(std::string name, std::vector<geometry::PatchFace> faces,
-                        const Eigen::Vector3d& force, const Discretization& discretization);
+                        const Eigen::Vector3d& force, const Discretization& discretization,
+                        const Region& region = {});
+
+/// Forces at points of the part, N: `weight` of each point is the share of the force. Displacements and
+/// stresses there have no limit as elements become small.
+struct PointLoad {
+  std::string name;
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  std::vector<PatchPoint> points;  ///< whose weights add up to 1
+};
 
 /// Force per volume in patches, N/m^3.
 struct VolumeLoad {
@@ -107,6 +131,7 @@ struct ElasticityProblem {
   std::vector<SurfaceLoad> surface_loads;
   std::vector<VolumeLoad> volume_loads;
   std::vector<TemperatureLoad> temperatures = {};
+  std::vector<PointLoad> point_loads = {};
 };
 
 }  // namespace isopatch::iga

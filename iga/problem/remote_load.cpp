@@ -36,13 +36,13 @@ AreaMoments area_moments(const std::vector<FacePoint>& points) {
 }  // namespace
 
 SurfaceLoad remote_load(std::string name, std::vector<geometry::PatchFace> faces, const RemoteForce& remote,
-                        const Discretization& discretization) {
+                        const Discretization& discretization, const Region& region) {
   const auto reject = [&](const std::string& what) {
     throw Error(ErrorCode::invalid_argument, fmt::format("'{}': {}", name, what));
   };
   if (!(remote.force.norm() + remote.moment.norm() > 0))
     reject("a remote force needs a force or a moment that is not 0");
-  const AreaMoments moments = area_moments(face_points(discretization.patches, faces));
+  const AreaMoments moments = area_moments(face_points(discretization.patches, faces, region));
   if (!(moments.area > 0)) reject("a remote force needs faces with an area to act on");
   const Eigen::Vector3d centroid = moments.centroid;
   const Eigen::Vector3d arm = remote.point.value_or(centroid) - centroid;
@@ -54,9 +54,11 @@ SurfaceLoad remote_load(std::string name, std::vector<geometry::PatchFace> faces
   const Eigen::Vector3d turn =
       eigen.vectors * (eigen.vectors.transpose() * moment).cwiseQuotient(eigen.values);
   const Eigen::Vector3d mean = remote.force / moments.area;
-  return {std::move(name), std::move(faces), [=](const Eigen::Vector3d& place, const Eigen::Vector3d&) {
+  return {std::move(name), std::move(faces),
+          [=](const Eigen::Vector3d& place, const Eigen::Vector3d&) {
             return Eigen::Vector3d(mean + turn.cross(place - centroid));
-          }};
+          },
+          region};
 }
 
 }  // namespace isopatch::iga

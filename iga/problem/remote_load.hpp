@@ -25,6 +25,6 @@ struct RemoteForce {
 /// @throws Error invalid_argument  a force and a moment of 0, faces without area, or so narrow that they
 ///     cannot take the moment
 SurfaceLoad remote_load(std::string name, std::vector<geometry::PatchFace> faces, const RemoteForce& remote,
-                        const Discretization& discretization);
+                        const Discretization& discretization, const Region& region = {});
 
 }  // namespace isopatch::iga

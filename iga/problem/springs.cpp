@@ -1,12 +1,10 @@
 #include "iga/problem/springs.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 
-#include "geometry/base/error.hpp"
+#include "iga/problem/internal/held_parts.hpp"
 
 namespace isopatch::iga {
 namespace {
@@ -15,18 +13,11 @@ namespace {
 constexpr double stiffer = 1e4;
 
 std::vector<SprungFace> of_elastic(const Support& support, const ElasticSupport& springs) {
-  const auto [normal, tangential] = springs;
-  if (!(normal >= 0) || !(tangential >= 0) || !std::isfinite(normal) || !std::isfinite(tangential))
-    throw Error(ErrorCode::invalid_argument,
-                fmt::format("'{}': an elastic support has the stiffness {} across and {} N/m^3 along its "
-                            "faces; both must be finite and not negative",
-                            support.name, normal, tangential));
+  validate(springs, support.name);
   std::vector<SprungFace> result;
   for (const geometry::PatchFace& face : support.faces)
-    result.push_back({face, [springs](const Eigen::Vector3d&, const Eigen::Vector3d& n) {
-                        return Eigen::Matrix3d(springs.tangential * Eigen::Matrix3d::Identity() +
-                                               (springs.normal - springs.tangential) * n * n.transpose());
-                      }});
+    result.push_back(
+        {face, [springs](const Eigen::Vector3d&, const Eigen::Vector3d& n) { return springs.at(n); }});
   return result;
 }
 
@@ -40,7 +31,8 @@ std::vector<SprungFace> of_cylindrical(const ElasticityProblem& problem, const S
                              young(problem.materials.at(static_cast<std::size_t>(face.patch.value))) /
                              problem.discretization.model.size();
     result.push_back({face,
-                      [=](const Eigen::Vector3d& place, const Eigen::Vector3d&) {
+                      [=, region = support.region](const Eigen::Vector3d& place, const Eigen::Vector3d&) {
+                        if (!region.contains(place)) return Eigen::Matrix3d(Eigen::Matrix3d::Zero());
                         const Eigen::Vector3d arm = place - about.point;
                         const Eigen::Vector3d radial = (arm - axis * axis.dot(arm)).normalized();
                         const Eigen::Vector3d held = about.radial ? radial : axis.cross(radial);
@@ -51,13 +43,7 @@ std::vector<SprungFace> of_cylindrical(const ElasticityProblem& problem, const S
   return result;
 }
 
-}  // namespace
-
-bool is_sprung(const CylindricalSupport& support) {
-  return support.radial != support.tangential;
-}
-
-std::vector<SprungFace> sprung_faces(const ElasticityProblem& problem, const Support& support) {
+std::vector<SprungFace> whole_faces(const ElasticityProblem& problem, const Support& support) {
   if (const auto* springs = std::get_if<ElasticSupport>(&support.condition))
     return of_elastic(support, *springs);
   const auto* about = std::get_if<CylindricalSupport>(&support.condition);
@@ -65,10 +51,30 @@ std::vector<SprungFace> sprung_faces(const ElasticityProblem& problem, const Sup
   return {};
 }
 
-std::vector<SprungFace> sprung_faces(const ElasticityProblem& problem) {
-  std::vector<SprungFace> result;
-  for (const Support& support : problem.supports)
-    for (SprungFace& face : sprung_faces(problem, support)) result.push_back(std::move(face));
+}  // namespace
+
+bool is_sprung(const CylindricalSupport& support) {
+  return support.radial != support.tangential;
+}
+
+Springs springs_of(const ElasticityProblem& problem, const Support& support) {
+  Springs result;
+  const auto* springs = std::get_if<ElasticSupport>(&support.condition);
+  if (springs && !support.region.is_everywhere())
+    result.points = springs_in_region(problem, support, *springs);
+  else
+    result.faces = whole_faces(problem, support);
+  for (SprungPoint& point : held_points(problem, support)) result.points.push_back(std::move(point));
+  return result;
+}
+
+Springs springs_of(const ElasticityProblem& problem) {
+  Springs result;
+  for (const Support& support : problem.supports) {
+    Springs more = springs_of(problem, support);
+    std::move(more.faces.begin(), more.faces.end(), std::back_inserter(result.faces));
+    std::move(more.points.begin(), more.points.end(), std::back_inserter(result.points));
+  }
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "iga/problem/problem.hpp"
+#include "iga/problem/sprung_point.hpp"
 
 namespace isopatch::iga {
 
@@ -18,16 +19,31 @@ struct SprungFace {
   bool is_hold = false;
 };
 
-/// The sprung faces of one support: those of an elastic one, and of a cylindrical one that holds the radial
+/// All that springs do.
+struct Springs {
+  std::vector<SprungFace> faces = {};
+  std::vector<SprungPoint> points = {};
+
+  bool empty() const { return faces.empty() && points.empty(); }
+};
+
+/// The springs of one support: those of an elastic one, and of a cylindrical one that holds the radial
 /// or the tangential direction alone. For its springs stand for a hold, because its direction turns along the
 /// face: coefficients held along directions of their own leave an error like the square of the elements' size
 /// that is four percent of the energy where sixteen elements go around. They are ten thousand times as stiff
 /// as the part, so that what they give way is some 2e-4 of its energy; the multigrid needs some five times
 /// its iterations, and at a million fifty times.
-/// @throws Error invalid_argument  a stiffness that is negative or not finite
-std::vector<SprungFace> sprung_faces(const ElasticityProblem& problem, const Support& support);
+///
+/// In a region (`Support::region`) springs act where the part of the faces is; what holds rigidly there does
+/// so at Greville points, without springs unless it has them anyway.
+///
+/// Points of a support (`Support::points`) are held by springs ten thousand times as stiff as the part.
+///
+/// @throws Error invalid_argument  a stiffness that is negative or not finite; points that are to be
+///     moved by springs; a region without area on the faces
+Springs springs_of(const ElasticityProblem& problem, const Support& support);
 /// Those of all supports.
-std::vector<SprungFace> sprung_faces(const ElasticityProblem& problem);
+Springs springs_of(const ElasticityProblem& problem);
 
 /// Whether a cylindrical support needs springs.
 bool is_sprung(const CylindricalSupport& support);

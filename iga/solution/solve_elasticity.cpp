@@ -89,24 +89,21 @@ double external_work(const GlobalNodes& global, const RightSide& side, const Eig
   return 0.5 * work;
 }
 
-// Of what couples non-matching interfaces, on the nodes before any coupling. (3, nodes), N
-Eigen::Matrix3Xd interface_forces(const CoupledProblem& coupled, const Eigen::Matrix3Xd& displacement) {
-  SurfaceTerms terms = surface_terms(*coupled.problem);
-  Eigen::Matrix3Xd result = Eigen::Matrix3Xd::Zero(3, displacement.cols());
-  interface_stiffness(terms.interfaces, coupled.spaces, terms.materials, terms.same_point)
-      .add_forces(displacement, result);
-  return result;
+// What couples non-matching interfaces.
+NodeBlocks coupling_of_interfaces(const CoupledProblem& coupled) {
+  const SurfaceTerms terms = surface_terms(*coupled.problem);
+  return interface_stiffness(terms.interfaces, coupled.spaces, terms.materials, terms.same_point);
 }
 
-// Multipliers, and what follows from the stresses of `solution.field`.
+// Multipliers, and what follows from the stresses of `solution.field`, whose own process' shares are given.
 void add_results(const CoupledProblem& coupled, const RightSide& side, const DiscreteSolution& discrete,
-                 ElasticitySolution& solution, const Progress& progress) {
+                 InternalForces share, const FaceStresses& faces, const NodeBlocks& between_patches,
+                 ElasticitySolution& solution) {
   const ElasticityProblem& problem = *coupled.problem;
   ElasticReactions springs = elastic_reactions(problem, discrete.displacement, coupled.spaces, coupled.parts);
-  InternalForces share = internal_forces(problem.discretization, problem.materials, discrete.displacement,
-                                         coupled.parts, coupled.points, progress, side.thermal);
   share.forces += springs.forces;
-  const Eigen::Matrix3Xd between = interface_forces(coupled, discrete.displacement);
+  Eigen::Matrix3Xd between = Eigen::Matrix3Xd::Zero(3, discrete.displacement.cols());
+  between_patches.add_forces(discrete.displacement, between);
   share.forces += between;
   const InternalForces internal = summed(std::move(share), coupled.processes);
   springs = summed(std::move(springs), coupled.processes);
@@ -120,7 +117,7 @@ void add_results(const CoupledProblem& coupled, const RightSide& side, const Dis
                    : recovered_multipliers(coupled.multipliers, coupled.global, coupled.frames, -unbalanced));
   ElasticityResults& results = solution.results;
   results.max_displacement = largest(max_displacement(solution.field, coupled.parts), coupled.processes);
-  const FaceStresses on_faces = summed(stresses_on_faces(solution.field, coupled.parts), coupled.processes);
+  const FaceStresses on_faces = summed(faces, coupled.processes);
   results.max_von_mises = larger(internal.max_von_mises, on_faces.max_von_mises);
   results.peaks = together(internal.peaks, on_faces.peaks);
   results.max_strain = internal.max_strain;
@@ -182,6 +179,7 @@ std::vector<ElasticitySolution> with_results(const CoupledProblem& coupled,
                                              const std::vector<DiscreteSolution>& discrete,
                                              const PlannedSolution& planned, const Progress& progress) {
   std::vector<ElasticitySolution> result;
+  std::vector<StrainedPart> displacements;
   for (std::size_t i = 0; i < sides.size(); ++i) {
     if (!discrete[i].displacement.allFinite())
       throw Error(ErrorCode::singular_system,
@@ -193,8 +191,18 @@ std::vector<ElasticitySolution> with_results(const CoupledProblem& coupled,
     solution.solver = discrete[i].report;
     solution.field = field_of(*coupled.problem, discrete[i].displacement);
     solution.field.thermal = sides[i].thermal;
-    add_results(coupled, sides[i], discrete[i], solution, progress);
-    if (!planned.is_first) require_balance(solution.results, discrete[i].report);
+    displacements.push_back({discrete[i].displacement, sides[i].thermal});
+  }
+  std::vector<const ElasticField*> fields;
+  for (const ElasticitySolution& solution : result) fields.push_back(&solution.field);
+  std::vector<InternalForces> internal =
+      internal_forces(coupled.discretization(), coupled.problem->materials, displacements, coupled.parts,
+                      coupled.points, progress);
+  const std::vector<FaceStresses> faces = stresses_on_faces(fields, coupled.parts);
+  const NodeBlocks between_patches = coupling_of_interfaces(coupled);
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    add_results(coupled, sides[i], discrete[i], std::move(internal[i]), faces[i], between_patches, result[i]);
+    if (!planned.is_first) require_balance(result[i].results, discrete[i].report);
   }
   return result;
 }

@@ -11,6 +11,7 @@
 #include "iga/problem/loads.hpp"
 #include "iga/problem/remote_load.hpp"
 #include "iga/problem/rotation_load.hpp"
+#include "iga/tests/load_resultant.hpp"
 #include "iga/tests/small_models.hpp"
 
 namespace isopatch::iga {
@@ -19,26 +20,9 @@ namespace {
 using Eigen::Vector3d;
 using testing::boundary;
 using testing::problem;
+using testing::resultant;
+using testing::Resultant;
 using testing::steel;
-
-struct Resultant {
-  Vector3d force = Vector3d::Zero();
-  Vector3d moment = Vector3d::Zero();  // about the origin
-};
-
-// Rigid motions have the control points' own displacements as coefficients, so this is the work on them.
-Resultant resultant(const ElasticityProblem& p, int points = 0) {
-  const Eigen::Matrix3Xd load = load_vector(p, points);
-  const Discretization& d = p.discretization;
-  Resultant result;
-  for (std::size_t patch = 0; patch < d.patches.size(); ++patch)
-    for (int i = 0; i < d.patches[patch].size(); ++i) {
-      const Vector3d force = load.col(d.first_node[patch] + i);
-      result.force += force;
-      result.moment += Vector3d(d.patches[patch].control_points().col(i)).cross(force);
-    }
-  return result;
-}
 
 ElasticityProblem sector(double degrees) {
   return problem(geometry::connect(geometry::cylinder_model({.angle = Angle::degrees(degrees)})),

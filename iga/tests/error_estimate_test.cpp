@@ -72,6 +72,32 @@ TEST(ErrorEstimate, DoesNotDependOnTheCoupling) {
   EXPECT_NEAR(tied, eliminated, 1e-7 * eliminated);
 }
 
+// One set-up serves all, and what adds up in the loads adds up in what is estimated.
+TEST(ErrorEstimate, OfCasesIsThatOfTheirOwnProblems) {
+  ElasticityProblem given = bent_box(2, 0);
+  given.volume_loads.clear();
+  given.point_loads = {{"finger", {0, 0, 1e6}, {{PatchId(0), {0.3, 0.4, 1}, 1}}}};
+  const LoadCases cases = {{{"first", {given.surface_loads.front().name}, {}}, {"second", {"finger"}, {}}},
+                           {{"sum", {2, -1}}}};
+  const std::vector<ElasticitySolution> solutions = solve_cases(given, cases);
+  const ErrorEstimator estimator(given);
+  std::vector<Eigen::Matrix3Xd> loads;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const ElasticityProblem own = of_case(given, cases.cases[i]);
+    loads.push_back(estimator.loads(own));
+    const double alone = estimate_error(own, solve_elasticity(own).field).energy;
+    EXPECT_NEAR(estimator.estimate(loads[i], solutions[i].field).energy, alone, 1e-7 * alone);
+  }
+  ElasticityProblem sum = given;
+  for (SurfaceLoad& load : sum.surface_loads)
+    load.traction = [traction = load.traction](const Eigen::Vector3d& x, const Eigen::Vector3d& n) {
+      return Eigen::Vector3d(2 * traction(x, n));
+    };
+  sum.point_loads[0].force *= -1;
+  const double alone = estimate_error(sum, solve_elasticity(sum).field).energy;
+  EXPECT_NEAR(estimator.estimate(2 * loads[0] - loads[1], solutions[2].field).energy, alone, 1e-7 * alone);
+}
+
 // Loads and supports of a linear field, with a curved model and weights.
 TEST(ErrorEstimate, VanishesWhereTheSolutionIsInTheSpace) {
   const geometry::MultiPatch model = geometry::connect(geometry::cylinder_model({.patches_around = 2}));

@@ -53,6 +53,23 @@ TEST(SingularPlaces, AreWhereMaterialsMeetInTheOpen) {
   EXPECT_EQ(said_of(p, {1, 0, 0.4}), "");
 }
 
+TEST(SingularPlaces, AreRimsOfPartsAndPoints) {
+  ElasticityProblem p = bracket();
+  p.supports = {{"pad", boundary(p.discretization.model, "bottom"), PrescribedDisplacement{}}};
+  p.supports[0].region = inside_cylinder({0.5, 0.5, 0}, {0, 0, 1}, 0.3);
+  EXPECT_EQ(said_of(p, {0.8, 0.5, 0}), "the rim of a part that is held");
+  EXPECT_EQ(said_of(p, {0.5, 0.5, 0}), "");    // amid it
+  EXPECT_EQ(said_of(p, {0.8, 0.5, 0.5}), "");  // above it
+  p.supports[0].condition = ElasticSupport{1, 1};
+  EXPECT_EQ(said_of(p, {0.8, 0.5, 0}), "");
+  p.point_loads = {{"finger", {1, 0, 0}, {{PatchId(0), {0.5, 0.5, 1}, 1}}}};
+  const Eigen::Vector3d finger = p.discretization.patches[0].point({0.5, 0.5, 1});
+  EXPECT_EQ(said_of(p, finger), "a point that is loaded");
+  p.supports[0] = {"nail", {}, PrescribedDisplacement{}};
+  p.supports[0].points = {{PatchId(0), {0.5, 0.5, 1}, 1}};
+  EXPECT_EQ(said_of(p, finger), "a point that is held");
+}
+
 TEST(SingularPlaces, AreLinesThatAreHeld) {
   ElasticityProblem p = bracket();
   p.supports.push_back({"line", {}, PrescribedDisplacement{}, {{PatchId(0), {2, {false, false}}}}});

@@ -51,7 +51,7 @@ TEST(StressPeaks, AreTheLargestOfAllPoints) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (int round = 0; round < 10; ++round) {
-    StressPeaks peaks;
+    StressPeaks peaks, seen;
     Eigen::Vector4d expected = Eigen::Vector4d::Constant(-1e300);
     const double shift = 3 * uniform(random);  // all in tension, all in compression, both
     for (int i = 0; i < 200; ++i) {
@@ -60,7 +60,7 @@ TEST(StressPeaks, AreTheLargestOfAllPoints) {
       const Eigen::Matrix3d stress = axes * values.asDiagonal() * axes.transpose();
       const double yield = i % 3 == 0 ? 0 : 1 + 0.5 * uniform(random);
       const auto here = [&]() -> Extremum { return {0, Eigen::Vector3d::Unit(0) * i, 0, {}}; };
-      take(StressPoint{stress, von_mises(stress), yield}, here, peaks);
+      take(StressPoint{stress, von_mises(stress), yield}, here, seen, peaks);
       const Eigen::Vector4d of_point(
           values.maxCoeff<Eigen::PropagateNaN>(), -values.minCoeff<Eigen::PropagateNaN>(),
           values.maxCoeff<Eigen::PropagateNaN>() - values.minCoeff<Eigen::PropagateNaN>(),
@@ -75,15 +75,28 @@ TEST(StressPeaks, AreTheLargestOfAllPoints) {
   }
 }
 
+TEST(StressPeaks, LeaveOutWhatWasSeenToBeExceeded) {
+  StressPeaks seen, first, second;
+  const auto here = [] { return Extremum{0, {}, 0, {}}; };
+  const Eigen::Matrix3d high = 2 * Eigen::Matrix3d::Identity(), low = Eigen::Matrix3d::Identity();
+  take(StressPoint{high, 0, 0}, here, seen, first);
+  take(StressPoint{low, 0, 0}, here, seen, second);
+  EXPECT_EQ(first.tension.value, 2);
+  EXPECT_EQ(second.tension.patch, -1);
+  EXPECT_EQ(second.compression.value,
+            -1);  // the point is less compressed than nothing, but more than the other
+  EXPECT_EQ(together(first, second).tension.value, 2);
+}
+
 TEST(StressPeaks, HaveNoUtilizationWithoutYieldStress) {
-  StressPeaks peaks;
+  StressPeaks peaks, seen;
   const Eigen::Matrix3d stress = Eigen::Matrix3d::Identity();
   take(
       StressPoint{stress, 1, 0},
       [] {
         return Extremum{0, {}, 0, {}};
       },
-      peaks);
+      seen, peaks);
   EXPECT_EQ(peaks.utilization.patch, -1);
   EXPECT_EQ(peaks.tension.patch, 0);
   EXPECT_EQ(together(peaks, {}).tension.value, 1);

@@ -29,7 +29,9 @@ namespace {
 std::string direction_text(const Eigen::Vector3d& direction) {
   for (int i = 0; i < 3; ++i)
     if (std::abs(direction[i]) > 1 - 1e-12) return std::string(1, "xyz"[i]);
-  return fmt::format("({:.3g}, {:.3g}, {:.3g})", direction.x(), direction.y(), direction.z());
+  const auto clean = [](double x) { return std::abs(x) < 5e-7 ? 0.0 : x; };  // no "-0"
+  return fmt::format("({:.3g}, {:.3g}, {:.3g})", clean(direction.x()), clean(direction.y()),
+                     clean(direction.z()));
 }
 
 /// Whether planes come in several faces, as of triangulations: their outlines would all be drawn.
