@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -76,8 +77,23 @@ class RegionSearches {
     std::vector<int> open;  ///< regions for which no division within the rules has been found
   };
 
+  /// Each region as it is, with no more cuts of shared edges; nothing for those with holes or many corners.
+  Whole divide_as_they_are(const CutPlaces& shared_cuts) {
+    std::vector<const CellMesh*> parts;
+    Whole result;
+    for (std::size_t r = 0; r < profile_.regions.size(); ++r) {
+      if (!profile_.regions[r].wanted) continue;
+      const Found& found = as_it_is(static_cast<int>(r), shared_cuts);
+      result.cost += found.cost;
+      if (!found.valid) result.open.push_back(static_cast<int>(r));
+      parts.push_back(&found.mesh);
+    }
+    if (result.open.empty()) result.mesh = joined(profile_, input_.shared, parts);
+    return result;
+  }
+
   Whole divide(const CutPlaces& shared_cuts) {
-    const CutPlaces places = even_places(input_.curves, input_.shared, shared_cuts, std::numbers::pi / 12);
+    const CutPlaces places = places_to_start(shared_cuts);
     const CellMesh start = triangles_of(profile_, input_.curves, places);
     std::vector<const CellMesh*> parts;
     Whole result;
@@ -99,17 +115,58 @@ class RegionSearches {
     bool valid = false;
   };
 
-  const Found& best_of(int region, const CellMesh& start, const CutPlaces& places) {
+  /// Cuts of all edges; of shared ones more than given where outlines would meet as polygons, even in number for
+  /// each region.
+  CutPlaces places_to_start(CutPlaces shared_cuts) const {
+    const auto all = [&](const CutPlaces& cuts) {
+      return even_places(input_.curves, input_.shared, cuts, std::numbers::pi / 12);
+    };
+    CutPlaces result = all(shared_cuts);
+    bool more = false;
+    for (std::size_t e = 0; e < result.size(); ++e) {
+      if (!input_.shared[e] || result[e] == shared_cuts[e]) continue;
+      shared_cuts[e] = result[e];
+      more = true;
+    }
+    return more ? all(made_even(profile_, input_.curves, std::move(shared_cuts))) : result;
+  }
+
+  /// A region, and the cuts of the edges that it shares.
+  using Key = std::pair<int, CutPlaces>;
+
+  Key key(int region, const CutPlaces& places) const {
     CutPlaces cuts;
     for (const auto& loop : profile_.regions[static_cast<std::size_t>(region)].loops)
       for (const geometry::EdgeUse& use : loop)
         cuts.push_back(input_.shared[use.edge.value] ? places[use.edge.value] : std::vector<double>{});
-    const auto [entry, is_new] = found_.try_emplace({region, cuts});
-    if (is_new) entry->second = search(region, start);
+    return {region, std::move(cuts)};
+  }
+
+  const Found& best_of(int region, const CellMesh& start, const CutPlaces& places) {
+    const auto [entry, is_new] = found_.try_emplace(key(region, places));
+    if (is_new) entry->second = search(region, start, as_it_is(region, places));
     return entry->second;
   }
 
-  Found search(int region, const CellMesh& start) const {
+  const Found& as_it_is(int region, const CutPlaces& shared_cuts) {
+    const auto [entry, is_new] = as_they_are_.try_emplace(key(region, shared_cuts));
+    if (!is_new) return entry->second;
+    const auto outline = outline_of_region(profile_, input_.curves, shared_cuts, region);
+    if (!outline) return entry->second;
+    Search search(input_, {outline->nodes, {}}, options_.seed);
+    if (!search.fill(outline->places, region)) return entry->second;
+    if (search.mesh().cells.size() > 1) search.improve(windows(search));
+    return entry->second = {search.mesh(), search.cost(), search.is_valid()};
+  }
+
+  /// How many windows are tried.
+  int windows(const Search& search) const {
+    return static_cast<int>(options_.effort * (search.mesh().cells.size() + 5) / 40);
+  }
+
+  /// @param as_it_is  one that is known, if valid
+  Found search(int region, const CellMesh& start, const Found& as_it_is) const {
+    if (as_it_is.valid && as_it_is.mesh.cells.size() == 1) return as_it_is;
     CellMesh part{start.nodes, {}};
     for (const Cell& cell : start.cells)
       if (cell.region == region) part.cells.push_back(cell);
@@ -120,7 +177,7 @@ class RegionSearches {
       Search next(input_, in_ring ? *ring : part, options_.seed + seed);
       if (in_ring) next.polish();
       next.remove_triangles(patience);
-      next.improve(static_cast<int>(options_.effort * (next.mesh().cells.size() + 5) / 40));
+      next.improve(windows(next));
       if (!best || next.cost() < best->cost()) best = std::move(next);
     };
     for (int s = 0; s < searches_; ++s) {
@@ -129,7 +186,8 @@ class RegionSearches {
         break;  // large drawings have no time for more
       consider(static_cast<unsigned>(s), 60);
     }
-    for (unsigned again = 0; again < 3 && !best->is_valid(); ++again) consider(10 + again, 150);
+    for (unsigned again = 0; again < 3 && !best->is_valid() && !as_it_is.valid; ++again) consider(10 + again, 150);
+    if (as_it_is.valid && as_it_is.cost <= best->cost()) return as_it_is;
     return {best->mesh(), best->cost(), best->is_valid()};
   }
 
@@ -137,8 +195,15 @@ class RegionSearches {
   const Profile& profile_;
   const QuadrangulationOptions& options_;
   int searches_;
-  std::map<std::pair<int, CutPlaces>, Found> found_;
+  std::map<Key, Found> found_, as_they_are_;
 };
+
+/// Those of the first that are in the second too, all of the first if none is.
+std::vector<int> open_in_both(const std::vector<int>& first, const std::vector<int>& second) {
+  std::vector<int> result;
+  std::set_intersection(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(result));
+  return result.empty() ? first : result;
+}
 
 }  // namespace
 
@@ -150,10 +215,13 @@ CellMesh best_mesh(const SearchInput& input, const Profile& profile, const Quadr
   const auto consider = [&](const SharedCuts& way) {
     CutPlaces places = shared_places(profile, input.curves, way);
     for (int round = 0; round < 10; ++round) {
+      RegionSearches::Whole as_they_are = searches.divide_as_they_are(places);
       RegionSearches::Whole whole = searches.divide(places);
-      if (!whole.open.empty()) places = further_places(profile, input.curves, places, whole.open);
-      const bool done = whole.open.empty() || !any_shared;
+      const bool done = as_they_are.open.empty() || whole.open.empty() || !any_shared;
+      if (!done)
+        places = further_places(profile, input.curves, places, open_in_both(whole.open, as_they_are.open));
       const auto rank = [](const RegionSearches::Whole& w) { return std::pair(w.open.size(), w.cost); };
+      if (as_they_are.open.empty() && rank(as_they_are) < rank(whole)) whole = std::move(as_they_are);
       if (!best || rank(whole) < rank(*best)) best = std::move(whole);
       if (done) break;
     }

@@ -23,13 +23,20 @@ std::vector<Vector2d> features_of(const Profile& profile, const std::vector<Curv
   return result;
 }
 
+/// Whether a place is not too close to the ends of a curve with ends: by its share, or for a feature at a
+/// distance, so that what lies between it and the end is no sliver.
+bool leaves_room(const Curve& curve, double at, double distance) {
+  const double room = std::min(0.03, 0.1 * distance / curve.length());
+  return curve.closed() || (at > room && at < 1 - room);
+}
+
 void enter_feet(const Curve& curve, const std::vector<Vector2d>& features, std::vector<double>& places) {
   constexpr std::size_t most = 12;
   std::vector<std::pair<double, double>> feet;
   for (const Vector2d& feature : features) {
     const double at = curve.nearest(feature, 0, 1);
     const double distance = (curve.at(at) - feature).norm();
-    if (distance > 1e-6 * curve.length()) feet.emplace_back(distance, at);
+    if (distance > 1e-6 * curve.length() && leaves_room(curve, at, distance)) feet.emplace_back(distance, at);
   }
   std::sort(feet.begin(), feet.end());
   if (feet.size() > most) feet.resize(most);
@@ -65,14 +72,15 @@ CutPlaces candidates_of(const Profile& profile, const std::vector<Curve>& curves
     const Curve& curve = curves[e];
     if (!curve.straight()) places = places_of_directions(curve, 0, pi / 12);
     if (!curve.closed()) places.insert(places.end(), {0.25, 1.0 / 3, 0.5, 2.0 / 3, 0.75});
+    places.erase(std::remove_if(places.begin(), places.end(),
+                                [&](double at) { return !curve.closed() && (at <= 0.03 || at >= 0.97); }),
+                 places.end());
     enter_feet(curve, features, places);
     for (double& at : places) at = curve.closed() ? at - std::floor(at) : at;
     std::sort(places.begin(), places.end());
     std::vector<double> kept;
-    for (const double at : places) {
-      const bool inside = curve.closed() || (at > 0.02 && at < 0.98);
-      if (inside && (kept.empty() || at - kept.back() > 0.004)) kept.push_back(at);
-    }
+    for (const double at : places)
+      if (kept.empty() || at - kept.back() > 0.004) kept.push_back(at);
     places = kept;
   }
   return result;

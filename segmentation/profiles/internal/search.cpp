@@ -51,6 +51,25 @@ bool Search::is_valid() const {
                                          [&](double cost) { return cost < input_->rules.not_valid; });
 }
 
+bool Search::fill(const std::vector<Place>& outline, int region) {
+  constexpr int candidates[] = {0, 30, 40};  // those left out are drawn by lot
+  constexpr std::size_t most = 24;           // corners
+  if (outline.size() > most) return false;
+  for (const int more : candidates) {
+    std::vector<Place> places = outline;
+    const std::size_t nodes_before = mesh_.nodes.size();
+    add_candidates(places, std::min(static_cast<int>(outline.size()) + more, Try().places));
+    std::vector<int> cells(mesh_.cells.size());
+    std::iota(cells.begin(), cells.end(), 0);
+    const double bound = cells.empty() ? refused : cost() - 1e-6;
+    const std::optional<Division> division =
+        divide_polygon(input_->rules, input_->curves, mesh_.nodes, places, region, bound, false);
+    if (!division || !replace(cells, division->cells, cells.empty() ? -refused : 1e-6, nodes_before))
+      mesh_.nodes.resize(nodes_before);
+  }
+  return !mesh_.cells.empty();
+}
+
 void Search::remove_triangles(int tries) {
   int in_vain = 0;
   while (in_vain < tries) {
@@ -102,10 +121,12 @@ void Search::add_candidates(std::vector<Place>& places, int limit) {
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Side& link = places[i].link;
     if (link.curve < 0 || input_->shared[link.curve]) continue;
-    const double margin = input_->curves[link.curve].closed() ? 0.008 : 0.03;
-    for (const double place : input_->candidates[link.curve])
+    const bool closed = input_->curves[link.curve].closed();
+    for (const double place : input_->candidates[link.curve]) {
+      const double margin = closed ? 0.008 : std::min(0.03, 0.5 * std::min(place, 1 - place));
       for (const double at : {place, place + 1})
         if (at > link.low + margin && at < link.high - margin) all.push_back({i, at});
+    }
   }
   while (all.size() + places.size() > static_cast<std::size_t>(limit) && !all.empty()) {
     std::swap(all[random_() % all.size()], all.back());

@@ -171,10 +171,15 @@ void give_four_corners(const Profile& profile, const std::vector<Curve>& curves,
   }
 }
 
-void make_even(const Profile& profile, const std::vector<Curve>& curves, CutPlaces& places) {
+}  // namespace
+
+CutPlaces made_even(const Profile& profile, const std::vector<Curve>& curves, CutPlaces places) {
   const std::vector<int> further = cuts_for_parity(profile, curves, places);
   for (std::size_t e = 0; e < curves.size(); ++e) cut_further(curves[e], places[e], further[e]);
+  return places;
 }
+
+namespace {
 
 /// Enters the feet of points on a curve that are not close to its ends, its cuts and each other.
 bool cut_at_feet(const Curve& curve, const std::vector<Eigen::Vector2d>& points,
@@ -190,6 +195,41 @@ bool cut_at_feet(const Curve& curve, const std::vector<Eigen::Vector2d>& points,
   }
   std::sort(places.begin(), places.end());
   return any;
+}
+
+/// Enters the feet of corners that point into a region, however close to the ends, if what lies beside is no
+/// sliver.
+bool cut_at_corners(const Curve& curve, const std::vector<Eigen::Vector2d>& corners,
+                    std::vector<double>& places) {
+  constexpr double sliver = 0.1;
+  bool any = false;
+  for (const Eigen::Vector2d& corner : corners) {
+    const double at = curve.nearest(corner, 0, 1);
+    const double apart = sliver * (curve.at(at) - corner).norm() / curve.length();
+    const auto is_close = [&](double place) { return std::abs(at - place) <= apart; };
+    if (is_close(0) || is_close(1) || std::any_of(places.begin(), places.end(), is_close)) continue;
+    places.push_back(at);
+    any = true;
+  }
+  std::sort(places.begin(), places.end());
+  return any;
+}
+
+/// Corners of a loop that point into its region, by more than a few degrees.
+std::vector<Eigen::Vector2d> corners_into(const std::vector<geometry::EdgeUse>& loop,
+                                          const std::vector<Curve>& curves) {
+  constexpr double blunt = 0.35;  // radians
+  std::vector<Eigen::Vector2d> result;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const geometry::EdgeUse &before = loop[i], &after = loop[(i + 1) % loop.size()];
+    const Curve &in = curves[before.edge.value], &out = curves[after.edge.value];
+    if (in.closed() || out.closed()) continue;
+    const Eigen::Vector2d a = before.reversed ? Eigen::Vector2d(-in.derivative(0)) : in.derivative(1);
+    const Eigen::Vector2d b = after.reversed ? Eigen::Vector2d(-out.derivative(1)) : out.derivative(0);
+    if (std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)) < -blunt)
+      result.push_back(out.at(after.reversed ? 1 : 0));
+  }
+  return result;
 }
 
 Eigen::Vector2d middle_of(const Curve& curve) {
@@ -222,8 +262,7 @@ CutPlaces shared_places(const Profile& profile, const std::vector<Curve>& curves
     if (result[e].empty() && curves[e].closed()) result[e] = {0, 0.25, 0.5, 0.75};
   }
   give_four_corners(profile, curves, shared, result);
-  make_even(profile, curves, result);
-  return result;
+  return made_even(profile, curves, std::move(result));
 }
 
 CutPlaces further_places(const Profile& profile, const std::vector<Curve>& curves, const CutPlaces& places,
@@ -249,6 +288,11 @@ CutPlaces further_places(const Profile& profile, const std::vector<Curve>& curve
       if (curves[edge].straight()) any = cut_at_feet(curves[edge], points, result[edge]) || any;
     }
     if (any || edges.empty()) continue;
+    std::vector<Eigen::Vector2d> corners;
+    for (const auto& loop : profile.regions[region].loops)
+      for (const Eigen::Vector2d& corner : corners_into(loop, curves)) corners.push_back(corner);
+    for (const int edge : edges) any = cut_at_corners(curves[edge], corners, result[edge]) || any;
+    if (any) continue;
     const auto stretch = [&](int edge) {
       return Weight(curves[edge], 1).all() / static_cast<double>(result[edge].size() + 1);
     };
@@ -256,8 +300,7 @@ CutPlaces further_places(const Profile& profile, const std::vector<Curve>& curve
         *std::max_element(edges.begin(), edges.end(), [&](int a, int b) { return stretch(a) < stretch(b); });
     cut_further(curves[longest], result[longest], 1);
   }
-  make_even(profile, curves, result);
-  return result;
+  return made_even(profile, curves, std::move(result));
 }
 
 }  // namespace isopatch::segmentation::planar

@@ -25,6 +25,7 @@ std::vector<std::vector<Side>> divided_edges(const Profile& profile, const std::
   std::vector<std::vector<Side>> result(curves.size());
   for (std::size_t e = 0; e < curves.size(); ++e) {
     const int number = static_cast<int>(e);
+    if (curves[e].closed() && places[e].empty()) continue;
     std::vector<std::pair<double, int>> cuts;
     if (!curves[e].closed()) cuts.emplace_back(0.0, profile.edges[e].start);
     for (const double at : places[e]) {
@@ -194,6 +195,18 @@ CellMesh triangles_of(const Profile& profile, const std::vector<Curve>& curves, 
           fmt::format("region {} of the profile cannot be divided: its loops cross or touch each other", r));
     result.cells.insert(result.cells.end(), cells->begin(), cells->end());
   }
+  return result;
+}
+
+std::optional<RegionOutline> outline_of_region(const Profile& profile, const std::vector<Curve>& curves,
+                                               const CutPlaces& places, int region) {
+  const auto& loops = profile.regions[static_cast<std::size_t>(region)].loops;
+  if (loops.size() != 1) return std::nullopt;
+  RegionOutline result;
+  for (const Vector2d& vertex : profile.vertices) result.nodes.push_back({vertex, true, -1, 0});
+  const std::vector<std::vector<Side>> edges = divided_edges(profile, curves, places, result.nodes);
+  for (const Side& side : pieces_of(edges, loops.front())) result.places.push_back({side.from, false, side});
+  if (result.places.size() < 2) return std::nullopt;
   return result;
 }
 

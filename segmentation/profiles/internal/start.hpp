@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "segmentation/profiles/internal/cell_mesh.hpp"
 #include "segmentation/profiles/internal/curve.hpp"
+#include "segmentation/profiles/internal/divide_polygon.hpp"
 
 namespace isopatch::segmentation::planar {
 
@@ -19,5 +21,14 @@ CutPlaces even_places(const std::vector<Curve>& curves, const std::vector<bool>&
 /// Triangles with cuts at the given places, one at least on each closed curve.
 /// @throws Error unsupported naming a region whose loops cross or touch
 CellMesh triangles_of(const Profile& profile, const std::vector<Curve>& curves, const CutPlaces& places);
+
+/// The corners of a region: vertices and cuts, in the order of its loop.
+struct RegionOutline {
+  std::vector<Node> nodes;
+  std::vector<Place> places;
+};
+/// @return nothing where there are holes or no corners
+std::optional<RegionOutline> outline_of_region(const Profile& profile, const std::vector<Curve>& curves,
+                                               const CutPlaces& places, int region);
 
 }  // namespace isopatch::segmentation::planar

@@ -302,4 +302,40 @@ inline Profile bearing_plate() {
   return drawing.profile;
 }
 
+/// Thin sheets around the origin, over an angle, each a region of its own: all bend more than they are thick.
+inline Profile thin_sheets(int number, double thickness, double angle) {
+  Drawing drawing;
+  std::vector<int> arcs, starts, ends, first, last;
+  for (int i = 0; i <= number; ++i) {
+    const double r = 100 + i * thickness;
+    first.push_back(drawing.vertex(r, 0));
+    last.push_back(drawing.vertex(r * std::cos(angle), r * std::sin(angle)));
+    arcs.push_back(drawing.arc(first.back(), last.back(), {0, 0}));
+  }
+  for (std::size_t i = 0; i + 1 < first.size(); ++i) {
+    const int start = drawing.line(first[i], first[i + 1]), end = drawing.line(last[i], last[i + 1]);
+    drawing.region({{start, arcs[i + 1], ~end, ~arcs[i]}});
+  }
+  return drawing.profile;
+}
+
+/// A thin sheet around the origin, of thickness 1, with legs inwards at both ends, and outside of it another one.
+inline Profile sheet_with_legs(double angle, double leg) {
+  Drawing drawing;
+  const auto at = [&](double radius, double turn) {
+    return drawing.vertex(radius * std::cos(turn), radius * std::sin(turn));
+  };
+  constexpr double radius = 100, thin = 0.01;  // as long as 1 at the radius, as an angle
+  const int a = at(radius + 1, 0), b = at(radius + 1, angle);
+  const int c = at(radius - leg, angle), d = at(radius - leg, angle - thin);
+  const int e = at(radius, angle - thin), f = at(radius, thin);
+  const int g = at(radius - leg, thin), h = at(radius - leg, 0);
+  const int outer = drawing.arc(a, b, {0, 0});
+  drawing.region({{outer, drawing.line(b, c), ~drawing.arc(d, c, {0, 0}), drawing.line(d, e),
+                   ~drawing.arc(f, e, {0, 0}), drawing.line(f, g), ~drawing.arc(h, g, {0, 0}), drawing.line(h, a)}});
+  const int i = at(radius + 2, 0), j = at(radius + 2, angle);
+  drawing.region({{drawing.line(a, i), drawing.arc(i, j, {0, 0}), drawing.line(j, b), ~outer}});
+  return drawing.profile;
+}
+
 }  // namespace isopatch::segmentation::drawings

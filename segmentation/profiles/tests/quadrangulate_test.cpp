@@ -91,6 +91,16 @@ TEST(Quadrangulate, IsTheSameWhereverTheDrawingLies) {
   EXPECT_EQ(quadrangulate(profile).quads.size(), 4U);
 }
 
+TEST(Quadrangulate, ThinBentSheetsAreOneQuadrilateralEach) {
+  EXPECT_EQ(count_of(thin_sheets(1, 1, 0.75)), 1U);
+  EXPECT_EQ(count_of(thin_sheets(4, 1, 0.75)), 4U);
+}
+
+TEST(Quadrangulate, ThinSheetsAreCutAtTheirLegs) {
+  // The sheet in three and two legs, the outer sheet in three.
+  EXPECT_LE(count_of(sheet_with_legs(0.75, 20)), 8U);
+}
+
 TEST(Quadrangulate, UnwantedRegionsStayEmpty) {
   Profile profile = plate_with_pocket();
   profile.regions[1].wanted = false;
