@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "app/problem/reconstructed_solids.hpp"
 #include "geometry/brep/recognise_carriers.hpp"
+#include "geometry/brep/require_solid.hpp"
 #include "segmentation/decomposition/blocks.hpp"
+#include "segmentation/decomposition/prepare.hpp"
 #include "segmentation/decomposition/prospect.hpp"
 #include "segmentation/decomposition/without_blends.hpp"
 
@@ -51,6 +54,37 @@ CutBody try_to_cut_body(const geometry::BrepFile& solid, const segmentation::Dec
   return failed;
 }
 
+/// "face 1 and face 5", "face 1, face 2 and face 5".
+std::string listed(const geometry::Brep& solid, const std::vector<FaceId>& faces) {
+  std::string text;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == faces.size() ? " and " : ", ") + describe(solid, faces[i]);
+  return text;
+}
+
+bool is_triangle(const geometry::Brep& solid, FaceId face) {
+  const auto& loops = solid.face(face).loops;
+  return loops.size() == 1 && loops.front().size() == 3;
+}
+
+/// A warning for faces of the file that are no longer told apart; "" if there are none. Triangles are not
+/// meant to be.
+std::string made_one(const CutBody& body) {
+  if (!body.cutting) return {};
+  const geometry::Brep& solid = body.solid.brep;
+  std::string text;
+  for (const std::vector<FaceId>& group : segmentation::faces_made_one(solid, body.cutting->complex))
+    if (!std::all_of(group.begin(), group.end(), [&](FaceId face) { return is_triangle(solid, face); }))
+      text += (text.empty() ? "" : "; ") + listed(solid, group) +
+              fmt::format(" are '{}'", describe(solid, group.front()));
+  if (text.empty()) return {};
+  return fmt::format(
+      "solid '{}': neighbouring faces in one plane are one, all of which is held or loaded: {}. Different "
+      "names or "
+      "colours in the CAD program keep them apart",
+      body.solid.name, text);
+}
+
 /// Says which body it is where there are several.
 Progress of_body(const Progress& progress, std::size_t index, std::size_t count) {
   if (count < 2) return progress;
@@ -74,6 +108,8 @@ CutSolids each_cut(const BlocksInput& input, const Progress& progress, Cut cut) 
   for (const CutBody& body : result.bodies)
     if (!body.blends.empty())
       result.warnings.push_back(fmt::format("solid '{}': {}", body.solid.name, body.blends));
+  for (const CutBody& body : result.bodies)
+    if (std::string warning = made_one(body); !warning.empty()) result.warnings.push_back(std::move(warning));
   return result;
 }
 

@@ -49,6 +49,21 @@ class CutSolidsOfStudies : public Program {
   json summary() const { return json::parse(read_file(results() / "summary.json")); }
 };
 
+TEST_F(CutSolidsOfStudies, SayWhichFacesOfThePlaneAreOne) {
+  // The side at y = 0 in two.
+  std::string divided = l_shape;
+  divided.replace(divided.find("12 8 0"), 6, "14 9 0");
+  divided.insert(divided.find("6 5 4"), "0.8 0 0\n0.8 0 1\n");
+  divided.replace(divided.find("6 5 4 3 2 1 0\n6 6 7"), 19, "7 5 4 3 2 1 12 0\n7 6 13 7");
+  divided.replace(divided.find("4 0 1 7 6\n"), 10, "4 0 12 13 6\n4 12 1 7 13\n");
+  write_file(file("divided.off"), divided);
+  BlocksInput of_divided = input("divided.off");
+  of_divided.decomposition = segmentation::DecompositionOptions{.method = segmentation::Method::cuts};
+  const std::vector<std::string> warnings = cut_solids(of_divided).warnings;
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].find("face 2 and face 3 are 'face 2'"), std::string::npos) << warnings[0];
+}
+
 TEST_F(CutSolidsOfStudies, PassThePatchTest) {
   write_file(file("l.off"), l_shape);
   ASSERT_EQ(run_text(l_study + R"([[support]]

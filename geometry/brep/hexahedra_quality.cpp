@@ -64,7 +64,13 @@ class BlendedHexahedron {
 
  private:
   Place on(const EdgeUse& use, double t) const {
-    const NurbsCurve& curve = std::get<NurbsCurve>(complex_.curve(complex_.edge(use.edge).curve).shape);
+    const auto* own = std::get_if<NurbsCurve>(&complex_.curve(complex_.edge(use.edge).curve).shape);
+    if (own == nullptr) {
+      const Eigen::Vector3d from = complex_.vertex(complex_.from(use)),
+                            to = complex_.vertex(complex_.to(use));
+      return {from + t * (to - from), to - from};
+    }
+    const NurbsCurve& curve = *own;
     const CellEdge& edge = complex_.edge(use.edge);
     const double share = use.reversed ? 1 - t : t, length = edge.high - edge.low;
     const Parameter<1> s(edge.low + share * length);

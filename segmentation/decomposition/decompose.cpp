@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "geometry/base/error.hpp"
+#include "geometry/brep/hexahedra_quality.hpp"
 #include "geometry/brep/solid_error.hpp"
 #include "segmentation/decomposition/conforming.hpp"
 #include "segmentation/decomposition/cut_tree.hpp"
@@ -77,6 +79,7 @@ class Decomposer {
         progress_(progress),
         store_(solid, options.cut, options.time_limit),
         start_(starting_cell(store_)),
+        plane_(is_polyhedral(solid, start_.complex)),
         oracle_(geometric_oracle(store_)),
         best_(std::move(known)) {
     if (best_) leave(options_.time_limit / 8);
@@ -85,7 +88,7 @@ class Decomposer {
 
   Decomposition make() {
     look_all_ways();
-    if (cut_.empty() && !best_ && !store_.time_is_up() && !is_polyhedral(solid_, start_.complex)) {
+    if (cut_.empty() && !best_ && !store_.time_is_up() && !plane_) {
       store_.allow_free_form();
       unfinished_.reset();
       look_all_ways();
@@ -201,8 +204,8 @@ class Decomposer {
       result.cut.keep_plane = false;
       result.cut.free_form = true;
     }
-    result.max_hexahedra =
-        std::min(options_.max_cells, best_ ? best_->report.hexahedra - 1 : options_.max_cells);
+    result.max_hexahedra = std::min(
+        options_.max_cells, best_ ? static_cast<int>(std::ceil(cost(*best_))) - 1 : options_.max_cells);
     result.time_limit = std::max(0.1, store_.time_limit() - store_.seconds());
     return result;
   }
@@ -221,12 +224,24 @@ class Decomposer {
       why_not_ = error.what();
       return;
     }
+    if (plane_ && geometry::least_quality(way.complex) <= 0) {
+      why_not_ =
+          "one of its hexahedra would be folded; cut the solid in the CAD program where its parts join";
+      return;
+    }
     take(std::move(way));
   }
 
   void take(Decomposition way) {
     way.report.hexahedra = static_cast<int>(way.complex.cells.size());
-    if (!best_ || way.report.hexahedra < best_->report.hexahedra) best_ = std::move(way);
+    if (!best_ || cost(way) < cost(*best_)) best_ = std::move(way);
+  }
+
+  /// Hexahedra, and more where some are poor. What curved sides do to them is not known yet.
+  double cost(const Decomposition& way) const {
+    constexpr double worst = 0.01, good = 0.1;  // scaled Jacobians
+    const auto count = static_cast<double>(way.complex.cells.size());
+    return plane_ ? count * good / std::clamp(geometry::least_quality(way.complex), worst, good) : count;
   }
 
   std::string late_to_meet() const {
@@ -264,6 +279,7 @@ class Decomposer {
   const Progress& progress_;
   CellStore store_;
   StartingCell start_;
+  bool plane_;  ///< all sides and edges straight
   SearchOracle oracle_;
   int evaluations_ = 0;
   std::optional<CutTree> unfinished_;  // the first search that ended so

@@ -200,4 +200,16 @@ CellComplex prepared(const Brep& source) {
   return divided_or(source, all, std::move(as_given));
 }
 
+std::vector<std::vector<FaceId>> faces_made_one(const Brep& source, const CellComplex& made) {
+  std::set<FaceId> left;
+  for (const geometry::Cell& cell : made.cells)
+    for (const geometry::CellFaceUse& use : cell.faces)
+      if (const auto origin = made.face(use.face).origin) left.insert(*origin);
+  std::vector<std::vector<FaceId>> result = groups_of_faces(source);
+  std::erase_if(result, [&](const std::vector<FaceId>& group) {
+    return std::all_of(group.begin(), group.end(), [&](FaceId face) { return left.contains(face); });
+  });
+  return result;
+}
+
 }  // namespace isopatch::segmentation

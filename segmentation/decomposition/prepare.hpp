@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "geometry/brep/brep.hpp"
 #include "geometry/brep/cell_complex.hpp"
 
@@ -11,5 +13,10 @@ namespace isopatch::segmentation {
 /// either way gets artificial edges, if they make it so.
 /// @throws Error as `geometry::one_cell`
 geometry::CellComplex prepared(const geometry::Brep& source);
+
+/// Faces that became one in a complex that `prepared` gave or that was cut out of it: groups of two or more,
+/// the face that is left of each first.
+std::vector<std::vector<FaceId>> faces_made_one(const geometry::Brep& source,
+                                                const geometry::CellComplex& made);
 
 }  // namespace isopatch::segmentation

@@ -49,7 +49,7 @@ void require_contractible(const geometry::Brep& solid) {
 
 /// Triangles that stand for a smooth body are not sides to keep: cut as such, each would have hexahedra of
 /// its own.
-void require_few_triangles(const CellGraph& sides) {
+void require_few_triangles(const geometry::Brep& solid, const CellGraph& sides) {
   constexpr std::size_t many = 200;
   const auto triangles = std::count_if(sides.faces.begin(), sides.faces.end(),
                                        [](const auto& face) { return face.size() == 3; });
@@ -59,13 +59,20 @@ void require_few_triangles(const CellGraph& sides) {
   if (sides.faces.size() < many || 10 * static_cast<std::size_t>(triangles) < 9 * sides.faces.size() ||
       2 * static_cast<std::size_t>(smooth) < sides.edges.size())
     return;
+  const auto is_triangle = [&](const geometry::BrepFace& face) {
+    return face.loops.size() == 1 && face.loops.front().size() == 3;
+  };
+  const auto first = std::find_if(solid.faces().begin(), solid.faces().end(), is_triangle);
+  const FaceId such(static_cast<int>(first - solid.faces().begin()));
+  const bool any = first != solid.faces().end();
   throw geometry::SolidError(
       ErrorCode::unsupported,
       fmt::format(
           "{} of its {} sides are triangles, most of which meet at blunt edges: they stand for smooth "
-          "faces; reconstruct those first, as by a STEP file from the CAD program",
-          triangles, sides.faces.size()),
-      {});
+          "faces{}; reconstruct those first (isopatch reconstruct), or give the solid as a STEP file of "
+          "the CAD program",
+          triangles, sides.faces.size(), any ? fmt::format(", as {} does", describe(solid, such)) : ""),
+      any ? geometry::SolidFault{.faces = {{such.value}}} : geometry::SolidFault{});
 }
 
 void require_three_connected(const geometry::Brep& solid, const CellGraph& sides) {
@@ -94,7 +101,7 @@ StartingCell starting_cell(CellStore& store) {
   require_lengths(store.source());
   require_contractible(store.source());
   start.cell = store.add(start.complex, geometry::CellId(0));
-  require_few_triangles(start.cell.graph);
+  require_few_triangles(store.source(), start.cell.graph);
   require_three_connected(store.source(), start.cell.graph);
   return start;
 }
