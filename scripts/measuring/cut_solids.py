@@ -179,9 +179,10 @@ def solve(root, program, study, folder, *, seconds):
 
 
 def in_few_words(error, most=90):
-    """An error without the program, the file and the solid, up to where details begin."""
+    """An error without the program, the file, folders and the solid, up to where details begin."""
     text = re.sub(r"^isopatch: error: ", "", error)
     text = re.sub(r"^\S*/\S+: ", "", text)
+    text = re.sub(r"(?<![\w.])/(\S*/)+", "", text)  # of other files, all but the name
     text = re.sub(r"^(solid|body \d+) '[^']*'[:,]? ", "", text)
     text = re.split(r"; | \(| at |: \d+ ", text)[0]
     return text if len(text) <= most else text[:most].rsplit(" ", 1)[0] + " ..."

@@ -220,6 +220,12 @@ def area_normal(solid, face):
     return total
 
 
+def area(solid, face):
+    """Of a face by its number."""
+    normal = area_normal(solid, solid.faces[face])
+    return dot(normal, normal) ** 0.5
+
+
 def volume(solid):
     return sum(dot(solid.vertices[face[0]], area_normal(solid, face)) for face in solid.faces) / 3
 

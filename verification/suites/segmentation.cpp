@@ -232,6 +232,42 @@ TEST(Segmentation, RoundedBlock) {
   expect_segmented("models/block_fillet1.step", 0);
 }
 
+// Few hexahedra, or one, have to be finer.
+TEST(FullSegmentation, Cube) {
+  ISOPATCH_NEEDS_DATA("solids/ffoCube_autoSurf.xml");
+  expect_segmented("solids/ffoCube_autoSurf.xml", 2);
+}
+
+TEST(FullSegmentation, Block) {
+  ISOPATCH_NEEDS_DATA("models/block.step");
+  expect_segmented("models/block.step", 2);
+}
+
+TEST(FullSegmentation, Wedge) {
+  ISOPATCH_NEEDS_DATA("models/wedge_ok.step");
+  expect_segmented("models/wedge_ok.step", 2);
+}
+
+TEST(FullSegmentation, BlockWithHole) {
+  ISOPATCH_NEEDS_DATA("models/block_through_hole.step");
+  expect_segmented("models/block_through_hole.step", 2);
+}
+
+TEST(FullSegmentation, HalfVase) {
+  ISOPATCH_NEEDS_DATA("solids/ffoVaseHalfed.xml");
+  expect_segmented("solids/ffoVaseHalfed.xml", 1);
+}
+
+TEST(FullSegmentation, BlockWithRoundedEdges) {
+  ISOPATCH_NEEDS_DATA("models/block_torus_fillet3.step");
+  expect_segmented("models/block_torus_fillet3.step", 0);
+}
+
+TEST(FullSegmentation, ScrewThread) {
+  ISOPATCH_NEEDS_DATA("models/cuboid_screw_thread.step");
+  expect_segmented("models/cuboid_screw_thread.step", 0);
+}
+
 TEST(FullSegmentation, ThreeConcaveEdges) {
   ISOPATCH_NEEDS_DATA("models/three_concave_edge.step");
   expect_segmented("models/three_concave_edge.step", 0);
