@@ -4,11 +4,13 @@
 
 #include <cmath>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "geometry/base/adaptive_integral.hpp"
 #include "geometry/base/error.hpp"
+#include "geometry/brep/require_solid.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -57,6 +59,21 @@ class Areas {
 
 }  // namespace
 
+namespace {
+
+/// What may be the reason, and what can be done; "" where all walls are upright.
+std::string leaning(const geometry::Brep& solid, const SweepFrame& frame) {
+  if (frame.inclined.empty()) return {};
+  std::string faces;
+  for (const FaceId face : frame.inclined) faces += (faces.empty() ? "" : ", ") + describe(solid, face);
+  return fmt::format(
+      ", since inclined walls lean over others or end on them: {}; a [[segmentation.cut]] where they do may "
+      "help",
+      faces);
+}
+
+}  // namespace
+
 double column_volume(const SweepFrame& frame, const Quadrangulation& quads, const MovingDrawing& moving,
                      const Layers& layers) {
   Areas area(frame, quads, moving);
@@ -75,8 +92,8 @@ void require_whole(const geometry::Brep& solid, const SweepFrame& frame, const Q
                    const MovingDrawing& moving, const Layers& layers) {
   const double volume = column_volume(frame, quads, moving, layers);
   if (!(std::abs(volume - solid.volume()) <= 1e-5 * solid.volume()))
-    throw Error(ErrorCode::unsupported, fmt::format("{:.3g} of {:.3g} m^3 are no part of the stack",
-                                                    solid.volume() - volume, solid.volume()));
+    throw Error(ErrorCode::unsupported, fmt::format("columns along it would have {:.4g} of its {:.4g} m^3{}",
+                                                    volume, solid.volume(), leaning(solid, frame)));
 }
 
 }  // namespace isopatch::segmentation

@@ -319,21 +319,22 @@ inline Profile thin_sheets(int number, double thickness, double angle) {
   return drawing.profile;
 }
 
-/// A thin sheet around the origin, of thickness 1, with legs inwards at both ends, and outside of it another one.
-inline Profile sheet_with_legs(double angle, double leg) {
+/// A sheet around the origin with thinner legs inwards at both ends, and outside of it another sheet.
+inline Profile sheet_with_legs(double angle, double thickness, double leg) {
   Drawing drawing;
   const auto at = [&](double radius, double turn) {
     return drawing.vertex(radius * std::cos(turn), radius * std::sin(turn));
   };
   constexpr double radius = 100, thin = 0.01;  // as long as 1 at the radius, as an angle
-  const int a = at(radius + 1, 0), b = at(radius + 1, angle);
+  const int a = at(radius + thickness, 0), b = at(radius + thickness, angle);
   const int c = at(radius - leg, angle), d = at(radius - leg, angle - thin);
   const int e = at(radius, angle - thin), f = at(radius, thin);
   const int g = at(radius - leg, thin), h = at(radius - leg, 0);
   const int outer = drawing.arc(a, b, {0, 0});
-  drawing.region({{outer, drawing.line(b, c), ~drawing.arc(d, c, {0, 0}), drawing.line(d, e),
-                   ~drawing.arc(f, e, {0, 0}), drawing.line(f, g), ~drawing.arc(h, g, {0, 0}), drawing.line(h, a)}});
-  const int i = at(radius + 2, 0), j = at(radius + 2, angle);
+  drawing.region(
+      {{outer, drawing.line(b, c), ~drawing.arc(d, c, {0, 0}), drawing.line(d, e), ~drawing.arc(f, e, {0, 0}),
+        drawing.line(f, g), ~drawing.arc(h, g, {0, 0}), drawing.line(h, a)}});
+  const int i = at(radius + thickness + 1, 0), j = at(radius + thickness + 1, angle);
   drawing.region({{drawing.line(a, i), drawing.arc(i, j, {0, 0}), drawing.line(j, b), ~outer}});
   return drawing.profile;
 }
