@@ -115,8 +115,8 @@ class RegionSearches {
     bool valid = false;
   };
 
-  /// Cuts of all edges; of shared ones more than given where outlines would meet as polygons, even in number for
-  /// each region.
+  /// Cuts of all edges; of shared ones more than given where outlines would meet as polygons, even in number
+  /// for each region.
   CutPlaces places_to_start(CutPlaces shared_cuts) const {
     const auto all = [&](const CutPlaces& cuts) {
       return even_places(input_.curves, input_.shared, cuts, std::numbers::pi / 12);
@@ -186,7 +186,8 @@ class RegionSearches {
         break;  // large drawings have no time for more
       consider(static_cast<unsigned>(s), 60);
     }
-    for (unsigned again = 0; again < 3 && !best->is_valid() && !as_it_is.valid; ++again) consider(10 + again, 150);
+    for (unsigned again = 0; again < 3 && !best->is_valid() && !as_it_is.valid; ++again)
+      consider(10 + again, 150);
     if (as_it_is.valid && as_it_is.cost <= best->cost()) return as_it_is;
     return {best->mesh(), best->cost(), best->is_valid()};
   }

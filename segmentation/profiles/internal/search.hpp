@@ -25,8 +25,8 @@ class Search {
   /// @param slide whether cuts of shared edges may be moved
   Search(const SearchInput& input, CellMesh mesh, unsigned seed, bool slide = false);
 
-  /// Divides a region, where the mesh has no cells yet, from its corners alone, then with a few cuts: what has
-  /// few corners is divided at best so, however thin it is.
+  /// Divides a region, where the mesh has no cells yet, from its corners alone, then with a few cuts: what
+  /// has few corners is divided at best so, however thin it is.
   /// @param outline  places that are not optional
   bool fill(const std::vector<Place>& outline, int region);
   /// Until no triangle is left or a number of windows has been tried in vain.

@@ -22,8 +22,8 @@ CutPlaces shared_places(const Profile& profile, const std::vector<Curve>& curves
 CutPlaces made_even(const Profile& profile, const std::vector<Curve>& curves, CutPlaces places);
 
 /// More cuts on the shared edges of regions that could not be divided: opposite their bores and the cuts of
-/// their other edges, else opposite corners that point into them, or, where there is nothing of that kind, one
-/// more on the longest.
+/// their other edges, else opposite corners that point into them, or, where there is nothing of that kind,
+/// one more on the longest.
 CutPlaces further_places(const Profile& profile, const std::vector<Curve>& curves, const CutPlaces& places,
                          const std::vector<int>& regions);
 
