@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <ranges>
 #include <utility>
 
 #include "geometry/base/error.hpp"
@@ -48,7 +49,7 @@ std::vector<Side> pieces_of(const std::vector<std::vector<Side>>& edges, const s
   for (const EdgeUse& use : loop) {
     const std::vector<Side>& pieces = edges[static_cast<std::size_t>(use.edge.value)];
     if (use.reversed)
-      for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece) result.push_back(turned(*piece));
+      for (const Side& piece : std::views::reverse(pieces)) result.push_back(turned(piece));
     else
       result.insert(result.end(), pieces.begin(), pieces.end());
   }
