@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <optional>
-#include <ranges>
 #include <utility>
 
 #include "geometry/base/error.hpp"
@@ -49,7 +49,8 @@ std::vector<Side> pieces_of(const std::vector<std::vector<Side>>& edges, const s
   for (const EdgeUse& use : loop) {
     const std::vector<Side>& pieces = edges[static_cast<std::size_t>(use.edge.value)];
     if (use.reversed)
-      for (const Side& piece : std::views::reverse(pieces)) result.push_back(turned(piece));
+      std::transform(pieces.rbegin(), pieces.rend(), std::back_inserter(result),
+                     [](const Side& piece) { return turned(piece); });
     else
       result.insert(result.end(), pieces.begin(), pieces.end());
   }
