@@ -16,7 +16,6 @@ namespace isopatch::segmentation {
 namespace {
 
 using geometry::Brep;
-using geometry::PlaneSurface;
 
 /// A face whose only outline is a circle.
 std::optional<EdgeId> circle_of(const Brep& brep, FaceId face) {
