@@ -281,6 +281,19 @@ std::optional<Search> one_strip_less(const SearchInput& input, const Search& now
   return best;
 }
 
+void take_strips_out(const SearchInput& input, Search& best, int windows) {
+  for (bool again = true; again;) {
+    again = false;
+    while (std::optional<Search> next = one_strip_less(input, best)) {
+      best = std::move(*next);
+      again = true;
+    }
+    if (!again) return;
+    best.improve(windows);
+    best.polish();
+  }
+}
+
 }  // namespace
 
 CellMesh with_fewer_strips(const SearchInput& given, CellMesh mesh, int windows) {
@@ -293,21 +306,12 @@ CellMesh with_fewer_strips(const SearchInput& given, CellMesh mesh, int windows)
     best.improve(windows);
     best.polish();
   }
-  if (!best.is_valid()) {
-    input.rules = kept_rules(given.rules, given.curves, mesh);
-    best = Search(input, mesh, 0, true);
-    if (!best.is_valid()) return mesh;
-  }
-  for (bool again = true; again;) {
-    again = false;
-    while (std::optional<Search> next = one_strip_less(input, best)) {
-      best = std::move(*next);
-      again = true;
-    }
-    if (!again) break;
-    best.improve(windows);
-    best.polish();
-  }
+  if (best.is_valid()) take_strips_out(input, best, windows);
+  if (best.is_valid() && best.mesh().cells.size() <= mesh.cells.size()) return best.mesh();
+  input.rules = kept_rules(given.rules, given.curves, mesh);
+  best = Search(input, mesh, 0, true);
+  if (!best.is_valid()) return mesh;
+  take_strips_out(input, best, windows);
   return best.mesh();
 }
 
