@@ -22,7 +22,7 @@ using planar::Curve;
 /// Of the size of a drawing: what curves through points agree to, and how exactly lines must do.
 constexpr double near_enough = 1e-5, near_enough_for_lines = 5e-7;
 
-double size_of(const Profile& profile) {
+double extent_of(const Profile& profile) {
   Vector2d low = Vector2d::Constant(1e300), high = -low;
   for (const ProfileEdge& edge : profile.edges)
     for (const Vector2d& point : edge.points) low = low.cwiseMin(point), high = high.cwiseMax(point);
@@ -157,7 +157,7 @@ class Mirrorer {
   Mirrorer(const Profile& profile, const MirrorLine& line, const Quadrangulation& half)
       : profile_(profile),
         line_(line),
-        tolerance_(near_enough * size_of(profile)),
+        tolerance_(near_enough * extent_of(profile)),
         curves_(planar::curves_of(profile)),
         find_(profile, curves_, tolerance_),
         made_(half),
@@ -298,7 +298,7 @@ bool is_left(const Profile& profile, const ProfileRegion& region, const std::vec
 
 std::vector<MirrorLine> mirror_lines(const Profile& profile) {
   constexpr std::size_t most = 8;
-  const double size = size_of(profile);
+  const double size = extent_of(profile);
   const std::vector<Curve> curves = planar::curves_of(profile);
   const EdgeFinder find(profile, curves, near_enough * size);
   std::vector<MirrorLine> result;
@@ -313,7 +313,7 @@ Quadrangulation mirrored_quadrangulation(const Profile& profile, const std::vect
                                          const QuadrangulationOptions& options) {
   Profile part = profile;
   for (ProfileRegion& region : part.regions)
-    region.wanted = region.wanted && is_left(profile, region, lines, near_enough * size_of(profile));
+    region.wanted = region.wanted && is_left(profile, region, lines, near_enough * extent_of(profile));
   Quadrangulation result = quadrangulate(part, options);
   for (const MirrorLine& line : lines) result = Mirrorer(profile, line, result).make();
   return result;

@@ -13,6 +13,7 @@
 #include "segmentation/profiles/internal/midpoint_division.hpp"
 #include "segmentation/profiles/internal/ring.hpp"
 #include "segmentation/profiles/internal/shared_cuts.hpp"
+#include "segmentation/profiles/internal/strips.hpp"
 
 namespace isopatch::segmentation::planar {
 
@@ -140,6 +141,16 @@ class RegionSearches {
   std::map<std::pair<int, CutPlaces>, Found> found_;
 };
 
+/// Closes what single regions left open, if that goes with shared cuts elsewhere.
+void mend(RegionSearches::Whole& whole, const SearchInput& input, const QuadrangulationOptions& options) {
+  Search search(input, whole.mesh, options.seed, true);
+  search.polish();
+  search.remove_triangles(60);
+  search.improve(static_cast<int>(options.effort * (search.mesh().cells.size() + 5) / 80));
+  search.polish();
+  if (search.is_valid()) whole = {search.mesh(), search.cost(), {}};
+}
+
 }  // namespace
 
 CellMesh best_mesh(const SearchInput& input, const Profile& profile, const QuadrangulationOptions& options) {
@@ -151,6 +162,7 @@ CellMesh best_mesh(const SearchInput& input, const Profile& profile, const Quadr
     CutPlaces places = shared_places(profile, input.curves, way);
     for (int round = 0; round < 10; ++round) {
       RegionSearches::Whole whole = searches.divide(places);
+      if (any_shared && !whole.open.empty()) mend(whole, input, options);
       if (!whole.open.empty()) places = further_places(profile, input.curves, places, whole.open);
       const bool done = whole.open.empty() || !any_shared;
       const auto rank = [](const RegionSearches::Whole& w) { return std::pair(w.open.size(), w.cost); };
@@ -168,7 +180,9 @@ CellMesh best_mesh(const SearchInput& input, const Profile& profile, const Quadr
     last.improve(static_cast<int>(options.effort * (last.mesh().cells.size() + 5) / 80));
     last.polish();
   }
-  return last.is_valid() ? last.mesh() : last_resort(input, last.mesh());
+  if (!last.is_valid()) return last_resort(input, last.mesh());
+  const int windows = static_cast<int>(options.effort * (last.mesh().cells.size() + 5) / 40);
+  return with_fewer_strips(input, last.mesh(), windows);
 }
 
 }  // namespace isopatch::segmentation::planar

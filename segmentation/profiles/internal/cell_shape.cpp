@@ -18,9 +18,6 @@ double direction_of(const Vector2d& v) {
   return std::atan2(v.y(), v.x());
 }
 
-/// Least of determinant over mean determinant: below it a quadrilateral is too thin somewhere.
-constexpr double thinnest = 0.04;
-
 double corner_angle(const std::array<const SideShape*, 4>& sides, int corner, int count) {
   const SideShape& arriving = *sides[(corner + count - 1) % count];
   return angle_between(sides[corner]->start_direction, arriving.end_direction + pi);
@@ -55,7 +52,7 @@ bool triangle_stands(const std::array<const SideShape*, 4>& sides) {
     const SideShape &out = *sides[k], &in = *sides[(k + 2) % 3];
     const SideShape a = half(out, false), d = half(in, true);
     const SideShape b = line(a.points.back(), middle), c = line(middle, d.points.front());
-    if (!map_stands({&a, &b, &c, &d}, 0.03)) return false;
+    if (!map_stands({&a, &b, &c, &d}, 0.03, thinnest_at_all)) return false;
   }
   return true;
 }
@@ -195,10 +192,22 @@ double least_jacobian(const std::array<const SideShape*, 4>& sides) {
       least = std::min(least, scale > 0 ? determinant / scale : -1.0);
     }
   constexpr int number = SideShape::samples * SideShape::samples;
-  return least_determinant < thinnest * sum / number ? std::min(least, -1e-3) : least;
+  return least_determinant < thinnest_at_all * sum / number ? std::min(least, -1e-3) : least;
 }
 
-bool map_stands(const std::array<const SideShape*, 4>& sides, double smallest) {
+double thinness(const std::array<const SideShape*, 4>& sides) {
+  const MapSamples map(sides);
+  double least = refused, sum = 0;
+  for (int i = 0; i <= MapSamples::last; ++i)
+    for (int j = 0; j <= MapSamples::last; ++j) {
+      const double determinant = cross2(map.along_u(i, j), map.along_v(i, j));
+      sum += determinant;
+      least = std::min(least, determinant);
+    }
+  return least * SideShape::samples * SideShape::samples / sum;
+}
+
+bool map_stands(const std::array<const SideShape*, 4>& sides, double smallest, double thinnest) {
   // A bilinear map is steepest and flattest in its corners.
   if (std::all_of(sides.begin(), sides.end(), [](const SideShape* side) { return side->straight; }))
     return true;
@@ -223,7 +232,7 @@ double cost_of(const ShapeRules& rules, const std::array<const SideShape*, 4>& s
   for (const SideShape* side : sides)
     if (side->turning > rules.largest_turn) return refused;
   if (!(sum < refused)) return refused;
-  if (!map_stands(sides, rules.smallest_jacobian)) return refused;
+  if (!map_stands(sides, rules.smallest_jacobian, rules.thinnest)) return refused;
   return sum;
 }
 
@@ -243,7 +252,8 @@ double bounded_cost_of(const ShapeRules& rules, const std::array<const SideShape
   if (cost < refused) return std::min(cost, rules.not_valid);
   const double middle = (rules.invalid + rules.not_valid) / 2;
   if (count == 3) return middle;
-  return middle - (rules.invalid - middle) * std::clamp(least_jacobian(sides), -1.0, 1.0);
+  const double stands = std::min(least_jacobian(sides), thinness(sides) - rules.thinnest);
+  return middle - (rules.invalid - middle) * std::clamp(stands, -1.0, 1.0);
 }
 
 }  // namespace isopatch::segmentation::planar

@@ -39,11 +39,15 @@ double slant_of(const Eigen::Vector2d& along);
 /// A part of a side, and the same side run the other way.
 SideShape turned(const SideShape& shape);
 
+/// Least of determinant over mean determinant: below it a quadrilateral is too thin somewhere.
+constexpr double thinnest_at_all = 0.04;
+
 /// What counts for the search, in radians.
 struct ShapeRules {
   explicit ShapeRules(const QuadrangulationOptions& options);
   double smallest, largest, largest_turn, smallest_jacobian, angle_weight, turn_weight, length_weight,
       aspect_weight, slant_weight;
+  double thinnest = thinnest_at_all;
   double smallest_in_triangle = 0.12, largest_in_triangle = 3.02;  ///< triangles are on their way to vanish
   double triangle = 8;                                             ///< what one costs, in quadrilaterals
   double invalid = 60;    ///< what a cell costs that must not stay, at most: less where it is less folded
@@ -73,8 +77,11 @@ double sides_cost(const ShapeRules& rules, const Sides& a, const Sides& b, const
 /// thin somewhere.
 double least_jacobian(const std::array<const SideShape*, 4>& sides);
 
-/// Whether that is at least a number, for corners that are within the rules; quicker.
-bool map_stands(const std::array<const SideShape*, 4>& sides, double smallest);
+/// Least over mean determinant of that map.
+double thinness(const std::array<const SideShape*, 4>& sides);
+
+/// Whether both are at least so much, for corners that are within the rules; quicker.
+bool map_stands(const std::array<const SideShape*, 4>& sides, double smallest, double thinnest);
 
 /// Cost of a cell: 1 and what its shape costs, or `refused`.
 double cost_of(const ShapeRules& rules, const std::array<const SideShape*, 4>& sides, int count);

@@ -233,7 +233,7 @@ class PolygonDivider {
     const SideShape &a = shape_of(p[0], p[1], ways[0]), &b = shape_of(p[1], p[2], ways[1]),
                     &c = shape_of(p[2], p[3], ways[2]);
     const SideShape d = closing_shape(p[0], p[3], root);
-    return map_stands({&a, &b, &c, &d}, rules_.smallest_jacobian);
+    return map_stands({&a, &b, &c, &d}, rules_.smallest_jacobian, rules_.thinnest);
   }
 
   SideShape closing_shape(int i, int j, int root) {

@@ -24,13 +24,18 @@ double Search::chance() {
 }
 
 void Search::polish() {
+  for (int again = 0; again < 5; ++again)
+    if (settle(10) < 1e-6) break;
+}
+
+double Search::settle(int rounds) {
   std::vector<int> all;
   for (int n = 0; n < static_cast<int>(mesh_.nodes.size()); ++n)
     if (may_move(mesh_.nodes[n])) all.push_back(n);
-  for (int again = 0; again < 5; ++again)
-    if (relax(input_->rules, input_->curves, mesh_, neighbours_, all, 10) < 1e-6) break;
+  const double gained = relax(input_->rules, input_->curves, mesh_, neighbours_, all, rounds);
   for (std::size_t c = 0; c < mesh_.cells.size(); ++c)
     costs_[c] = cost_of(input_->rules, input_->curves, mesh_, mesh_.cells[c]);
+  return gained;
 }
 
 bool Search::may_move(const Node& node) const {

@@ -32,6 +32,9 @@ class Search {
 
   /// Moves nodes to their best places.
   void polish();
+  /// Moves nodes towards them so many times.
+  /// @return  what has been gained
+  double settle(int rounds);
 
   double cost() const;
   int triangles() const;
