@@ -121,7 +121,7 @@ class SurfaceFitter {
   NurbsSurface solved() {
     for (const std::size_t d : {0u, 1u}) knots_[d] = knots_between(breaks_[d]);
     const Eigen::Index count = Eigen::Index(size(0)) * size(1);
-    bands_ = Eigen::MatrixXd::Zero(band * band, count);
+    bands_ = Eigen::MatrixXd::Zero(Eigen::Index(band) * band, count);
     right_ = Eigen::MatrixXd::Zero(count, 3);
     add_bending();
     add_points();
