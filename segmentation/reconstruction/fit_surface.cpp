@@ -30,7 +30,7 @@ constexpr double farthest_move = 0.02;
 constexpr double most_bending = 1e-5, least_bending = 1e-11, less_bending = 0.1;
 // An error that falls to this share of itself was worth the round; so many that are not end the search.
 constexpr double helpful = 0.7;
-constexpr int most_in_vain = 4;
+constexpr int most_in_vain = 3;
 // Knots are halved across a direction in which a surface bends at least this share of what it does across the
 // other.
 constexpr double bends_too = 0.3;
@@ -75,7 +75,9 @@ KnotVector knots_between(const std::set<double>& breaks) {
 class SurfaceFitter {
  public:
   SurfaceFitter(const PlacedPoints& given, double tolerance, int most)
-      : places_(given.places), weights_(given.weights), most_(most) {
+      : places_(given.places),
+        weights_(given.weights),
+        most_(std::min(most, 3 * static_cast<int>(given.points.cols()))) {
     const Eigen::Vector2d low = places_.rowwise().minCoeff(), high = places_.rowwise().maxCoeff();
     scale_ = (high - low).norm();
     middle_ = given.points.rowwise().mean();
@@ -119,7 +121,7 @@ class SurfaceFitter {
   NurbsSurface solved() {
     for (const std::size_t d : {0u, 1u}) knots_[d] = knots_between(breaks_[d]);
     const Eigen::Index count = Eigen::Index(size(0)) * size(1);
-    bands_ = Eigen::MatrixXd::Zero(band * band, count);
+    bands_ = Eigen::MatrixXd::Zero(Eigen::Index(band) * band, count);
     right_ = Eigen::MatrixXd::Zero(count, 3);
     add_bending();
     add_points();

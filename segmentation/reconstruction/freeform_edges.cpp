@@ -50,7 +50,7 @@ class SmoothEdges {
     all.insert(all.end(), after.begin(), after.end());
     if (all.size() == 2) return geometry::NurbsCurve({geometry::KnotVector()}, as_columns(all));
     const CurveSample sample = by_length(as_columns(all));
-    const geometry::NurbsCurve whole = fit_curves({sample}, tolerance).curves.front();
+    geometry::NurbsCurve whole = fit_curves({sample}, tolerance).curves.front();
     if (all.size() == own.size()) return whole;
     const double low = sample.t[static_cast<Eigen::Index>(before)],
                  high = sample.t[static_cast<Eigen::Index>(before + own.size()) - 1];

@@ -25,10 +25,10 @@ struct FittedSurface {
 /// in which the surface bends more there; each time the points' places move to where they are nearest.
 /// @param points  with places that determine a plane at least
 /// @param tolerance  m; not always reached, see `off`
-/// @param most  control points
+/// @param most  control points, and three times as many as there are points
 /// @cost  some fifteen sparse systems of the control points
 /// @source Weiss, Andor, Renner, Varady, Advanced surface fitting techniques, 2002; Hoschek, Intrinsic
 /// parametrization for approximation, 1988
-FittedSurface fit_surface(const PlacedPoints& points, double tolerance, int most = 5000);
+FittedSurface fit_surface(const PlacedPoints& points, double tolerance, int most = 2500);
 
 }  // namespace isopatch::segmentation
