@@ -41,9 +41,7 @@ class BoredStack {
     for (std::size_t b = 0; b < bores_.size(); ++b)
       complex = inserted_branch(solid_, complex, bores_[b].branch, places[b], no_cut);
     require_all_of(complex);
-    const bool meet =
-        std::any_of(bores_.begin(), bores_.end(), [](const CrossBore& bore) { return !bore.ends.empty(); });
-    return {std::move(complex), frame_.along, static_cast<int>(bores_.size()), meet};
+    return {std::move(complex), frame_.along, static_cast<int>(bores_.size())};
   }
 
  private:
@@ -110,6 +108,20 @@ std::optional<CrossBoredCells> bored_along(const Brep& solid, const Eigen::Vecto
 }
 
 }  // namespace
+
+bool bores_meet(const Brep& solid) {
+  for (const Eigen::Vector3d& along : floor_directions(solid)) {
+    try {
+      const auto bores = cross_bores(solid, along);
+      if (bores &&
+          std::any_of(bores->begin(), bores->end(), [](const CrossBore& bore) { return !bore.ends.empty(); }))
+        return true;
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::internal) throw;
+    }
+  }
+  return false;
+}
 
 std::optional<CrossBoredCells> cross_bored_cells(const Brep& solid) {
   std::optional<Error> refusal;

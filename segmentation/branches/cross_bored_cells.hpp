@@ -12,8 +12,10 @@ struct CrossBoredCells {
   geometry::CellComplex complex;  ///< of hexahedra that meet side to side
   Eigen::Vector3d along;          ///< unit, of the stack
   int bores = 0;                  ///< across it
-  bool bores_meet = false;        ///< others, across the stack or along it
 };
+
+/// Whether a solid looks like a stack with bores across it that meet each other or bores along it.
+bool bores_meet(const geometry::Brep& solid);
 
 /// Divides a stack with bores at right angles to its direction: hydraulic blocks, drilled bars and forks.
 /// Bores end in planes, in wider bores that they cross, or in bores along the stack. The stack without them

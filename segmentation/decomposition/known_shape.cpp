@@ -175,18 +175,16 @@ std::optional<KnownCells> known_cells(const geometry::Brep& solid, double second
   if (!best || geometry::least_quality(best->complex) < good_quality)
     look([&] { return branched_cells(solid); }, best, why.not_branched);
   if (best || planes_are_divided(solid)) return best;
-  bool bores_meet = false;  // then no planes part them
-  look(
-      [&] {
-        auto made = cross_bored_cells(solid);
-        bores_meet = made && made->bores_meet;
-        return made;
-      },
-      best, why.not_bored);
-  if (bores_meet) return best;
-  const std::string as_bored = best ? best->seen_as : "";
+  // No planes part bores that meet; of others pieces are found sooner.
+  const auto as_bored = [&] { look([&] { return cross_bored_cells(solid); }, best, why.not_bored); };
+  const bool meet = bores_meet(solid);
+  if (meet) as_bored();
+  if (best) return best;
   look([&] { return pieced_cells(solid, {}, seconds); }, best, why.stopped_by);
-  if (best) best->in_pieces = best->seen_as != as_bored;
+  if (best)
+    best->in_pieces = true;
+  else if (!meet)
+    as_bored();
   return best;
 }
 
