@@ -211,12 +211,12 @@ TEST(TriangleFiles, AreReadByTheirEnding) {
   for (const auto& [name, text] : files) {
     const std::filesystem::path path = std::filesystem::path(folder) / name;
     write_file(path, text);
-    EXPECT_EQ(corners(read_triangles(path), 0), wanted()) << name;
+    EXPECT_EQ(corners(read_triangles(path).mesh, 0), wanted()) << name;
   }
   // An L of six corners is four triangles, behind a triangle; numbers are as exact as written.
   const std::filesystem::path concave = std::filesystem::path(folder) / "l.off";
   write_file(concave, "OFF\n6 2 6\n0 0 0\n2 0 0\n2 1 0\n1 1 0\n1 2 0\n0 2 0\n3 0 1 2\n6 0 1 2 3 4 5\n");
-  const TriangleMesh mesh = read_triangles(concave);
+  const TriangleMesh mesh = read_triangles(concave).mesh;
   ASSERT_EQ(mesh.triangles.cols(), 5);
   EXPECT_EQ(mesh.triangles.col(0), Eigen::Vector3i(0, 1, 2));
   EXPECT_NEAR(area(mesh), 1 + 3, 1e-14);
