@@ -85,7 +85,7 @@ TEST(HeldAndLoaded, LinesAreHeldAndLoaded) {
   EXPECT_NEAR(weight(p.problem.point_loads[0].points), 1, 1e-12);
   EXPECT_EQ(p.problem.point_loads[1].points.size(), 2u);
   EXPECT_EQ(p.loads[1].total, Eigen::Vector3d(0, 0, 3));
-  EXPECT_THAT(region_text(p.loads[0]), HasSubstr("along a line of 1.2 m"));
+  EXPECT_THAT(region_text(p.loads[0]), HasSubstr("along a line of 1200 mm"));
   EXPECT_THAT(p.warnings.front().text, HasSubstr("holds a line: where that takes a force, stresses grow"));
   EXPECT_THAT(refusal(cube, clamp + "[[load]]\nforce = [0, 0, 1]\nline = [[0, 0, 1]]\n"),
               HasSubstr("a line needs two points"));
@@ -110,13 +110,13 @@ TEST(HeldAndLoaded, PartsOfFacesAreHeldAndLoaded) {
   EXPECT_NEAR(p.supports[0].area, area, 1e-9);
   EXPECT_NEAR(std::get<iga::ElasticSupport>(p.problem.supports[1].condition).normal, 2 / area, 1e-6);
   EXPECT_NEAR(p.loads[0].total[2], -2 * area, 1e-9);
-  EXPECT_THAT(region_text(p.loads[0]), HasSubstr("on part of z_max (1 face), 0.282743 m^2"));
+  EXPECT_THAT(region_text(p.loads[0]), HasSubstr("on part of z_max (1 face), 2827 cm^2"));
   // What of all faces lies in the box: half of the end, and strips of three sides.
   EXPECT_NEAR(p.loads[1].area, 0.5 + 0.1 + 0.05 + 0.05, 1e-12);
   EXPECT_THAT(
       refusal(cube, clamp + "[[load]]\nfaces = [\"x_max\"]\npressure = 1\npart = { plane = { point = [0, 0, "
                             "2], normal = \"z\" } }\n"),
-      HasSubstr("none of the faces has an area in there; 0:east comes nearest, to 1 m"));
+      HasSubstr("none of the faces has an area in there; 0:east comes nearest, to 1000 mm"));
   EXPECT_THAT(refusal(cube, clamp + "[[load]]\nfaces = [\"x_max\"]\npressure = 1\npart = {}\n"),
               HasSubstr("part is empty"));
 }

@@ -128,8 +128,9 @@ std::string words_of(const GeneratedInput& generated) {
 
 std::string words_of(const ModelInput& model) {
   std::string text =
-      fmt::format("same_point {:g}\nnear_miss {:g}\nsame_knot {:g}\n", model.tolerance.same_point,
-                  model.tolerance.near_miss, model.tolerance.same_knot);
+      fmt::format("same_point {:g}\nnear_miss {:g}\nsame_knot {:g}\n{}", model.tolerance.same_point,
+                  model.tolerance.near_miss, model.tolerance.same_knot,
+                  model.tolerance.keep_non_matching ? "non-matching faces kept\n" : "");
   for (const AttachmentInput& a : model.attachments) {
     text += fmt::format("attach name {}\nattach faces {}\n", a.name, fmt::join(a.faces, ","));
     text +=

@@ -39,7 +39,7 @@ class CheckLayers(unittest.TestCase):
         self.accepts({
             "geometry/base/error.hpp": "#include <string>\n#include <Eigen/Core>\n",
             "geometry/patch.hpp": '#include "geometry/base/error.hpp"\n',
-            "geometry/io/read.cpp": '#include <pugixml.hpp>\n#include <vtkPoints.h>\n#include "geometry/patch.hpp"\n',
+            "geometry/io/read.cpp": '#include <pugixml.hpp>\n#include <zip.h>\n#include "geometry/patch.hpp"\n',
             "solvers/solve.cpp": '#include <petscksp.h>\n#include <suitesparse/cholmod.h>\n'
                                  '#include "geometry/base/error.hpp"\n',
             "iga/assemble.hpp": '#include "geometry/patch.hpp"\n',

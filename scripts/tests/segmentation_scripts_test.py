@@ -141,7 +141,7 @@ class Verdicts(unittest.TestCase):
 
     def verdict(self, code, error, summary=None):
         said = f"isopatch: error: {error}\n" if error else ""
-        return self.robustness.verdict(summary, cut_solids.Outcome(code, "", said, 1.0), 2.0)[0]
+        return self.robustness.verdict(summary, cut_solids.Outcome(code, "", said, 1.0), 2.0, (3.0, 4.0))[0]
 
     def test_a_refusal_names_an_entity(self):
         self.assertEqual(self.verdict(2, "solid 'a': face 3 and face 5 meet twice"), "refused")
@@ -156,12 +156,13 @@ class Verdicts(unittest.TestCase):
         self.assertEqual(self.verdict(2, "patch 3 is folded, block 3"), "not certified")
 
     def test_a_solution_needs_certificates_and_the_volume(self):
-        def summary(certified=True, volume=2.0):
-            return {"parameterization": {"certified": certified},
+        def summary(certified=True, volume=2.0, held=3.0):
+            return {"parameterization": {"certified": certified}, "supports": [{"area": held}], "loads": [{"area": 4.0}],
                     "model": {"volume": volume, "patches": 3, "min_scaled_jacobian": 0.5}}
         self.assertEqual(self.verdict(0, "", summary()), "certified")
         self.assertEqual(self.verdict(0, "", summary(certified=False)), "not certified")
         self.assertEqual(self.verdict(0, "", summary(volume=2.0 + 1e-7)), "wrong volume")
+        self.assertEqual(self.verdict(0, "", summary(held=3.0 + 1e-5)), "wrong area")
 
     def test_shares_are_by_kind_and_by_size(self):
         rows = [("simple", 1, 10, 7, "certified", "", 4, 1.0), ("simple", 2, 30, 17, "refused", "", None, 3.0)]
