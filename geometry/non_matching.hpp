@@ -24,12 +24,12 @@ struct NonMatchingFaces {
   std::vector<PatchFace> partly_covered;  ///< those of `boundary` that others cover in part
 };
 
-/// Looks at 8 x 8 points inside each face: where one lies on another face to `same_point`, and the outward
+/// Looks at 24 x 24 points inside each face: where one lies on another face to `same_point`, and the outward
 /// normals are opposite, the two faces are an interface there.
 /// @param faces       that have an area and meet no other as a whole
 /// @param same_point  model units
 /// @throws Error not_conforming  faces that lie on one another with their patches on the same side
-/// @cost   O(faces log faces), and 64 nearest points for both of each two faces with overlapping boxes
+/// @cost   O(faces log faces), and up to 576 nearest points for both of each two faces with overlapping boxes
 NonMatchingFaces find_non_matching(const std::vector<NurbsVolume>& patches,
                                    const std::vector<PatchFace>& faces, double same_point,
                                    const FaceLabel& label);

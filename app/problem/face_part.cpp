@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "app/base/engineering_units.hpp"
 #include "geometry/base/error.hpp"
 #include "geometry/patch_face.hpp"
 #include "iga/problem/loads.hpp"
@@ -61,8 +60,8 @@ std::vector<geometry::PatchFace> faces_reaching_into(const iga::Region& region,
   std::pair<double, std::string> nearest{std::numeric_limits<double>::infinity(), ""};
   for (const geometry::PatchFace& face : faces)
     nearest = std::min(nearest, {gap(region, model.patch(face.patch), face.side), model.label(face)});
-  throw error_at(place, fmt::format("part: none of the faces has an area in there; {} comes nearest, to {}",
-                                    nearest.second, with_unit(nearest.first, "m")));
+  throw error_at(
+      place, fmt::format("part: none of the faces has an area in there; {} comes nearest", nearest.second));
 }
 
 }  // namespace isopatch::app

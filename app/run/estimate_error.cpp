@@ -1,5 +1,7 @@
 #include "app/run/estimate_error.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <new>
 
 #include "geometry/base/error.hpp"
@@ -41,9 +43,19 @@ std::optional<std::string> why_it_grows(const std::vector<std::optional<std::str
   return iga::von_mises(error) > least_singular_error * stress ? singular[place] : std::nullopt;
 }
 
+// Beside the energy that is printed. That of the strains, which the estimate knows, is no measure where most
+// of them are thermal; of a part that only grows next to nothing is left.
+double share_of_energy(const iga::ErrorEstimate& estimate, const iga::ElasticityResults& results) {
+  if (results.thermal_work == 0 || !(estimate.relative > 0)) return estimate.relative;
+  const double of_strains = estimate.energy / (estimate.relative * estimate.relative);
+  const double stored = results.internal_energy + results.support_energy + estimate.energy;
+  return std::sqrt(estimate.energy / std::max(stored, 1e-6 * of_strains));
+}
+
 void add_estimate(const iga::ElasticityProblem& problem, const std::vector<iga::PatchPlace>& places,
                   iga::ErrorEstimate estimate, Estimated& of) {
-  of.error = RunError{estimate.energy, estimate.relative, Eigen::Matrix3d::Zero(), estimate.iterations};
+  of.error = RunError{estimate.energy, share_of_energy(estimate, of.solution.results),
+                      Eigen::Matrix3d::Zero(), estimate.iterations};
   const auto singular = iga::singular_places(problem, places);
   const iga::Extremum& most = of.solution.results.max_von_mises;
   std::size_t place = 0;

@@ -122,9 +122,10 @@ const Keys<CouplingKeys>& coupling_keys() {
           "method", &CouplingKeys::method, methods,
           "Coincident control points share their unknowns, or multipliers tie them. `isopatch compare` "
           "runs both."),
-      choice_key("non_matching", &CouplingKeys::non_matching, non_matching,
-                 "Faces that lie on one another with other elements, parameters or outlines (T-joints) are an "
-                 "error, or are coupled by Nitsche's method, which needs no further choice. One process only."),
+      choice_key(
+          "non_matching", &CouplingKeys::non_matching, non_matching,
+          "Faces that lie on one another with other elements, parameters or outlines (T-joints) are an "
+          "error, or are coupled by Nitsche's method, which needs no further choice. One process only."),
   };
   return keys;
 }

@@ -13,6 +13,11 @@ CoupledProblem without_loads(const ElasticityProblem& problem, Coupling coupling
     throw Error(
         ErrorCode::unsupported,
         "models with non-matching interfaces are solved by one process; start isopatch without mpiexec");
+  if (!problem.temperatures.empty() && !problem.discretization.model.non_matching().empty())
+    throw Error(ErrorCode::unsupported,
+                "temperatures are not for models with non-matching interfaces yet: their stresses would be "
+                "missing in "
+                "what couples the patches; divide the patches so that they match");
   CoupledProblem result;
   result.problem = &problem;
   result.coupling = coupling;

@@ -39,6 +39,11 @@ void check(const ElasticityProblem& problem, const ModesOptions& options) {
   if (options.number < 1 || options.number > 200)
     throw Error(ErrorCode::invalid_argument,
                 fmt::format("number of modes is {}; its range is 1 .. 200", options.number));
+  if (!problem.discretization.model.non_matching().empty())
+    throw Error(
+        ErrorCode::unsupported,
+        "natural modes are not for models with non-matching interfaces yet; divide the patches so that they "
+        "match");
   for (std::size_t p = 0; p < problem.materials.size(); ++p)
     if (!(problem.materials[p].density > 0))
       throw Error(ErrorCode::invalid_argument,

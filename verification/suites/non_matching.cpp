@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "geometry/base/tests/expect_error.hpp"
 #include "geometry/models/box.hpp"
 #include "geometry/models/cylinder.hpp"
+#include "iga/solution/natural_modes.hpp"
 #include "verification/claims/expect.hpp"
 #include "verification/suites/known_problem.hpp"
 #include "verification/suites/known_problems.hpp"
@@ -109,23 +111,29 @@ void expect_orders_of(const NonMatchingModel& m, const Levels& levels) {
   expect_orders(manufactured(m.name, m.model, m.held), levels);
 }
 
+// What is not there yet must be said: temperatures, natural modes, several processes.
+TEST(NonMatching, RefusesWhatItCannot) {
+  const NonMatchingModel m = models().front();
+  iga::ElasticityProblem p = pulled(m, generic_linear_field(), 1);
+  EXPECT_ERROR(iga::natural_modes(p, {}), ErrorCode::unsupported, "natural modes are not for");
+  p.temperatures = {{"warm", all_patches(m.model), 100, Eigen::Vector3d::Zero()}};
+  EXPECT_ERROR(iga::solve_elasticity(p, {}), ErrorCode::unsupported, "temperatures are not for");
+}
+
 TEST(NonMatching, Orders) {
-  for (const NonMatchingModel& m : models()) {
-    if (is_curved(m)) continue;
-    expect_orders_of(m, {1, {4, 6, 8, 12}});
-    expect_orders_of(m, {2, {6, 8, 10, 12}});
-  }
-  expect_orders_of(small_arcs(), {2, {6, 8, 10, 12}});
+  for (const NonMatchingModel& m : models())
+    if (!is_curved(m)) expect_orders_of(m, {1, {4, 6, 8, 12}});
+  expect_orders_of(models()[1], {2, {6, 8, 10, 12}});
 }
 
 TEST(FullNonMatching, Orders) {
   for (const NonMatchingModel& m : models()) {
     if (is_curved(m)) continue;
+    expect_orders_of(m, {2, {6, 8, 10, 12}});
     expect_orders_of(m, {3, {4, 6, 8, 10}});
-    expect_orders_of(m, {4, {4, 5, 6, 8}});
   }
+  expect_orders_of(small_arcs(), {2, {6, 8, 10, 12}});
   expect_orders_of(small_arcs(), {3, {4, 6, 8, 10}});
-  expect_orders_of(small_arcs(), {4, {4, 5, 6, 8}});
 }
 
 }  // namespace

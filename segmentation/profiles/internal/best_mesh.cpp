@@ -250,6 +250,8 @@ CellMesh best_mesh(const SearchInput& input, const Profile& profile, const Quadr
     last.polish();
   }
   if (!last.is_valid()) return last_resort(input, last.mesh());
+  // The search of a single region sees its strips itself.
+  if (!any_shared || !options.fewer_strips) return last.mesh();
   const int windows = static_cast<int>(options.effort * (last.mesh().cells.size() + 5) / 40);
   return with_fewer_strips(input, last.mesh(), windows);
 }
