@@ -125,7 +125,8 @@ const Keys<CouplingKeys>& coupling_keys() {
       choice_key(
           "non_matching", &CouplingKeys::non_matching, non_matching,
           "Faces that lie on one another with other elements, parameters or outlines (T-joints) are an "
-          "error, or are coupled by Nitsche's method, which needs no further choice. One process only."),
+          "error, or are coupled by Nitsche's method, which needs no further choice; not yet with several "
+          "processes, temperatures or natural modes."),
   };
   return keys;
 }

@@ -26,9 +26,10 @@ struct QuadrangulationOptions {
   int effort = 400;   ///< parts of a division that are divided anew for each 10 of its cells and 5 more, in
                       ///< each of 4 searches; 0 or above
   unsigned seed = 1;  ///< of the order in which they are
-  /// Whether rows of quadrilaterals that run through several regions are taken out at the end where that
-  /// makes the drawing cheaper: a drawing of a hundred cells takes seconds more.
-  bool fewer_strips = false;
+  /// Whether drawings of several regions are also divided from their corners alone, regions left open are
+  /// mended together, and rows of quadrilaterals that run through several of them are taken out at the end
+  /// where that makes the drawing cheaper. Twice the time, and seconds more for a hundred cells.
+  bool thorough = false;
   bool operator==(const QuadrangulationOptions&) const = default;
 };
 /// @throws Error invalid_argument with field, value and range

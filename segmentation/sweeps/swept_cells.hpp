@@ -21,6 +21,6 @@ namespace isopatch::segmentation {
 /// @throws Error unsupported  it looks like one, but an inclined wall is no strip between two edges, walls
 /// are not straight, a profile cannot be divided: names the place
 std::optional<SweptCells> swept_cells(const geometry::Brep& solid,
-                                      const QuadrangulationOptions& options = {.fewer_strips = true});
+                                      const QuadrangulationOptions& options = {.thorough = true});
 
 }  // namespace isopatch::segmentation

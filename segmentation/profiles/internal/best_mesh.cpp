@@ -227,9 +227,9 @@ CellMesh best_mesh(const SearchInput& input, const Profile& profile, const Quadr
   const auto consider = [&](const SharedCuts& way) {
     CutPlaces places = shared_places(profile, input.curves, way);
     for (int round = 0; round < 10; ++round) {
-      RegionSearches::Whole as_they_are = searches.divide_as_they_are(places);
       RegionSearches::Whole whole = searches.divide(places);
-      if (any_shared && !whole.open.empty()) mend(whole, input, options);
+      RegionSearches::Whole as_they_are = options.thorough ? searches.divide_as_they_are(places) : whole;
+      if (options.thorough && any_shared && !whole.open.empty()) mend(whole, input, options);
       const bool done = as_they_are.open.empty() || whole.open.empty() || !any_shared;
       if (!done)
         places = further_places(profile, input.curves, places, open_in_both(whole.open, as_they_are.open));
@@ -251,7 +251,7 @@ CellMesh best_mesh(const SearchInput& input, const Profile& profile, const Quadr
   }
   if (!last.is_valid()) return last_resort(input, last.mesh());
   // The search of a single region sees its strips itself.
-  if (!any_shared || !options.fewer_strips) return last.mesh();
+  if (!any_shared || !options.thorough) return last.mesh();
   const int windows = static_cast<int>(options.effort * (last.mesh().cells.size() + 5) / 40);
   return with_fewer_strips(input, last.mesh(), windows);
 }
