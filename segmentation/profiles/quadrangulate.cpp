@@ -83,7 +83,7 @@ Quadrangulation quadrangulate(const Profile& profile, const QuadrangulationOptio
   const planar::StandardPosition standard = planar::standard_position(profile);
   const std::vector<planar::Curve> curves = planar::curves_of(standard.profile);
   const planar::SearchInput input{planar::ShapeRules(options), curves, planar::shared_edges(profile),
-                                  planar::candidates_of(standard.profile, curves)};
+                                  planar::candidates_of(standard.profile, curves), options.thorough};
   const planar::CellMesh best = planar::best_mesh(input, standard.profile, options);
   const std::vector<planar::Curve> curves_there = planar::curves_of(profile);
   return result_of(curves_there, moved_back(best, standard, profile, curves_there));

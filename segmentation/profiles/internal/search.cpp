@@ -128,7 +128,8 @@ void Search::add_candidates(std::vector<Place>& places, int limit) {
     if (link.curve < 0 || input_->shared[link.curve]) continue;
     const bool closed = input_->curves[link.curve].closed();
     for (const double place : input_->candidates[link.curve]) {
-      const double margin = closed ? 0.008 : std::min(0.03, 0.5 * std::min(place, 1 - place));
+      const double near = input_->near_corners ? 0.5 * std::min(place, 1 - place) : 0.03;
+      const double margin = closed ? 0.008 : std::min(0.03, near);
       for (const double at : {place, place + 1})
         if (at > link.low + margin && at < link.high - margin) all.push_back({i, at});
     }

@@ -15,8 +15,9 @@ namespace isopatch::segmentation::planar {
 struct SearchInput {
   ShapeRules rules;
   const std::vector<Curve>& curves;
-  std::vector<bool> shared;  ///< of each curve: whether there are wanted regions on both its sides
-  CutPlaces candidates;      ///< of each curve
+  std::vector<bool> shared;   ///< of each curve: whether there are wanted regions on both its sides
+  CutPlaces candidates;       ///< of each curve
+  bool near_corners = false;  ///< whether candidates count that are near the ends of their curve
 };
 
 /// Divides windows of a mesh anew, one after the other, where that costs less.

@@ -297,7 +297,8 @@ void take_strips_out(const SearchInput& input, Search& best, int windows) {
 }  // namespace
 
 CellMesh with_fewer_strips(const SearchInput& given, CellMesh mesh, int windows) {
-  SearchInput input{good_rules(given.rules), given.curves, given.shared, given.candidates};
+  SearchInput input{good_rules(given.rules), given.curves, given.shared, given.candidates,
+                    given.near_corners};
   Search best(input, mesh, 0, true);
   if (best.triangles() > 0) return mesh;
   if (!best.is_valid()) {
