@@ -15,7 +15,7 @@ namespace isopatch::geometry {
 namespace {
 
 constexpr int points_along = 24;
-constexpr std::size_t point_count = points_along * points_along;
+constexpr std::size_t point_count = std::size_t{points_along} * points_along;
 using PointSet = std::bitset<point_count>;
 
 struct TouchedFace {
