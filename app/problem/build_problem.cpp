@@ -399,7 +399,6 @@ SourcePatches patches_of(const ModelInput& input, const Progress& progress) {
                                  return {read_model_file(file.path), file.length_unit};
                                },
                                [&](const BlocksInput& solids) -> SourcePatches {
-                                 progress("reading blocks", 0);
                                  StagedPatches found = staged_patches(solids, Stage::patches, progress);
                                  return {std::move(found.made->patches), 1, std::move(found.made->report),
                                          std::move(found.stages)};

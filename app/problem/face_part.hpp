@@ -14,7 +14,7 @@ iga::Region part_of(const FaceSelection& selection);
 
 /// Those of some faces that have an area in a region.
 /// @param place  of the region in the study file
-/// @throws Error invalid_argument  none has: says how far they stay away
+/// @throws Error invalid_argument  none has: names the one that comes nearest
 std::vector<geometry::PatchFace> faces_reaching_into(const iga::Region& region,
                                                      const geometry::MultiPatch& model,
                                                      const std::vector<geometry::PatchFace>& faces,

@@ -39,7 +39,6 @@ std::string histogram_text(const ParameterizationReport& report) {
 }  // namespace
 
 segmentation::Parameterization parameterized(const BlocksInput& input, const Progress& progress) {
-  progress("reading blocks", 0);
   return std::move(*staged_patches(input, Stage::patches, progress).made);
 }
 

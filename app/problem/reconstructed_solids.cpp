@@ -18,13 +18,16 @@ bool holds_triangles(const std::filesystem::path& file) {
 
 }  // namespace
 
-geometry::TriangleMesh triangles_in_metres(const std::filesystem::path& file,
-                                           std::optional<double> length_unit) {
-  geometry::MeasuredTriangles read = geometry::read_triangles(file);
+geometry::TriangleMesh in_metres(geometry::MeasuredTriangles read, std::optional<double> length_unit) {
   const double metres = length_unit.value_or(read.metres.value_or(1));
   read.mesh.vertices *= metres;
   read.mesh.grain *= metres;
   return std::move(read.mesh);
+}
+
+geometry::TriangleMesh triangles_in_metres(const std::filesystem::path& file,
+                                           std::optional<double> length_unit) {
+  return in_metres(geometry::read_triangles(file), length_unit);
 }
 
 segmentation::Reconstruction reconstructed(const std::filesystem::path& file,

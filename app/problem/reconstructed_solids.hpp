@@ -8,12 +8,16 @@
 #include "app/study/blocks_input.hpp"
 #include "geometry/base/error.hpp"
 #include "geometry/base/progress.hpp"
+#include "geometry/io/measured_triangles.hpp"
 #include "segmentation/reconstruction/reconstruction.hpp"
 
 namespace isopatch::app {
 
-/// The triangles of a file; lengths are metres.
-/// @param length_unit  m of one unit of the file; without it what the file says (3MF), or 1
+/// Triangles with lengths in metres.
+/// @param length_unit  m of one unit of their file; without it what the file says (3MF), or 1
+geometry::TriangleMesh in_metres(geometry::MeasuredTriangles read, std::optional<double> length_unit);
+
+/// The triangles of a file, as `in_metres` gives them.
 /// @throws Error as `geometry::read_triangles` does
 geometry::TriangleMesh triangles_in_metres(const std::filesystem::path& file,
                                            std::optional<double> length_unit);

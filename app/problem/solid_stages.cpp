@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <functional>
 #include <utility>
 
@@ -174,6 +173,7 @@ class SolidStages {
 }  // namespace
 
 StagedPatches staged_patches(const BlocksInput& input, Stage to, const Progress& progress) {
+  progress("reading blocks", 0);
   return SolidStages(input, progress).run(to);
 }
 

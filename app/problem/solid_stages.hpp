@@ -27,8 +27,7 @@ struct StagedPatches {
 /// of the stage before. Lengths are metres.
 /// @param to  the last stage wanted; `Stage::patches` or one before it
 /// @throws Error as `read_solids`, `reconstruct`, `decompose`, `hex_model` and `parameterize` do; stages
-/// before
-///     are kept then
+///     before are kept then
 StagedPatches staged_patches(const BlocksInput& input, Stage to, const Progress& progress = {});
 
 }  // namespace isopatch::app

@@ -4,15 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 #include <vector>
 
-#include "app/base/engineering_units.hpp"
-#include "app/base/provenance.hpp"
-#include "app/pages/page.hpp"
 #include "app/problem/internal/body_json.hpp"
 #include "app/reports/block_pieces.hpp"
+#include "app/reports/internal/block_page.hpp"
 #include "geometry/brep/cell_solids.hpp"
 #include "geometry/brep/require_solid.hpp"
 #include "segmentation/decomposition/unfinished_parts.hpp"
@@ -87,19 +84,6 @@ Json body_with_volumes(const CutBody& body) {
   return json;
 }
 
-std::string html(BlockScene scene, double size, const Json& summary, const std::string& title,
-                 const std::string& study) {
-  scene.length = model_length_unit(size);
-  Page page;
-  page.kind = "blocks";
-  page.program = fmt::format("isopatch {}", version());
-  page.title = title;
-  page.study = study;
-  page.summary_json = summary.dump(-1, ' ', false, Json::error_handler_t::replace);
-  page.blocks = std::move(scene);
-  return to_html(page);
-}
-
 }  // namespace
 
 std::string block_file_name(std::size_t block) {
@@ -141,7 +125,8 @@ std::string cutting_html(const CutSolids& solids, const std::string& title,
                             : "T-joints before removal";
   if (cut) scene.stages.push_back(std::move(parts));
   scene.stages.push_back(std::move(blocks));
-  return html(std::move(scene), size, {{"bodies", bodies}, {"t_joints", t_joints}}, title, "");
+  return block_page_html("blocks", std::move(scene), size, {{"bodies", bodies}, {"t_joints", t_joints}},
+                         title, "");
 }
 
 std::string cutting_fault_html(const CuttingError& error, const std::string& title, const std::string& study,
@@ -158,7 +143,7 @@ std::string cutting_fault_html(const CuttingError& error, const std::string& tit
   add_unfinished(error, "the solid", stage);
   scene.stages.push_back(std::move(stage));
   const Json body = {{"name", "solid"}, {"volume", volume}, {"error", error.what()}};
-  return html(std::move(scene), size, {{"bodies", Json::array({body})}}, title, study);
+  return block_page_html("blocks", std::move(scene), size, {{"bodies", Json::array({body})}}, title, study);
 }
 
 }  // namespace isopatch::app

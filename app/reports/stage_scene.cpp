@@ -4,17 +4,14 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <utility>
 
 #include "app/base/engineering_units.hpp"
-#include "app/base/internal/json_values.hpp"
-#include "app/base/provenance.hpp"
-#include "app/pages/page.hpp"
 #include "app/problem/block_file.hpp"
 #include "app/problem/patch_file.hpp"
 #include "app/problem/solid_file.hpp"
 #include "app/reports/block_pieces.hpp"
+#include "app/reports/internal/block_page.hpp"
 #include "app/results/internal/stages_json.hpp"
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/content_hash.hpp"
@@ -82,15 +79,8 @@ double size_of(const BlockScene& scene) {
 
 std::string page_of(BlockScene scene, const Json& summary, const std::string& title,
                     const std::string& study) {
-  scene.length = model_length_unit(size_of(scene));
-  Page page;
-  page.kind = "stages";
-  page.program = fmt::format("isopatch {}", version());
-  page.title = title;
-  page.study = study;
-  page.summary_json = summary.dump(-1, ' ', false, Json::error_handler_t::replace);
-  page.blocks = std::move(scene);
-  return to_html(page);
+  const double size = size_of(scene);
+  return block_page_html("stages", std::move(scene), size, summary, title, study);
 }
 
 /// Edges of one triangle or of more than two.
@@ -111,7 +101,7 @@ std::vector<Eigen::Matrix3Xd> loose_edges(const geometry::TriangleMesh& mesh) {
 
 /// All triangles as one piece, with the edges that keep them from bounding a solid.
 BlockStage loose_stage(const geometry::TriangleMesh& read, const std::string& name) {
-  const geometry::TriangleMesh mesh = geometry::weld(read, 1e-9 * diagonal(read)).mesh;
+  const geometry::TriangleMesh mesh = geometry::weld(read, read.grain).mesh;
   BlockStage stage{.name = "triangles", .apart = 0, .shows_triangles = true};
   BlockPiece piece{.name = name, .body = name};
   piece.points = mesh.vertices;
@@ -127,8 +117,7 @@ BlockStage loose_stage(const geometry::TriangleMesh& read, const std::string& na
 /// Triangles by the surfaces that were found; those without one are faulty.
 BlockStage region_stage(const geometry::TriangleMesh& read, const BlocksInput& input,
                         const std::string& name) {
-  const geometry::TriangleMesh mesh =
-      geometry::mended(read, std::max(read.grain, 1e-9 * diagonal(read))).mesh;
+  const geometry::TriangleMesh mesh = geometry::mended(read, read.grain).mesh;
   const segmentation::Regions regions = segmentation::find_regions(mesh, input.reconstruction);
   std::vector<std::string> names;
   for (const segmentation::Region& region : regions.regions)

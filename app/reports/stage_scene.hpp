@@ -15,7 +15,7 @@ namespace isopatch::app {
 inline constexpr std::int64_t most_drawn_triangles = 300'000;
 
 /// What came of each stage, drawn from its file: triangles by the faces that they were joined to, the solid's
-/// faces, hexahedra. Files that are missing or have changed since are left out.
+/// faces, hexahedra, patches. Files that are missing or have changed since are left out.
 /// @return  nothing if there is nothing to show
 std::optional<BlockScene> stage_scene(const std::vector<StageReport>& stages);
 
@@ -27,7 +27,7 @@ std::string stages_html(const std::vector<StageReport>& stages, const std::strin
 
 /// The page of triangles that no solid was made of: those that lie on no surface in red or, where they bound
 /// no solid, the edges that are in the way.
-/// @return  HTML; nothing if the triangles cannot be read
+/// @return  HTML; nothing if the triangles cannot be read or are too many
 std::optional<std::string> triangles_fault_html(const BlocksInput& input, const Error& error,
                                                 const std::string& title, const std::string& study);
 

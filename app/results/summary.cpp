@@ -6,7 +6,6 @@
 #include <array>
 #include <optional>
 
-#include "app/base/engineering_units.hpp"
 #include "app/base/provenance.hpp"
 #include "app/problem/resolution_warning.hpp"
 #include "app/problem/selection.hpp"

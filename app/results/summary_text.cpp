@@ -8,9 +8,7 @@
 #include <optional>
 
 #include "app/base/engineering_units.hpp"
-#include "app/problem/selection.hpp"
 #include "app/results/level_report.hpp"
-#include "iga/material/material.hpp"
 #include "iga/post/stress_measures.hpp"
 
 namespace isopatch::app {

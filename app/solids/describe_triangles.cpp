@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <utility>
 
 #include "app/base/engineering_units.hpp"
 #include "app/base/internal/json_values.hpp"
 #include "app/problem/cut_solids.hpp"
+#include "app/problem/reconstructed_solids.hpp"
 #include "app/problem/reconstruction_text.hpp"
 #include "app/solids/describe_solid.hpp"
 #include "geometry/brep/recognise_carriers.hpp"
@@ -23,10 +24,10 @@ std::string unit_text(const InputFile& input, const std::optional<double>& metre
                 : "m, since the file states none; --length-unit says otherwise";
 }
 
-/// Volume if they bound a solid.
+/// Volume if they bound a solid, as `reconstruct` sees them.
 std::optional<double> bounded_volume(const geometry::TriangleMesh& mesh) {
   try {
-    return volume(geometry::mended(mesh, std::max(mesh.grain, 1e-9 * diagonal(mesh))).mesh);
+    return volume(geometry::mended(mesh, mesh.grain).mesh);
   } catch (const Error&) {
     return std::nullopt;
   }
@@ -39,16 +40,15 @@ TriangleReport triangle_report(const InputFile& input, const Progress& progress)
   geometry::MeasuredTriangles read = geometry::read_triangles(input.path);
   TriangleReport report;
   report.unit = unit_text(input, read.metres);
-  const double metres = input.length_unit.empty() ? read.metres.value_or(1) : length_unit(input);
-  read.mesh.vertices *= metres;
-  read.mesh.grain *= metres;
-  report.triangles = read.mesh.triangles.cols();
-  report.vertices = geometry::weld(read.mesh, 0).mesh.vertices.cols();
-  for (const auto& vertex : read.mesh.vertices.colwise()) report.box.extend(Eigen::Vector3d(vertex));
-  report.area = area(read.mesh);
-  report.volume = bounded_volume(read.mesh);
+  const geometry::TriangleMesh mesh = in_metres(
+      std::move(read), input.length_unit.empty() ? std::nullopt : std::optional(length_unit(input)));
+  report.triangles = mesh.triangles.cols();
+  report.vertices = geometry::weld(mesh, 0).mesh.vertices.cols();
+  for (const auto& vertex : mesh.vertices.colwise()) report.box.extend(Eigen::Vector3d(vertex));
+  report.area = area(mesh);
+  report.volume = bounded_volume(mesh);
   try {
-    report.made = segmentation::reconstruct(read.mesh, {}, progress);
+    report.made = segmentation::reconstruct(mesh, {}, progress);
     const geometry::RecognisedBrep found = geometry::recognise_carriers(report.made->brep);
     if (!is_block(found.brep)) report.prospect = segmentation::prospect(found.brep);
   } catch (const Error& error) {

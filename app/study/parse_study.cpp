@@ -34,11 +34,12 @@ void read_options(const StudyKeys& top, Study& study) {
                                                     "[discretization]", discretization_keys());
   study.discretization = space.options;
   const ConfigSection coupling = section(top.coupling, "coupling", study.source);
-  const auto coupled = read_table<CouplingKeys>(coupling.table, coupling.place, "[coupling]", coupling_keys());
+  const auto coupled =
+      read_table<CouplingKeys>(coupling.table, coupling.place, "[coupling]", coupling_keys());
   study.options.coupling = coupled.method;
-  const bool keeps_apart = coupled.non_matching != iga::NonMatching::refuse;
-  study.model.tolerance.keep_non_matching = keeps_apart;
-  if (auto* blocks = std::get_if<BlocksInput>(&study.model.source)) blocks->options.keep_t_joints = keeps_apart;
+  study.model.tolerance.keep_non_matching = coupled.keeps_non_matching;
+  if (auto* blocks = std::get_if<BlocksInput>(&study.model.source))
+    blocks->options.keep_t_joints = coupled.keeps_non_matching;
   study.options.quadrature_points = space.points;
   const ConfigSection solver = section(top.solver, "solver", study.source);
   study.options.solver =

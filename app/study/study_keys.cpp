@@ -115,15 +115,14 @@ const Keys<DiscretizationKeys>& discretization_keys() {
 const Keys<CouplingKeys>& coupling_keys() {
   static const Choices<iga::Coupling> methods = {{"elimination", iga::Coupling::elimination},
                                                  {"lagrange", iga::Coupling::lagrange}};
-  static const Choices<iga::NonMatching> non_matching = {{"refuse", iga::NonMatching::refuse},
-                                                         {"nitsche", iga::NonMatching::nitsche}};
+  static const Choices<bool> non_matching = {{"refuse", false}, {"nitsche", true}};
   static const Keys<CouplingKeys> keys = {
       choice_key(
           "method", &CouplingKeys::method, methods,
           "Coincident control points share their unknowns, or multipliers tie them. `isopatch compare` "
           "runs both."),
       choice_key(
-          "non_matching", &CouplingKeys::non_matching, non_matching,
+          "non_matching", &CouplingKeys::keeps_non_matching, non_matching,
           "Faces that lie on one another with other elements, parameters or outlines (T-joints) are an "
           "error, or are coupled by Nitsche's method, which needs no further choice; not yet with several "
           "processes, temperatures or natural modes."),

@@ -24,7 +24,7 @@ struct ProbeKeys {
 /// [coupling].
 struct CouplingKeys {
   iga::Coupling method = iga::Coupling::elimination;
-  iga::NonMatching non_matching = iga::NonMatching::refuse;
+  bool keeps_non_matching = false;  ///< coupled by Nitsche's method, otherwise refused
 };
 
 /// The whole file: each section is read with its own keys.

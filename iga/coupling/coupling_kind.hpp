@@ -11,11 +11,6 @@ enum class Coupling {
   lagrange,     ///< every patch keeps its unknowns, multipliers tie them: a saddle point
 };
 std::string_view name(Coupling coupling);
-/// What is done with faces that lie on one another without agreeing point by point.
-enum class NonMatching {
-  refuse,   ///< the model is not accepted
-  nitsche,  ///< coupled by Nitsche's method (`interface_stiffness`)
-};
 
 inline constexpr std::array all_couplings = {Coupling::elimination, Coupling::lagrange};
 

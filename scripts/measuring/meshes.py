@@ -14,8 +14,8 @@ class Mesh(NamedTuple):
 def welded(triangles):
     """Corners of triangles, equal ones made one vertex."""
     number = {}
-    return Mesh(number, [tuple(number.setdefault(p, len(number)) for p in corners) for corners in triangles])._replace(
-        vertices=list(number))
+    numbered = [tuple(number.setdefault(p, len(number)) for p in corners) for corners in triangles]
+    return Mesh(list(number), numbered)
 
 
 def read(path):
@@ -186,6 +186,4 @@ def disturbed(mesh, kind, seed):
     if kind in ("small", "large"):
         factor = (1e-3 if kind == "small" else 1e6) * random_.uniform(0.5, 2)
         return scaled(mesh, factor), factor
-    if kind == "rotated":
-        return rotated(mesh, random_), 1
-    return rotated(mesh, random_), 1  # and written as float32
+    return rotated(mesh, random_), 1  # "float32" is written as such besides

@@ -199,8 +199,8 @@ globalThis.isopatch = globalThis.isopatch || {};
       const isOther = "stage" in asked && asked.stage !== state.stage;
       const wanted = isOther && !("apart" in asked) && asksApart(scene, state.stage, asked.stage)
         ? {...asked, apart: startApart(scene, asked.stage)} : asked;
-      const moves = ("apart" in wanted && wanted.apart !== state.apart) || ("stage" in wanted && wanted.stage !== state.stage);
-      if ("stage" in wanted && wanted.stage !== state.stage) state.chosen = null;
+      const moves = ("apart" in wanted && wanted.apart !== state.apart) || isOther;
+      if (isOther) state.chosen = null;
       Object.assign(state, wanted);
       stages.forEach((stage, i) => (stage.group.visible = i === state.stage));
       stages[state.stage].objects.forEach(setPiece);

@@ -4,11 +4,10 @@ globalThis.isopatch = globalThis.isopatch || {};
   "use strict";
 
   const element = (...all) => isopatch.element(...all);
-  const names = {solid: "solid", hexahedra: "hexahedra", patches: "patches"};
 
   function stageRow(stage) {
     const how = stage.kept ? `as before, from ${stage.made}` : "made in this run";
-    return [names[stage.name] || stage.name, how, isopatch.secondsText(stage.seconds), stage.file];
+    return [stage.name, how, isopatch.secondsText(stage.seconds), stage.file];
   }
 
   const stageTable = (stages) => (stages.length === 0 ? null : isopatch.table(

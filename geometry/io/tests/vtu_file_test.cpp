@@ -1,4 +1,4 @@
-#include "geometry/base/tests/expect_error.hpp"
+#include "geometry/io/vtu_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
