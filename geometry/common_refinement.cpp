@@ -57,7 +57,7 @@ Polygon clipped(Polygon polygon, const Point& low, const Point& high) {
 // Points and weights in the plane of a polygon.
 using PlanePoints = std::vector<std::pair<Point, double>>;
 
-// The corners of the box of a polygon that is one; else nothing.
+// Whether a polygon fills the box around it.
 bool is_box(const Polygon& polygon, const Point& low, const Point& high, double area) {
   const Point sides = high - low;
   return std::abs(std::abs(area) - sides[0] * sides[1]) <= 1e-9 * std::abs(area) && polygon.size() >= 4;

@@ -11,6 +11,7 @@
 #include "geometry/measures.hpp"
 #include "geometry/splines/grid.hpp"
 #include "geometry/surface_foot.hpp"
+#include "geometry/touching_boxes.hpp"
 
 namespace isopatch::geometry {
 namespace {
@@ -117,26 +118,20 @@ bool lies_on(const FreeFace& face, const FreeFace& other, double same_point) {
 }
 
 void check_other_parameters(const std::vector<FreeFace>& faces, double same_point, const FaceLabel& label) {
-  std::vector<std::size_t> by_start(faces.size());
-  for (std::size_t i = 0; i < faces.size(); ++i) by_start[i] = i;
-  std::sort(by_start.begin(), by_start.end(),
-            [&](std::size_t a, std::size_t b) { return faces[a].box.min().x() < faces[b].box.min().x(); });
-  for (std::size_t k = 0; k < by_start.size(); ++k)
-    for (std::size_t l = k + 1; l < by_start.size(); ++l) {
-      const FreeFace& a = faces[std::min(by_start[k], by_start[l])];
-      const FreeFace& b = faces[std::max(by_start[k], by_start[l])];
-      if (faces[by_start[l]].box.min().x() > faces[by_start[k]].box.max().x() + same_point) break;
-      if (a.box.exteriorDistance(b.box) > same_point) continue;
-      if (!lies_on(a, b, same_point) && !lies_on(b, a, same_point)) continue;
-      throw Error(
-          ErrorCode::not_conforming,
-          fmt::format(
-              "faces {} and {} lie on one another, but are parametrized differently or have different "
-              "outlines, so they cannot be joined; split or reparametrize the patches so that the "
-              "faces agree point by point, or set non_matching = \"nitsche\" (in a study: "
-              "coupling.non_matching), which couples them as they are",
-              label(a.face), label(b.face)));
-    }
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (const FreeFace& face : faces) boxes.push_back(face.box);
+  for (const auto& [i, j] : touching_boxes(boxes, same_point)) {
+    const FreeFace& a = faces[i];
+    const FreeFace& b = faces[j];
+    if (!lies_on(a, b, same_point) && !lies_on(b, a, same_point)) continue;
+    throw Error(
+        ErrorCode::not_conforming,
+        fmt::format("faces {} and {} lie on one another, but are parametrized differently or have different "
+                    "outlines, so they cannot be joined; split or reparametrize the patches so that the "
+                    "faces agree point by point, or set non_matching = \"nitsche\" (in a study: "
+                    "coupling.non_matching), which couples them as they are",
+                    label(a.face), label(b.face)));
+  }
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "geometry/face_match.hpp"
 #include "geometry/measures.hpp"
 #include "geometry/surface_foot.hpp"
+#include "geometry/touching_boxes.hpp"
 
 namespace isopatch::geometry {
 namespace {
@@ -74,29 +75,25 @@ Contact contact(const std::vector<NurbsVolume>& patches, const TouchedFace& firs
 NonMatchingFaces find_non_matching(const std::vector<NurbsVolume>& patches,
                                    const std::vector<PatchFace>& faces, double same_point,
                                    const FaceLabel& label) {
-  std::vector<TouchedFace> by_start;
-  for (const PatchFace& face : faces) by_start.push_back(touched_face(patches, face));
-  std::sort(by_start.begin(), by_start.end(),
-            [](const TouchedFace& a, const TouchedFace& b) { return a.box.min().x() < b.box.min().x(); });
+  std::vector<TouchedFace> touched;
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (const PatchFace& face : faces) boxes.push_back(touched.emplace_back(touched_face(patches, face)).box);
   NonMatchingFaces result;
-  for (std::size_t k = 0; k < by_start.size(); ++k)
-    for (std::size_t l = k + 1; l < by_start.size(); ++l) {
-      TouchedFace& a = by_start[k];
-      TouchedFace& b = by_start[l];
-      if (b.box.min().x() > a.box.max().x() + same_point) break;
-      if (a.box.squaredExteriorDistance(b.box) > same_point * same_point) continue;
-      const Contact of_a = contact(patches, a, b, same_point, label);
-      const Contact of_b = contact(patches, b, a, same_point, label);
-      if (of_a.points.none() && of_b.points.none()) continue;
-      a.covered |= of_a.points;
-      b.covered |= of_b.points;
-      result.interfaces.push_back(
-          {std::min(a.face, b.face), std::max(a.face, b.face), std::max(of_a.gap, of_b.gap)});
-    }
+  for (const auto& [i, j] : touching_boxes(boxes, same_point)) {
+    TouchedFace& a = touched[i];
+    TouchedFace& b = touched[j];
+    const Contact of_a = contact(patches, a, b, same_point, label);
+    const Contact of_b = contact(patches, b, a, same_point, label);
+    if (of_a.points.none() && of_b.points.none()) continue;
+    a.covered |= of_a.points;
+    b.covered |= of_b.points;
+    result.interfaces.push_back(
+        {std::min(a.face, b.face), std::max(a.face, b.face), std::max(of_a.gap, of_b.gap)});
+  }
   std::sort(result.interfaces.begin(), result.interfaces.end(), [](const auto& a, const auto& b) {
     return std::pair(a.first, a.second) < std::pair(b.first, b.second);
   });
-  for (const TouchedFace& face : by_start) {
+  for (const TouchedFace& face : touched) {
     if (face.covered.all()) continue;
     result.boundary.push_back(face.face);
     if (face.covered.any()) result.partly_covered.push_back(face.face);

@@ -21,10 +21,6 @@ using ElementOfFace = std::array<int, 2>;
 // are no polynomials.
 constexpr int points_beyond_degree = 3;
 
-double outward_sign(Side side) {
-  return (geometry::is_high(side) ? 1 : -1) * (geometry::direction(side) == 1 ? -1 : 1);
-}
-
 // A side of a patch with the functions that are not 0, or have no gradient 0, on its elements.
 class SideOfPatch {
  public:
@@ -77,12 +73,12 @@ class SideOfPatch {
       first[d] = span - knots.degree();
       bases[d] = geometry::basis_on_span(knots, span, at[static_cast<Eigen::Index>(d)], 1);
     }
-    const auto tangents = surface_.jacobian(on_side);
-    Functions result;
-    result.normal = outward_sign(side_) *
-                    Eigen::Vector3d(tangents.col(0)).cross(Eigen::Vector3d(tangents.col(1))).normalized();
-    add_functions(bases, first, result);
     const Eigen::Matrix3d inverse = space_.geometry->jacobian(at).inverse();
+    Functions result;
+    // Along the gradient of the parameter that is constant on the side.
+    result.normal = (geometry::is_high(side_) ? 1 : -1) *
+                    inverse.row(geometry::direction(side_)).transpose().normalized();
+    add_functions(bases, first, result);
     for (Eigen::Vector3d& gradient : result.gradients) gradient = inverse.transpose() * gradient;
     return result;
   }
@@ -227,7 +223,7 @@ class CellBlocks {
   }
 
   void add_penalty(NodeBlocks& blocks, const Material& material, double penalty) const {
-    Eigen::MatrixXd plain = jumps_ * weights_.asDiagonal() * jumps_.transpose();
+    const Eigen::MatrixXd plain = jumps_ * weights_.asDiagonal() * jumps_.transpose();
     std::array<Eigen::MatrixXd, 9> sums;
     for (Eigen::Index e = 0; e < 3; ++e)
       for (Eigen::Index d = 0; d <= e; ++d) {

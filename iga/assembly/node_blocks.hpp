@@ -19,7 +19,6 @@ class NodeBlocks {
   void add(int first, int second, const Eigen::Matrix3d& value);
   void add(const NodeBlocks& other);
 
-  bool is_empty() const { return blocks_.empty(); }
   /// forces += S displacement, per node of all patches. (3, nodes)
   void add_forces(const Eigen::Matrix3Xd& displacement, Eigen::Matrix3Xd& forces) const;
   /// The diagonal blocks, added per node.

@@ -14,6 +14,7 @@
 #include "iga/post/internal_forces.hpp"
 #include "iga/problem/loads.hpp"
 #include "iga/problem/thermal_load.hpp"
+#include "iga/solution/solver_bytes.hpp"
 #include "iga/solution/solver_choice.hpp"
 
 namespace isopatch::iga {
@@ -30,8 +31,8 @@ void require_room(const Discretization& raised, const ElasticityOptions& options
   const double available = available_bytes(options.solver, options.processes);
   if (bytes <= available) return;
   throw Error(ErrorCode::out_of_memory,
-              fmt::format("an estimate of the error takes about {:.2g} GB, and there are {:.2g} GB",
-                          bytes / 1e9, available / 1e9));
+              fmt::format("an estimate of the error takes about {}, and there are {}", gigabytes(bytes),
+                          gigabytes(std::max(0.0, available))));
 }
 
 Level raised_level(const Discretization& d, const ElasticityProblem& raised,

@@ -217,7 +217,6 @@ class Cutting {
           weight * (last - first) * rule_.weights[i]);
   }
   void count_by_middle(const std::vector<BernsteinPolynomial>& bounds, const Cell& cell) {
-    result.undecided += cell.size * cell.size;
     const Eigen::Vector3d middle(0.5, 0.5, 0);
     if (std::all_of(bounds.begin(), bounds.end(),
                     [&](const BernsteinPolynomial& bound) { return geometry::value(bound, middle) >= 0; }))

@@ -8,9 +8,6 @@
 namespace isopatch::iga {
 namespace {
 
-// Of the part, whose stiffness is about Young's modulus times its size.
-constexpr double stiffer_than_part = 1e4;
-
 [[noreturn]] void reject_region(const Support& support) {
   throw Error(ErrorCode::invalid_argument,
               fmt::format("'{}': no area of its faces lies in the region that it holds", support.name));

@@ -113,14 +113,14 @@ void add_surface_load(const ElasticityProblem& problem, const SurfaceLoad& surfa
 }
 
 void add_point_load(const Discretization& d, const PointLoad& point_load, Eigen::Matrix3Xd& load) {
+  const std::vector<PatchSpace> spaces = isoparametric_spaces(d);
   for (const PatchPoint& point : point_load.points) {
     if (point.patch.value < 0 || point.patch.value >= d.patch_count() || !point_load.force.allFinite())
       throw Error(ErrorCode::invalid_argument,
                   fmt::format("'{}': a point load needs a finite force and points in patches 0 to {}",
                               point_load.name, d.patch_count() - 1));
     const auto p = static_cast<std::size_t>(point.patch.value);
-    const PatchSpace space{&d.patches[p], d.patches[p].knots(), d.patches[p].weights()};
-    for (const NodeValue& at : node_values(space, point.parameter))
+    for (const NodeValue& at : node_values(spaces[p], point.parameter))
       load.col(d.first_node[p] + at.node) += point.weight * at.value * point_load.force;
   }
 }

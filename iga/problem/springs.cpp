@@ -9,9 +9,6 @@
 namespace isopatch::iga {
 namespace {
 
-// Of the stiffness of a part, which is about Young's modulus over its size.
-constexpr double stiffer = 1e4;
-
 std::vector<SprungFace> of_elastic(const Support& support, const ElasticSupport& springs) {
   validate(springs, support.name);
   std::vector<SprungFace> result;
@@ -27,7 +24,7 @@ std::vector<SprungFace> of_cylindrical(const ElasticityProblem& problem, const S
   std::vector<SprungFace> result;
   const Eigen::Vector3d axis = about.axis.normalized();
   for (const geometry::PatchFace& face : support.faces) {
-    const double stiffness = stiffer *
+    const double stiffness = stiffer_than_part *
                              young(problem.materials.at(static_cast<std::size_t>(face.patch.value))) /
                              problem.discretization.model.size();
     result.push_back({face,

@@ -16,8 +16,7 @@ CoupledProblem without_loads(const ElasticityProblem& problem, Coupling coupling
   if (!problem.temperatures.empty() && !problem.discretization.model.non_matching().empty())
     throw Error(ErrorCode::unsupported,
                 "temperatures are not for models with non-matching interfaces yet: their stresses would be "
-                "missing in "
-                "what couples the patches; divide the patches so that they match");
+                "missing in what couples the patches; divide the patches so that they match");
   CoupledProblem result;
   result.problem = &problem;
   result.coupling = coupling;

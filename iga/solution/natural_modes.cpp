@@ -50,24 +50,24 @@ void check(const ElasticityProblem& problem, const ModesOptions& options) {
                   fmt::format("patch {} has no density; natural modes need one in every material", p));
 }
 
-// Vectors that the iteration may gather.
-int most_vectors(Index wanted) {
-  return std::max(160, 6 * static_cast<int>(wanted + beyond));
+// Vectors that the iteration may gather for so many modes.
+int most_vectors(Index count) {
+  return std::max(160, 6 * static_cast<int>(count));
 }
 
 // Refuses what does not fit: beside the stiffness and its factor there are the mass, the sum of both that is
 // factorized, and the vectors with the mass times them; then the factor of the count.
-void require_memory(const ElasticityProblem& problem, const ModesOptions& options, Index wanted) {
+void require_memory(const ElasticityProblem& problem, const ModesOptions& options, Index count) {
   const SizeForecast size =
       forecast_size(problem.discretization, problem.materials, Coupling::elimination, 1);
   const auto unknowns = static_cast<double>(size.unknowns);
   const double matrices = 2 * size.matrix_bytes;
   const double iteration = direct_bytes(size, solvers::Method::cholmod) +
-                           8 * unknowns * (2 * most_vectors(wanted) + 6 * block_vectors);
-  const double count = options.count ? direct_bytes(size, solvers::Method::mumps) +
-                                           8 * unknowns * static_cast<double>(wanted + beyond)
-                                     : 0;
-  const double needed = matrices + size.nodal_bytes + std::max(iteration, count);
+                           8 * unknowns * (2 * most_vectors(count) + 6 * block_vectors);
+  const double counting =
+      options.count ? direct_bytes(size, solvers::Method::mumps) + 8 * unknowns * static_cast<double>(count)
+                    : 0;
+  const double needed = matrices + size.nodal_bytes + std::max(iteration, counting);
   solvers::SolverOptions limit;
   limit.memory_limit = options.memory_limit;
   const double available = available_bytes(limit, {});
@@ -151,7 +151,7 @@ Pairs lowest_pairs(const Pencil& pencil, int count, double shift) {
   const auto mass = [&](const MatrixXd& x) { return times(pencil.mass, x); };
   const solvers::EigenPairs found = solvers::largest_eigenpairs(
       [&](const MatrixXd& x) { return inverse(mass(x)); }, mass, start_block(pencil.assembled.frame_of_row),
-      {.count = count, .tolerance = 1e-9, .most_vectors = most_vectors(count - beyond)});
+      {.count = count, .tolerance = 1e-9, .most_vectors = most_vectors(count)});
   // Once more in the space found, with the stiffness itself: the shift takes no digits then.
   const MatrixXd kx = times(pencil.stiffness(), found.vectors), mx = mass(found.vectors);
   const SymmetricEigen ritz = symmetric_eigen(found.vectors.transpose() * kx, found.vectors.transpose() * mx);
@@ -215,12 +215,13 @@ NaturalModes natural_modes(const ElasticityProblem& problem, const ModesOptions&
   NaturalModes result;
   result.rigid_motions = rigid_motions_left(coupled);
   const Index wanted = result.rigid_motions + options.number;
-  require_memory(problem, options, wanted);
+  const Index count = wanted + beyond;
+  require_memory(problem, options, count);
   const Pencil pencil = pencil_of(coupled, progress);
   result.timings.push_back({"assembly", watch.lap()});
   progress("modes", 0);
   const double shift = result.rigid_motions > 0 ? shift_of(problem) : 0;
-  const Pairs pairs = lowest_pairs(pencil, static_cast<int>(wanted) + beyond, shift);
+  const Pairs pairs = lowest_pairs(pencil, static_cast<int>(count), shift);
   if (pairs.values.size() < wanted)
     throw Error(ErrorCode::invalid_argument, fmt::format("the part has {} modes in this space, fewer than {}",
                                                          pairs.values.size(), wanted));

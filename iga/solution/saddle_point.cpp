@@ -1,8 +1,8 @@
 #include "iga/solution/saddle_point.hpp"
 
-#include "iga/assembly/surface_stiffness.hpp"
-
 #include <algorithm>
+
+#include "iga/assembly/surface_stiffness.hpp"
 
 namespace isopatch::iga {
 namespace {

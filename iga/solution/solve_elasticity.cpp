@@ -9,7 +9,7 @@
 #include "geometry/base/error.hpp"
 #include "geometry/base/larger.hpp"
 #include "geometry/base/stopwatch.hpp"
-#include "iga/assembly/surface_stiffness.hpp"
+#include "iga/assembly/interface_stiffness.hpp"
 #include "iga/coupling/rigid_motions.hpp"
 #include "iga/post/elastic_reactions.hpp"
 #include "iga/post/face_stresses.hpp"
@@ -91,8 +91,10 @@ double external_work(const GlobalNodes& global, const RightSide& side, const Eig
 
 // What couples non-matching interfaces.
 NodeBlocks coupling_of_interfaces(const CoupledProblem& coupled) {
-  const SurfaceTerms terms = surface_terms(*coupled.problem);
-  return interface_stiffness(terms.interfaces, coupled.spaces, terms.materials, terms.same_point);
+  const geometry::MultiPatch& model = coupled.discretization().model;
+  const std::vector<Material>& materials = coupled.problem->materials;
+  return interface_stiffness(coupled_faces(coupled.discretization(), materials), coupled.spaces, materials,
+                             model.tolerance().same_point * model.size());
 }
 
 // Multipliers, and what follows from the stresses of `solution.field`, whose own process' shares are given.

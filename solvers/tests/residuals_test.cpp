@@ -48,7 +48,7 @@ TEST(Residuals, AreThoseOfEachRightSideInExtendedPrecision) {
         const Eigen::VectorXd alone = sample.scaled[static_cast<std::size_t>(k)].residual(sample.z.col(k));
         const double load = sample.loads[static_cast<std::size_t>(k)].norm();
         // What rounding the loads left: a double's sums would be off by more than that themselves, an
-        // extended number's 64 digits by a thousandth of it.
+        // extended number's 64 bits by a thousandth of it.
         EXPECT_GT(alone.head(42).norm(), 1e-18 * load);
         EXPECT_LT((all.col(k) - alone).norm(), 1e-18 * load) << k;
       }

@@ -43,10 +43,6 @@ Outline arm() {
       .line_to(a);
 }
 
-TopoDS_Shape upright(const gp_Pnt2d& place, double radius, double from, double to) {
-  return cylinder({place.X(), place.Y(), from}, {0, 0, 1}, radius, to - from);
-}
-
 TopoDS_Shape mirrored(const TopoDS_Shape& shape) {
   gp_Trsf mirror;
   mirror.SetMirror(gp_Ax2({0, 0, 0}, {0, 1, 0}));
@@ -56,12 +52,12 @@ TopoDS_Shape mirrored(const TopoDS_Shape& shape) {
 }  // namespace
 
 Part car_part() {
-  const gp_Pnt2d place(to_eye.XY());
-  const TopoDS_Shape bone = prism(arm(), 0, web), end = upright(place, eye, 0, eye_height);
-  const TopoDS_Shape bore = upright(place, eye_bore, -1, eye_height + 1);
+  const TopoDS_Shape bone = prism(arm(), 0, web),
+                     end = upright_cylinder(to_eye.X(), to_eye.Y(), eye, 0, eye_height);
+  const TopoDS_Shape bore = upright_cylinder(to_eye.X(), to_eye.Y(), eye_bore, -1, eye_height + 1);
   const TopoDS_Shape outside =
-      joined({upright({0, 0}, hub, 0, hub_height), bone, end, mirrored(bone), mirrored(end)});
-  return {without(outside, {upright({0, 0}, hub_bore, -1, hub_height + 1), bore, mirrored(bore)}),
+      joined({upright_cylinder(0, 0, hub, 0, hub_height), bone, end, mirrored(bone), mirrored(end)});
+  return {without(outside, {upright_cylinder(0, 0, hub_bore, -1, hub_height + 1), bore, mirrored(bore)}),
           {{"shaft", {-hub_bore, 0, 20}},
            {"left eye", {to_eye.X() + eye_bore, to_eye.Y(), 12}},
            {"right eye", {to_eye.X() + eye_bore, -to_eye.Y(), 12}}},

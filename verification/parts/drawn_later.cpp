@@ -10,10 +10,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-TopoDS_Shape bore(double x, double y, double radius, double from, double to) {
-  return cylinder({x, y, from}, gp::DZ(), radius, to - from);
-}
-
 }  // namespace
 
 // A foot and a back of 10 with a gusset of 8 between two slots, two bores in the back.
@@ -32,11 +28,11 @@ Part gusset_bracket() {
 
 // Three bores that meet, one with a seat, four screws.
 Part valve_block() {
-  std::vector<TopoDS_Shape> tools = {cylinder({-1, 25, 25}, gp::DX(), 9, 72),
-                                     cylinder({35, -1, 25}, gp::DY(), 7, 52), bore(35, 25, 5, 25, 51),
-                                     bore(35, 25, 8, 44, 51)};
+  std::vector<TopoDS_Shape> tools = {
+      cylinder({-1, 25, 25}, gp::DX(), 9, 72), cylinder({35, -1, 25}, gp::DY(), 7, 52),
+      upright_cylinder(35, 25, 5, 25, 51), upright_cylinder(35, 25, 8, 44, 51)};
   for (const double x : {7.0, 63.0})
-    for (const double y : {7.0, 43.0}) tools.push_back(bore(x, y, 3.3, -1, 51));
+    for (const double y : {7.0, 43.0}) tools.push_back(upright_cylinder(x, y, 3.3, -1, 51));
   return {without(box({0, 0, 0}, {70, 50, 50}), tools),
           {{"base", {35, 25, 0}}, {"bore", {10, 25, 34}}, {"seat", {41.5, 25, 44}}},
           {}};
@@ -44,7 +40,8 @@ Part valve_block() {
 
 // A shaft of 30 with two flats, 22 across, and a hole of 8 through them.
 Part shaft_end() {
-  const TopoDS_Shape shaft = joined({bore(0, 0, 15, 0, 60), cone({0, 0, 60}, gp::DZ(), 15, 14, 1)});
+  const TopoDS_Shape shaft =
+      joined({upright_cylinder(0, 0, 15, 0, 60), cone({0, 0, 60}, gp::DZ(), 15, 14, 1)});
   return {without(shaft, {box({11, -16, 36}, {16, 16, 62}), box({-16, -16, 36}, {-11, 16, 62}),
                           cylinder({-12, 0, 48}, gp::DX(), 4, 24)}),
           {{"shaft", {1, 2, 0}}, {"hole", {9, 0, 52}}, {"flat", {11, 5, 40}}},
@@ -57,9 +54,10 @@ Part hex_bolt() {
   const TopoDS_Shape blank =
       turned(Outline::polygon({{0, 0}, {14.5, 0}, {14.5, 10 - fall}, {11.5, 10}, {0, 10}}));
   const TopoDS_Shape head = common(prism(Outline::regular(6, 12), 0, 10), blank);
-  return {joined({head, bore(0, 0, 8, -40, 0), cone({0, 0, -40}, gp::DZ().Reversed(), 8, 6.5, 1.5)}),
-          {{"seat", {0, 10, 0}}, {"end", {1, 2, -41.5}}, {"top", {1, 2, 10}}},
-          {}};
+  return {
+      joined({head, upright_cylinder(0, 0, 8, -40, 0), cone({0, 0, -40}, gp::DZ().Reversed(), 8, 6.5, 1.5)}),
+      {{"seat", {0, 10, 0}}, {"end", {1, 2, -41.5}}, {"top", {1, 2, 10}}},
+      {}};
 }
 
 // For a shaft of 30, closed by a screw across its slot.
@@ -84,12 +82,13 @@ Part split_clamp() {
 // Four screws with sunk heads, a groove for an O-ring below, a bore.
 Part cover_plate() {
   const Outline plate = Outline::rectangle(100, 70, {-50, -35}, 10);
-  std::vector<TopoDS_Shape> tools = {bore(0, 0, 12, -1, 13),
-                                     without(bore(0, 0, 26, -1, 2.6), {bore(0, 0, 22, -2, 3)})};
+  std::vector<TopoDS_Shape> tools = {
+      upright_cylinder(0, 0, 12, -1, 13),
+      without(upright_cylinder(0, 0, 26, -1, 2.6), {upright_cylinder(0, 0, 22, -2, 3)})};
   for (const double x : {-40.0, 40.0})
     for (const double y : {-25.0, 25.0}) {
-      tools.push_back(bore(x, y, 3.3, -1, 13));
-      tools.push_back(bore(x, y, 5.5, 5.5, 13));
+      tools.push_back(upright_cylinder(x, y, 3.3, -1, 13));
+      tools.push_back(upright_cylinder(x, y, 5.5, 5.5, 13));
     }
   return {without(prism(plate, 0, 12), tools),
           {{"screw 1", {-36.7, -25, 3}}, {"top", {0, 20, 12}}, {"groove", {24, 0, 2.6}}},

@@ -79,6 +79,10 @@ TopoDS_Shape cylinder(gp_Pnt from, gp_Dir direction, double radius, double lengt
   return BRepPrimAPI_MakeCylinder(gp_Ax2(from, direction), radius, length).Shape();
 }
 
+TopoDS_Shape upright_cylinder(double x, double y, double radius, double from, double to) {
+  return cylinder({x, y, from}, gp::DZ(), radius, to - from);
+}
+
 TopoDS_Shape cone(gp_Pnt from, gp_Dir direction, double radius, double other_radius, double length) {
   return BRepPrimAPI_MakeCone(gp_Ax2(from, direction), radius, other_radius, length).Shape();
 }

@@ -11,10 +11,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-TopoDS_Shape drill(double x, double y, double radius, double from, double to) {
-  return cylinder({x, y, from}, gp::DZ(), radius, to - from);
-}
-
 /// What a keyway of half width w and depth d (from the axis) takes beyond a bore of radius r.
 double keyway_area(double w, double d, double r) {
   return 2 * w * d - (w * std::sqrt(r * r - w * w) + r * r * std::asin(w / r));
@@ -31,8 +27,8 @@ Part bearing_block() {
   const Outline front = Outline::polygon(
       {{-60, 0}, {60, 0}, {60, 16, 4}, {32, 16, 6}, {32, 82, 32}, {-32, 82, 32}, {-32, 16, 6}, {-60, 16, 4}});
   const TopoDS_Shape blank = prism_along_y(front, 0, 40);
-  return {without(blank, {cylinder({0, -1, 50}, gp::DY(), 20, 42), drill(-47, 20, 5.5, -1, 17),
-                          drill(47, 20, 5.5, -1, 17)}),
+  return {without(blank, {cylinder({0, -1, 50}, gp::DY(), 20, 42), upright_cylinder(-47, 20, 5.5, -1, 17),
+                          upright_cylinder(47, 20, 5.5, -1, 17)}),
           {{"base", {0, 20, 0}},
            {"bearing", {20, 20, 50}},
            {"bolt 1", {-41.5, 20, 8}},
@@ -62,7 +58,7 @@ Part hinge_leaf() {
   std::vector<TopoDS_Shape> tools = {cylinder({0, -1, 6}, gp::DY(), 3, 82), box({-7, 16, -1}, {7, 32, 13}),
                                      box({-7, 48, -1}, {7, 64, 13})};
   for (const double y : {16.0, 40.0, 64.0}) {
-    tools.push_back(drill(32, y, 2.5, -1, 5));
+    tools.push_back(upright_cylinder(32, y, 2.5, -1, 5));
     tools.push_back(cone({32, y, 4}, gp::DZ().Reversed(), 4.5, 2, 2.5));
   }
   const double hole = pi * (6.25 * 2 + 2 * (20.25 + 11.25 + 6.25) / 3);
@@ -95,7 +91,7 @@ Part pulley() {
   const TopoDS_Shape blank = rounded_at(turned(half(0)), 2, {{18, -4}, {42, -4}, {42, 4}, {18, 4}});
   std::vector<TopoDS_Shape> tools = {box({0, -3, -16}, {12.8, 3, 16})};
   for (const gp_Pnt& place : on_circle(4, 30, -5, 0.125))
-    tools.push_back(drill(place.X(), place.Y(), 7, -5, 5));
+    tools.push_back(upright_cylinder(place.X(), place.Y(), 7, -5, 5));
   return {without(blank, tools),
           {{"bore", {-10, 0, 0}}, {"groove", {45, 0, 0}}},
           2 * pi * half(2).first_moment() - 4 * 8 * 49 * pi - 30 * keyway_area(3, 12.8, 10)};
@@ -105,7 +101,7 @@ Part pulley() {
 Part t_slot_nut() {
   const Outline front = Outline::polygon(
       {{-7, 0}, {7, 0}, {9, 2}, {9, 7}, {4.9, 7}, {4.9, 12}, {-4.9, 12}, {-4.9, 7}, {-9, 7}, {-9, 2}});
-  return {without(prism_along_y(front, 0, 18), {drill(0, 9, 3.4, -1, 13)}),
+  return {without(prism_along_y(front, 0, 18), {upright_cylinder(0, 9, 3.4, -1, 13)}),
           {{"left shoulder", {-7, 9, 7}}, {"thread", {3.4, 9, 6}}, {"right shoulder", {7, 9, 7}}},
           18 * front.area() - 12 * 3.4 * 3.4 * pi};
 }
@@ -113,7 +109,7 @@ Part t_slot_nut() {
 // Base circle 50, lift 15, flat flanks; bore of 20 with a keyway of 6.
 Part cam() {
   const Outline belt = Outline::belt(25, 30, 10);
-  return {without(prism(belt, 0, 15), {drill(0, 0, 10, -1, 16), box({-12.8, -3, -1}, {0, 3, 16})}),
+  return {without(prism(belt, 0, 15), {upright_cylinder(0, 0, 10, -1, 16), box({-12.8, -3, -1}, {0, 3, 16})}),
           {{"bore", {10, 0, 7}}, {"nose", {40, 0, 7}}},
           15 * (belt.area() - 100 * pi - keyway_area(3, 12.8, 10))};
 }
@@ -123,13 +119,13 @@ Part motor_plate() {
   const Outline plate = Outline::rectangle(90, 90, {-45, -45}, 8),
                 pocket = Outline::rectangle(10, 40, {29, -20}, 4);
   const Outline other = Outline::rectangle(10, 40, {-39, -20}, 4);
-  std::vector<TopoDS_Shape> tools = {drill(0, 0, 19, -1, 9), drill(0, 0, 22, 5, 9), prism(pocket, 3, 9),
-                                     prism(other, 3, 9)};
+  std::vector<TopoDS_Shape> tools = {upright_cylinder(0, 0, 19, -1, 9), upright_cylinder(0, 0, 22, 5, 9),
+                                     prism(pocket, 3, 9), prism(other, 3, 9)};
   std::vector<FaceName> names = {{"seat", {22, 0, 6.5}}, {"base", {0, -40, 0}}, {"pilot", {19, 0, 2}}};
   names.insert(names.begin(), {"screw 1", {40, 37, 4}});
   for (const auto& [x, y] : {std::pair{1, 1}, {1, -1}, {-1, 1}, {-1, -1}}) {
-    tools.push_back(drill(23.57 * x, 23.57 * y, 2.6, -1, 9));
-    tools.push_back(drill(37 * x, 37 * y, 3, -1, 9));
+    tools.push_back(upright_cylinder(23.57 * x, 23.57 * y, 2.6, -1, 9));
+    tools.push_back(upright_cylinder(37 * x, 37 * y, 3, -1, 9));
   }
   return {without(prism(plate, 0, 8), tools), names,
           8 * plate.area() - 8 * 361 * pi - 3 * (484 - 361) * pi - 2 * 5 * pocket.area() -
@@ -140,11 +136,11 @@ Part motor_plate() {
 Part manifold_block() {
   std::vector<TopoDS_Shape> tools = {cylinder({-1, 30, 22}, gp::DX(), 8, 82)};
   for (const double x : {25.0, 55.0}) {
-    tools.push_back(drill(x, 30, 5, 22, 51));
-    tools.push_back(drill(x, 30, 9, 38, 51));
+    tools.push_back(upright_cylinder(x, 30, 5, 22, 51));
+    tools.push_back(upright_cylinder(x, 30, 9, 38, 51));
   }
   for (const double x : {8.0, 72.0})
-    for (const double y : {8.0, 52.0}) tools.push_back(drill(x, y, 3.5, -1, 51));
+    for (const double y : {8.0, 52.0}) tools.push_back(upright_cylinder(x, y, 3.5, -1, 51));
   return {
       without(box({0, 0, 0}, {80, 60, 50}), tools),
       {{"base", {40, 30, 0}}, {"gallery", {40, 22, 22}}, {"seat 1", {32, 30, 38}}, {"seat 2", {62, 30, 38}}},
@@ -162,8 +158,9 @@ Part lever() {
                           .line_to({to.X(), -to.Y()});
   const Outline web =
       Outline::polygon({{from.X(), -from.Y()}, {to.X(), -to.Y()}, {to.X(), to.Y()}, {from.X(), from.Y()}});
-  const TopoDS_Shape outside = joined({prism(web, 0, 10), drill(0, 0, 20, 0, 30), drill(90, 0, 12, 0, 20)});
-  return {without(outside, {drill(0, 0, 10, -1, 31), drill(90, 0, 6, -1, 21)}),
+  const TopoDS_Shape outside =
+      joined({prism(web, 0, 10), upright_cylinder(0, 0, 20, 0, 30), upright_cylinder(90, 0, 12, 0, 20)});
+  return {without(outside, {upright_cylinder(0, 0, 10, -1, 31), upright_cylinder(90, 0, 6, -1, 21)}),
           {{"shaft", {10, 0, 20}}, {"pin", {96, 0, 10}}},
           10 * arm.area() + pi * (20 * 400 + 10 * 144 - 30 * 100 - 20 * 36)};
 }
@@ -198,8 +195,9 @@ Part heat_sink() {
     if (fin > 0) front.insert(front.end(), {{x, 6}, {x - 10, 6}});
   }
   const Outline outline = Outline::polygon(front);
-  return {without(prism_along_y(outline, 0, 60), {drill(19, 10, 2, -1, 7), drill(79, 10, 2, -1, 7),
-                                                  drill(19, 50, 2, -1, 7), drill(79, 50, 2, -1, 7)}),
+  return {without(prism_along_y(outline, 0, 60),
+                  {upright_cylinder(19, 10, 2, -1, 7), upright_cylinder(79, 10, 2, -1, 7),
+                   upright_cylinder(19, 50, 2, -1, 7), upright_cylinder(79, 50, 2, -1, 7)}),
           {{"base", {49, 30, 0}}, {"fin 1", {1, 30, 30}}},
           60 * outline.area() - 4 * 6 * 4 * pi};
 }

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -12,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "verification/suites/program_run.hpp"
+#include "verification/suites/several_processes.hpp"
 #include "verification/suites/solved_study.hpp"
 
 namespace isopatch::verification {
@@ -188,28 +187,7 @@ TEST(HeldAndLoaded, LinkOnTwoPinsByIterations) {
   }
 }
 
-class HeldAndLoadedParallel : public testing::Test {
- protected:
-  void SetUp() override {
-    static const std::string fault = launcher_fault();
-    if (!fault.empty()) GTEST_SKIP() << fault;
-  }
-};
-
-void expect_same_energy(const std::string& file, const std::vector<std::string>& overrides,
-                        const Tolerance& allowed) {
-  const std::string path = "verification/studies/" + file + ".toml";
-  const ProgramRun alone = run_program({path, {}}, {1, 1});
-  const ProgramRun several = run_program({path, overrides}, {2, 1});
-  expect(Claim{fmt::format("energy of {} by {} as 2 processes", file, fmt::join(overrides, ", ")),
-               "J",
-               ReferenceKind::other_method,
-               "one process, factorized",
-               alone.energy,
-               several.energy,
-               allowed,
-               {path, overrides}});
-}
+class HeldAndLoadedParallel : public SeveralProcesses {};
 
 // Springs and points on several processes, also where patches are cut in layers.
 TEST_F(HeldAndLoadedParallel, AreTheSame) {

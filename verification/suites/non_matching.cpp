@@ -111,7 +111,7 @@ void expect_orders_of(const NonMatchingModel& m, const Levels& levels) {
   expect_orders(manufactured(m.name, m.model, m.held), levels);
 }
 
-// What is not there yet must be said: temperatures, natural modes, several processes.
+// What is not there yet must be said.
 TEST(NonMatching, RefusesWhatItCannot) {
   const NonMatchingModel m = models().front();
   iga::ElasticityProblem p = pulled(m, generic_linear_field(), 1);

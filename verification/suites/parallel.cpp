@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "verification/suites/linear_field.hpp"
-#include "verification/suites/program_run.hpp"
+#include "verification/suites/several_processes.hpp"
 #include "verification/tests/reference_data.hpp"
 
 namespace isopatch::verification {
@@ -18,17 +18,8 @@ const Tolerance of_iterations = {
 
 const std::vector<Launch> launches = {{1, 2}, {2, 1}, {4, 1}, {2, 2}};
 
-/// Skips where the machine lets no processes be started, which says nothing about the program.
-class ParallelRuns : public testing::Test {
- protected:
-  void SetUp() override {
-    static const std::string fault = launcher_fault();
-    if (!fault.empty()) GTEST_SKIP() << fault;
-  }
-};
-
-class Parallel : public ParallelRuns {};
-class FullParallel : public ParallelRuns {};
+class Parallel : public SeveralProcesses {};
+class FullParallel : public SeveralProcesses {};
 
 void expect_same(const std::string& of, const ClaimStudy& study, const Tolerance& same) {
   const ProgramRun alone = run_program(study, {1, 1});

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "verification/suites/program_run.hpp"
+#include "verification/suites/several_processes.hpp"
 #include "verification/suites/solved_study.hpp"
 
 namespace isopatch::verification {
@@ -148,13 +148,7 @@ TEST(PartsOfFaces, AreHeldAsPatchesAre) {
   }
 }
 
-class PartsOfFacesParallel : public testing::Test {
- protected:
-  void SetUp() override {
-    static const std::string fault = launcher_fault();
-    if (!fault.empty()) GTEST_SKIP() << fault;
-  }
-};
+class PartsOfFacesParallel : public SeveralProcesses {};
 
 TEST_F(PartsOfFacesParallel, AreTheSame) {
   const Tolerance same = {1e-8, "iterations, and springs stiffer than the part"};
@@ -163,19 +157,7 @@ TEST_F(PartsOfFacesParallel, AreTheSame) {
            {"solver.method='cg'", "solver.tolerance=1e-10"},
            {"coupling.method='lagrange'"},
            {"coupling.method='lagrange'", "solver.method='minres'", "solver.tolerance=1e-10"}})
-    for (const std::string file : {"pads", "three_point_bending"}) {
-      const std::string path = "verification/studies/" + file + ".toml";
-      const ProgramRun alone = run_program({path, {}}, {1, 1});
-      const ProgramRun several = run_program({path, way}, {2, 1});
-      expect(Claim{fmt::format("energy of {} by {} as 2 processes", file, way.back()),
-                   "J",
-                   ReferenceKind::other_method,
-                   "one process, factorized",
-                   alone.energy,
-                   several.energy,
-                   same,
-                   {path, way}});
-    }
+    for (const std::string file : {"pads", "three_point_bending"}) expect_same_energy(file, way, same);
 }
 
 }  // namespace

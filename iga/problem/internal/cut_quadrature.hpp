@@ -18,7 +18,6 @@ struct CutRule {
   enum class Kind { inside, outside, cut };
   Kind kind = Kind::outside;
   std::vector<CutPoint> points = {};  ///< of what is inside, where it is cut
-  double undecided = 0;  ///< share of the element's parameters that may be on the wrong side; a bound
 };
 
 /// The part of an element that lies in a region, integrated up to its rim.

@@ -7,6 +7,10 @@
 
 namespace isopatch::iga {
 
+/// How much stiffer springs that stand for a hold are than the part, whose stiffness is about Young's modulus
+/// times its size, and over its size per area.
+inline constexpr double stiffer_than_part = 1e4;
+
 /// The control points on a side whose functions have their Greville point, where they are largest or nearly,
 /// in a region: holding these holds what is in it, up to half an element at the rim.
 ///

@@ -15,6 +15,8 @@ namespace isopatch::parts {
 TopoDS_Shape box(gp_Pnt from, gp_Pnt to);
 /// From `from` along `direction`.
 TopoDS_Shape cylinder(gp_Pnt from, gp_Dir direction, double radius, double length);
+/// From z = from to z = to.
+TopoDS_Shape upright_cylinder(double x, double y, double radius, double from, double to);
 /// A countersink or the tip of a drill: from radius to other_radius.
 TopoDS_Shape cone(gp_Pnt from, gp_Dir direction, double radius, double other_radius, double length);
 /// From z = from to z = to.
