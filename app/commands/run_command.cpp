@@ -15,6 +15,7 @@
 #include "app/reports/cutting_page.hpp"
 #include "app/reports/stage_scene.hpp"
 #include "app/results/summary_text.hpp"
+#include "app/run/run_accuracy.hpp"
 #include "app/run/run_levels.hpp"
 #include "app/solids/fault_page.hpp"
 #include "geometry/base/atomic_file.hpp"
@@ -30,6 +31,7 @@ constexpr const char* run_examples = R"(Examples:
   isopatch run study.toml --output /tmp/fine --set discretization.refine=2
   isopatch run study.toml --set load.0.traction='["20 MPa", 0, 0]' --set coupling.method=lagrange
   isopatch run study.toml --levels 3                 how energy, stresses and errors converge
+  isopatch run study.toml --set accuracy.energy='1 %'  refines where it is needed until the estimated error is so small
   isopatch run study.toml --to hexahedra             of solids or triangles: how they are cut, not more
   isopatch run study.toml --from patches             fits and solves again, with the solid and hexahedra as they are kept
   mpiexec -n 4 isopatch run study.toml               the same figures from four processes
@@ -150,15 +152,20 @@ ExitCode run_stages(const Study& study, Stage to, const Console& console) {
 
 ExitCode run_command(const RunCommand& command, const Console& console) {
   const Study study = study_from(command);
+  if (command.levels > 1 && study.accuracy.is_asked())
+    throw error_at(
+        study.accuracy.place,
+        "[accuracy] refines as far as it is needed and --levels as often as it says: leave one away");
   const auto folder = taken_folder(study);
   if (!command.to.empty() && command.to != name_of(stage_choices(), Stage::solution))
     return run_stages(study, *find_choice(stage_choices(), command.to), console);
   ProgressDisplay display(console);
   StudyRun run = with_faults_shown(study, [&] {
     const Progress progress = display.progress();
+    const auto keep = [&](StudyRun& level) { keep_level(study, level, progress); };
+    if (study.accuracy.is_asked()) return run_accuracy(study, keep, progress);
     if (command.levels == 1) return run_study(study, progress);
-    return run_levels(
-        study, command.levels, [&](StudyRun& run) { keep_level(study, run, progress); }, progress);
+    return run_levels(study, command.levels, keep, progress);
   });
   if (!study.options.processes.is_first()) return ExitCode::ok;
   const std::vector<std::string> files = write_results(study, run, display.progress());

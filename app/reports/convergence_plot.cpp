@@ -12,7 +12,8 @@ std::optional<LinePlot> convergence_plot(const std::vector<RunLevel>& levels) {
   PlotSeries measured{.name = "from the extrapolated energy", .x = {}, .y = {}, .dashed = true};
   std::vector<double> energies;
   for (const RunLevel& level : levels) energies.push_back(level.internal_energy);
-  const std::optional<double> limit = extrapolated(energies);
+  const std::optional<double> limit =
+      is_even(levels) ? extrapolated(energies) : std::nullopt;
   for (const RunLevel& level : levels) {
     const auto unknowns = static_cast<double>(level.unknowns);
     if (level.error) {

@@ -1,6 +1,7 @@
 #include "app/results/level_report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/base/engineering_units.hpp"
 #include "app/results/internal/levels_json.hpp"
@@ -17,6 +18,7 @@ std::vector<double> values_of(const std::vector<RunLevel>& levels, double RunLev
 
 std::string verdict(const std::vector<RunLevel>& levels) {
   const auto before = [&](std::size_t i) { return levels[levels.size() - i].internal_energy; };
+  if (!is_even(levels)) return "";
   if (levels.size() < 3) return "  limits of energy and stress can be told from three levels on\n";
   const auto energy = extrapolated(values_of(levels, &RunLevel::internal_energy));
   std::string text =
@@ -33,11 +35,22 @@ std::string verdict(const std::vector<RunLevel>& levels) {
 
 }  // namespace
 
+std::string accuracy_text(const AccuracyOutcome& accuracy) {
+  std::vector<std::string> goals;
+  const AccuracyInput& asked = accuracy.asked;
+  if (asked.energy) goals.push_back(fmt::format("{:.2g} % in the energy norm", 100 * *asked.energy));
+  if (asked.stress)
+    goals.push_back(fmt::format("{:.2g} % of the {}", 100 * *asked.stress,
+                                asked.probe.empty() ? "largest stress" : "stress at " + asked.probe));
+  return fmt::format("{} asked: {}", fmt::join(goals, " and "),
+                     accuracy.missing.empty() ? "reached" : "not reached, since " + accuracy.missing);
+}
+
 std::string run_levels_text(const std::vector<RunLevel>& levels) {
   if (levels.empty()) return "";
   std::string text =
-      fmt::format("  {:>6} {:>12} {:>17} {:>14} {:>12} {:>21}  {}\n", "refine", "unknowns",
-                  "max displacement", "max von Mises", "energy", "error in energy norm", "time");
+      fmt::format("  {:>6} {:>12} {:>17} {:>14} {:>12} {:>21}  {}\n", is_even(levels) ? "refine" : "step",
+                  "unknowns", "max displacement", "max von Mises", "energy", "error in energy norm", "time");
   for (const RunLevel& level : levels)
     text += fmt::format("  {:>6} {:>12} {:>17} {:>14} {:>12} {:>21}  {}\n", level.refine,
                         with_separators(level.unknowns), with_unit(level.max_displacement, "m"),
@@ -60,7 +73,15 @@ Json levels_json(const std::vector<RunLevel>& levels) {
   return result;
 }
 
+Json accuracy_json(const AccuracyOutcome& accuracy) {
+  const auto goal = [](const std::optional<double>& of) { return of ? Json(*of) : Json(nullptr); };
+  return {{"energy", goal(accuracy.asked.energy)}, {"stress", goal(accuracy.asked.stress)},
+          {"probe", accuracy.asked.probe},         {"reached", accuracy.missing.empty()},
+          {"missing", accuracy.missing},           {"text", accuracy_text(accuracy)}};
+}
+
 Json convergence_json(const std::vector<RunLevel>& levels) {
+  if (!is_even(levels)) return {{"extrapolated_energy", nullptr}, {"max_von_mises_grows", false}};
   const auto energy = extrapolated(values_of(levels, &RunLevel::internal_energy));
   return {{"extrapolated_energy", energy ? Json(*energy) : Json(nullptr)},
           {"max_von_mises_grows", grows(values_of(levels, &RunLevel::max_von_mises))}};

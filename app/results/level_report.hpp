@@ -11,4 +11,7 @@ namespace isopatch::app {
 /// whether the largest stress has one; nothing for a run of one level.
 std::string run_levels_text(const std::vector<RunLevel>& levels);
 
+/// What an adaptive run was asked for and whether it is reached: "1 % in the energy norm asked: reached".
+std::string accuracy_text(const AccuracyOutcome& accuracy);
+
 }  // namespace isopatch::app

@@ -151,6 +151,7 @@ std::optional<RunSummary> read_summary(const std::string& text, const std::strin
   summary.warnings = stored_warnings(at(json, "/warnings"), at(json, "/warning_places"));
   summary.solver = stored_solver(at(json, "/solver"));
   summary.levels = stored_levels(at(json, "/levels"));
+  for (RunLevel& level : summary.levels) level.is_adaptive = !at(json, "/accuracy").is_null();
   return summary;
 }
 

@@ -318,6 +318,7 @@ std::string summary_json(const Study& study, const StudyRun& run) {
     json["levels"] = levels_json(run.levels);
     json["convergence"] = convergence_json(run.levels);
   }
+  if (run.accuracy) json["accuracy"] = accuracy_json(*run.accuracy);
   if (!run.built.stages.empty()) json["stages"] = stages_json(run.built.stages);
   if (run.built.parameterization)
     json["parameterization"] = parameterization_json(*run.built.parameterization);

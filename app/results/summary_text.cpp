@@ -189,6 +189,7 @@ std::string summary_text(const Study& study, const StudyRun& run) {
   for (const CaseView& one : cases_of(run)) text += case_text(study, run, one);
   if (!run.levels.empty() && run.has_cases()) text += fmt::format("levels of case {}\n", run.case_name.name);
   text += run_levels_text(run.levels);
+  if (run.accuracy) text += fmt::format("  accuracy          {}\n", accuracy_text(*run.accuracy));
   text += fmt::format("  time, memory      {}, {}{}\n", seconds_text(total), bytes_text(run.peak_bytes),
                       study.options.processes.count() == 1
                           ? ""

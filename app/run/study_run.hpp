@@ -6,19 +6,16 @@
 
 #include "app/problem/build_problem.hpp"
 #include "app/run/case_run.hpp"
+#include "app/run/run_level.hpp"
+#include "app/study/accuracy_input.hpp"
 #include "iga/solution/solve_elasticity.hpp"
 
 namespace isopatch::app {
 
-/// A run's figures on one of several refinements.
-struct RunLevel {
-  int refine = 0;                    ///< of the study's discretization
-  std::int64_t unknowns = 0;         ///< before supports are fixed, multipliers included
-  double internal_energy = 0;        ///< J
-  double max_displacement = 0;       ///< m
-  double max_von_mises = 0;          ///< Pa
-  std::optional<double> error = {};  ///< estimated, in the energy norm, relative
-  double seconds = 0;                ///< of all phases
+/// What a run with [accuracy] came to.
+struct AccuracyOutcome {
+  AccuracyInput asked;
+  std::string missing = {};  ///< why the goal is not reached; "" where it is
 };
 
 /// A study's solution with all that was known on the way. Of a study with load cases `solution`, `probes` and
@@ -36,6 +33,7 @@ struct StudyRun {
   std::optional<RunError> error = {};        ///< of the solution, if it was asked for and could be estimated
   std::string error_missing = {};            ///< why no case has one though they were asked for
   std::vector<RunLevel> levels = {};         ///< of a run on several, this one the last
+  std::optional<AccuracyOutcome> accuracy = {};     ///< of a run that was refined until it is accurate
 
   bool has_cases() const { return !case_name.name.empty(); }
 };

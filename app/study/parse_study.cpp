@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/study/accuracy_keys.hpp"
 #include "app/study/case_keys.hpp"
 #include "app/study/config_section.hpp"
 #include "app/study/load_keys.hpp"
@@ -28,6 +29,16 @@ ProbeInput read_probe(const ConfigSection& input, std::size_t index) {
   return {name, PatchParameter{*keys.patch, *keys.parameter}, input.place};
 }
 
+AccuracyInput read_accuracy(const ConfigSection& input) {
+  auto accuracy = read_table<AccuracyInput>(input.table, input.place, "[accuracy]", accuracy_keys());
+  accuracy.place = input.place;
+  if (!input.table.entries.empty() && !accuracy.is_asked())
+    throw error_at(input.place, "[accuracy] needs energy or stress, the largest error that is allowed");
+  if (!accuracy.probe.empty() && !accuracy.stress)
+    throw error_at(input.place, "accuracy.probe says whose stress is meant, but accuracy.stress is missing");
+  return accuracy;
+}
+
 void read_options(const StudyKeys& top, Study& study) {
   const ConfigSection discretization = section(top.discretization, "discretization", study.source);
   const auto space = read_table<DiscretizationKeys>(discretization.table, discretization.place,
@@ -46,6 +57,8 @@ void read_options(const StudyKeys& top, Study& study) {
       read_table<solvers::SolverOptions>(solver.table, solver.place, "[solver]", solver_keys());
   const ConfigSection modes = section(top.modes, "modes", study.source);
   study.modes = read_table<ModesInput>(modes.table, modes.place, "[modes]", modes_keys());
+  const ConfigSection accuracy = section(top.accuracy, "accuracy", study.source);
+  study.accuracy = read_accuracy(accuracy);
   const ConfigSection output = section(top.output, "output", study.source);
   study.output = read_table<OutputInput>(output.table, output.place, "[output]", output_keys());
   const ConfigEntry* directory = output.table.find("directory");

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/study/accuracy_input.hpp"
 #include "app/study/applied_load.hpp"
 #include "app/study/combination_input.hpp"
 #include "app/study/config_value.hpp"
@@ -82,6 +83,7 @@ struct Study {
   std::vector<ProbeInput> probes;
   std::vector<SectionInput> sections = {};
   ModesInput modes = {};
+  AccuracyInput accuracy = {};
   OutputInput output;
   std::string source;  ///< path of the file, for messages
   std::string text;    ///< the file as it was read, stored with the results

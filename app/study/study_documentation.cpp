@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/base/unit_table.hpp"
+#include "app/study/accuracy_keys.hpp"
 #include "app/study/attachment_keys.hpp"
 #include "app/study/case_keys.hpp"
 #include "app/study/generated_models.hpp"
@@ -170,6 +171,13 @@ std::vector<SectionText> study_sections() {
        "The force and moment that one side of a plane cut exerts on the other, in summary.json and on the "
        "pages.",
        texts(section_keys())},
+      {"accuracy", "[accuracy]",
+       "How accurate `isopatch run` shall be. It solves with the study's discretization, estimates the "
+       "error, halves "
+       "the elements that it comes from, and solves again until the goal is reached; the table of all "
+       "solutions "
+       "says how. Halved elements continue through neighbouring patches. Other commands pass over it.",
+       texts(accuracy_keys())},
       {"modes", "[modes]",
        "Natural frequencies and shapes, by `isopatch modes`; other commands pass over it.",
        texts(modes_keys())},

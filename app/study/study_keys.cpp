@@ -78,6 +78,8 @@ const Keys<StudyKeys>& study_keys() {
       value_key<StudyKeys>("probe", "array of tables", &StudyKeys::probe, "Places whose values are wanted."),
       value_key<StudyKeys>("section", "array of tables", &StudyKeys::section,
                            "Cuts through the part whose forces and moments are wanted."),
+      value_key<StudyKeys>("accuracy", "table", &StudyKeys::accuracy,
+                           "How accurate `isopatch run` shall be: it refines where errors come from."),
       value_key<StudyKeys>("modes", "table", &StudyKeys::modes, "What `isopatch modes` looks for."),
       value_key<StudyKeys>("output", "table", &StudyKeys::output, "What is written, and where."),
   };

@@ -44,6 +44,7 @@ struct StudyKeys {
   std::optional<ConfigValue> probe;
   std::optional<ConfigValue> section;
   std::optional<ConfigValue> modes;
+  std::optional<ConfigValue> accuracy;
   std::optional<ConfigValue> output;
 };
 

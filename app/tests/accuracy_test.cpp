@@ -108,6 +108,70 @@ TEST_F(Accuracy, OfALevelIsNotLostWithTheNext) {
   EXPECT_EQ(summary()["levels"][0]["internal_energy"], summary()["results"]["internal_energy"]);
 }
 
+TEST_F(Accuracy, IsReachedWhereItIsAskedFor) {
+  ASSERT_EQ(run_text(bracket, {"--set", "accuracy.energy='6 %'"}), 0) << err_;
+  const json found = summary();
+  EXPECT_LE(found["results"]["discretization_error"]["energy_norm"], 0.06);
+  EXPECT_TRUE(found["accuracy"]["reached"]);
+  EXPECT_EQ(found["accuracy"]["energy"], 0.06);
+  const json levels = found["levels"];
+  ASSERT_GT(levels.size(), 1);
+  EXPECT_GT(levels[levels.size() - 2]["energy_norm_error"], 0.06);
+  EXPECT_EQ(levels.back()["dofs"], found["discretization"]["dofs"]);
+  EXPECT_TRUE(found["convergence"]["extrapolated_energy"].is_null());
+  EXPECT_THAT(out_, HasSubstr("6 % in the energy norm asked: reached"));
+  EXPECT_THAT(out_, HasSubstr("step     unknowns"));
+  EXPECT_THAT(read_file(results() / "report.html"), HasSubstr("6 % in the energy norm asked: reached"));
+  // The report is the same from the file.
+  const std::string page = read_file(results() / "report.html");
+  ASSERT_EQ(run({"report", (results() / "results.h5").string()}), 0) << err_;
+  EXPECT_THAT(read_file(results() / "report.html"), HasSubstr("6 % in the energy norm asked: reached"));
+}
+
+TEST_F(Accuracy, OfAStressIsThatAtItsProbe) {
+  ASSERT_EQ(run_text(bracket, {"--set", "accuracy={ stress = '3 %', probe = 'leg' }"}), 0) << err_;
+  const json leg = summary()["probes"][0];
+  EXPECT_LE(leg["von_mises_error"].get<double>(), 0.03 * leg["von_mises"].get<double>());
+  EXPECT_GT(summary()["levels"].size(), 1);
+}
+
+TEST_F(Accuracy, ThatIsNotReachedSaysWhy) {
+  ASSERT_EQ(run_text(bracket, {"--set", "accuracy={ energy = 0.01, refinements = 1 }"}), 0) << err_;
+  EXPECT_FALSE(summary()["accuracy"]["reached"]);
+  EXPECT_EQ(summary()["levels"].size(), 2);
+  EXPECT_THAT(err_, HasSubstr("the accuracy that is asked for is not reached: accuracy.refinements is 1"));
+  ASSERT_EQ(run_text(bracket, {"--set", "accuracy.stress='1 %'"}), 0) << err_;
+  EXPECT_THAT(err_,
+              HasSubstr("the stress there grows with every refinement: a re-entrant edge of 270 degrees"));
+  EXPECT_EQ(summary()["levels"].size(), 1);
+}
+
+// With the load of one case alone the error is smaller than with that of the other.
+TEST_F(Accuracy, IsThatOfTheWorstCase) {
+  const std::string cases = bracket + R"([[load]]
+name = "along"
+case = "pull"
+faces = ["x_max"]
+traction = ["1 MPa", 0, 0]
+)";
+  ASSERT_EQ(run_text(cases, {"--set", "load.0.case=push", "--set", "accuracy.energy='8 %'"}), 0) << err_;
+  for (const json& one : summary()["cases"])
+    EXPECT_LE(one["results"]["discretization_error"]["energy_norm"], 0.08);
+}
+
+TEST_F(Accuracy, NeedsAGoalThatMakesSense) {
+  const auto refused = [&](const std::string& set, const std::string& why) {
+    EXPECT_EQ(run_text(bracket, {"--set", set}), 2) << set;
+    EXPECT_THAT(err_, HasSubstr(why)) << set;
+  };
+  refused("accuracy={ refinements = 2 }", "[accuracy] needs energy or stress");
+  refused("accuracy={ energy = 0.1, probe = 'leg' }", "accuracy.stress is missing");
+  refused("accuracy={ stress = 0.1, probe = 'arm' }", "no [[probe]] has that name");
+  refused("accuracy.energy='120 %'", "energy");
+  EXPECT_EQ(run_text(bracket, {"--set", "accuracy.energy=0.1", "--levels", "2"}), 2);
+  EXPECT_THAT(err_, HasSubstr("leave one away"));
+}
+
 // Two cubes of different materials pulled along x; transverse stresses differ where they meet.
 const std::string two_materials = R"([model]
 generate = "box"

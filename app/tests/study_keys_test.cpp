@@ -62,6 +62,7 @@ std::vector<ShownSection> sections_of_the_model() {
             {"probe", "probe = [{ name = \"tip\", point = [0, 0, 1] }]", "probe tip"},
             {"section", "section = [{ point = [0, 0, 1], normal = \"z\" }]", "section section 1"},
             {"modes", "modes = { number = 7 }", "modes 7"},
+            {"accuracy", "accuracy = { energy = 0.02 }", "accuracy energy 0.02"},
             {"output", "output = { pieces = 5 }", "pieces 5"}}},
           {"model",
            "[model]\n",
@@ -382,7 +383,13 @@ std::vector<ShownSection> sections_of_the_problem() {
        "[modes]\n",
        {{"number", "number = 3", "modes 3"},
         {"free", "free = true", "modes free true"},
-        {"count", "count = false", "modes counted false"}}}};
+        {"count", "count = false", "modes counted false"}}},
+      {"accuracy",
+       "[accuracy]\n",
+       {{"energy", "energy = \"1 %\"", "accuracy energy 0.01"},
+        {"stress", "stress = \"5 %\"", "accuracy stress 0.05"},
+        {"probe", "probe = \"tip\"", "accuracy probe tip", "stress = 0.05\n"},
+        {"refinements", "refinements = 3", "accuracy refinements 3", "energy = 0.01\n"}}}};
 }
 
 std::vector<ShownSection> all_sections() {

@@ -279,6 +279,10 @@ std::string words_of(const Study& study) {
                         words_of(input.plane.point), words_of(input.plane.normal), input.plane.radius);
   text += fmt::format("modes {}\nmodes free {}\nmodes counted {}\n", study.modes.number, study.modes.is_free,
                       study.modes.count);
+  const AccuracyInput& a = study.accuracy;
+  text +=
+      fmt::format("accuracy energy {:g}\naccuracy stress {:g}\naccuracy probe {}\naccuracy refinements {}\n",
+                  a.energy.value_or(0), a.stress.value_or(0), a.probe, a.refinements);
   return "\n" + text + words_of(study.options) + words_of(study.output);
 }
 

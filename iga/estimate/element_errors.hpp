@@ -9,7 +9,11 @@
 
 namespace isopatch::iga {
 
-/// Energy and stress of an error in every element.
+/// Energy and stress of an error in every element, and the energy's shares along the directions.
+///
+/// Along a direction of degree p the error of functions of degree p oscillates as the Legendre polynomial of
+/// degree p in each element, if `discretization` is one degree above them. The squares of these parts, each
+/// by the square of the direction's stretch, give the shares.
 /// @param error      coefficients per node of `discretization`, (3, nodes), m
 /// @param parts      the elements that this process integrates; those of all processes are all there are
 /// @return           one per patch, the same on all processes

@@ -1,8 +1,17 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 namespace isopatch::iga {
+
+/// A place where the elements of a patch end along one direction, beside those that all patches have.
+struct KnotPlace {
+  int patch = 0;
+  int direction = 0;  ///< 0 .. 2
+  double parameter = 0;
+  bool operator==(const KnotPlace&) const = default;
+};
 
 /// How the solution space refines the geometry's.
 struct DiscretizationOptions {
@@ -19,6 +28,8 @@ struct DiscretizationOptions {
   /// Highest continuity C^k across knots inside a patch; -1: as smooth as degree and geometry allow. Range -1
   /// .. 9.
   int continuity = -1;
+  /// Further ends of elements, after all else.
+  std::vector<KnotPlace> knots = {};
   bool operator==(const DiscretizationOptions&) const = default;
 };
 /// @throws Error invalid_argument naming field, value and range

@@ -13,6 +13,9 @@ namespace isopatch::iga {
 struct ElementErrors {
   Eigen::VectorXd energy;  ///< of the error, J
   Eigen::VectorXd stress;  ///< von Mises stress of the error, root mean square over the element, Pa
+  /// Shares of the energy that finer elements along each direction would take away, (3, elements), J; none of
+  /// results that were read from a file.
+  Eigen::Matrix3Xd along = {};
 };
 
 /// A displacement on patches with their materials: all that post-processing needs.

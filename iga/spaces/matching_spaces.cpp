@@ -17,30 +17,6 @@ namespace {
 using geometry::Interface;
 using geometry::KnotVector;
 
-// One direction of the first face, the direction of the second face it runs along, and whether it is turned
-// around.
-struct TiedPair {
-  std::size_t first;
-  std::size_t second;
-  bool flipped;
-};
-
-std::array<TiedPair, 2> tied_pairs(const Interface& interface) {
-  const auto a = geometry::tangents(interface.first.side);
-  const auto b = geometry::tangents(interface.second.side);
-  const auto& o = interface.orientation;
-  const auto index = [](const geometry::PatchFace& face, int direction) {
-    return static_cast<std::size_t>(3 * face.patch.value + direction);
-  };
-  const std::size_t a0 = index(interface.first, a[0]);
-  const std::size_t a1 = index(interface.first, a[1]);
-  const std::size_t b0 = index(interface.second, b[0]);
-  const std::size_t b1 = index(interface.second, b[1]);
-  // The orientation exchanges first and turns around afterwards, so its flips belong to the second face.
-  if (o.swapped) return {TiedPair{a0, b1, o.flip_second}, TiedPair{a1, b0, o.flip_first}};
-  return {TiedPair{a0, b0, o.flip_first}, TiedPair{a1, b1, o.flip_second}};
-}
-
 // `target` with the knots of `source` (scaled to its range, turned around if flipped) that it lacks.
 KnotVector with_knots_of(const KnotVector& target, const KnotVector& source, bool flipped, double tolerance) {
   const KnotVector scaled =
@@ -96,6 +72,22 @@ void for_each_pair(const Interface& interface, const std::vector<std::array<int,
 }
 
 }  // namespace
+
+std::array<TiedPair, 2> tied_pairs(const Interface& interface) {
+  const auto a = geometry::tangents(interface.first.side);
+  const auto b = geometry::tangents(interface.second.side);
+  const auto& o = interface.orientation;
+  const auto index = [](const geometry::PatchFace& face, int direction) {
+    return static_cast<std::size_t>(3 * face.patch.value + direction);
+  };
+  const std::size_t a0 = index(interface.first, a[0]);
+  const std::size_t a1 = index(interface.first, a[1]);
+  const std::size_t b0 = index(interface.second, b[0]);
+  const std::size_t b1 = index(interface.second, b[1]);
+  // The orientation exchanges first and turns around afterwards, so its flips belong to the second face.
+  if (o.swapped) return {TiedPair{a0, b1, o.flip_second}, TiedPair{a1, b0, o.flip_first}};
+  return {TiedPair{a0, b0, o.flip_first}, TiedPair{a1, b1, o.flip_second}};
+}
 
 std::vector<int> tied_directions(const geometry::MultiPatch& model) {
   UnionFind directions(3 * model.patch_count());

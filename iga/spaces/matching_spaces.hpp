@@ -11,6 +11,15 @@ namespace isopatch::iga {
 /// One knot vector per direction and patch: entry 3 * patch + direction.
 using DirectionKnots = std::vector<geometry::KnotVector>;
 
+/// One direction of the first face of an interface and the direction of the second along which it runs, as
+/// entries 3 * patch + direction.
+struct TiedPair {
+  std::size_t first;
+  std::size_t second;
+  bool flipped;  ///< whether the one runs against the other
+};
+std::array<TiedPair, 2> tied_pairs(const geometry::Interface& interface);
+
 /// Group of each direction (entry 3 * patch + direction), equal for directions that interfaces tie together.
 /// Classes are named by their smallest member.
 std::vector<int> tied_directions(const geometry::MultiPatch& model);

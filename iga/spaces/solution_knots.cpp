@@ -1,8 +1,11 @@
 #include "iga/spaces/solution_knots.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/base/error.hpp"
 #include "geometry/splines/refine.hpp"
 #include "geometry/splines/transfer.hpp"
 
@@ -74,6 +77,25 @@ std::vector<int> parts_per_span(const geometry::MultiPatch& model, const Directi
   return parts;
 }
 
+void insert_places(const std::vector<KnotPlace>& places, const std::vector<int>& multiplicities,
+                   double same_knot, DirectionKnots& knots) {
+  for (const KnotPlace& place : places) {
+    const auto i = static_cast<std::size_t>(3 * place.patch + place.direction);
+    if (place.patch < 0 || place.direction < 0 || place.direction > 2 || i >= knots.size())
+      throw Error(ErrorCode::invalid_argument,
+                  fmt::format("a knot in direction {} of patch {}, of {} patches", place.direction,
+                              place.patch, knots.size() / 3));
+    KnotVector& along = knots[i];
+    const std::vector<double> breaks = along.breaks();
+    const bool is_there = std::any_of(breaks.begin(), breaks.end(), [&](double other) {
+      return std::abs(other - place.parameter) <= same_knot * along.length();
+    });
+    if (is_there) continue;
+    along = geometry::with_knots(
+        along, std::vector<double>(static_cast<std::size_t>(multiplicities[i]), place.parameter));
+  }
+}
+
 }  // namespace
 
 DirectionKnots solution_knots(const geometry::MultiPatch& model, const DiscretizationOptions& options) {
@@ -85,12 +107,16 @@ DirectionKnots solution_knots(const geometry::MultiPatch& model, const Discretiz
           patch.knots(d), std::max(0, options.degree[static_cast<std::size_t>(d)] - patch.degree(d))));
   knots = matched(model, std::move(knots));
   const std::vector<int> parts = parts_per_span(model, knots, options);
+  std::vector<int> multiplicities(knots.size());
   for (std::size_t i = 0; i < knots.size(); ++i) {
     const int smoothness =
         options.continuity < 0 ? knots[i].degree() - 1 : std::min(options.continuity, knots[i].degree() - 1);
-    knots[i] = subdivided(knots[i], parts[i], knots[i].degree() - smoothness);
+    multiplicities[i] = knots[i].degree() - smoothness;
+    knots[i] = subdivided(knots[i], parts[i], multiplicities[i]);
   }
-  return knots;
+  if (options.knots.empty()) return knots;
+  insert_places(options.knots, multiplicities, model.tolerance().same_knot, knots);
+  return matched(model, std::move(knots));
 }
 
 }  // namespace isopatch::iga

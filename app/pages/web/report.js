@@ -75,7 +75,8 @@ globalThis.isopatch = globalThis.isopatch || {};
       isopatch.withUnit(level.max_von_mises, "Pa"), isopatch.withUnit(level.internal_energy, "J"),
       Number.isFinite(level.energy_norm_error) ? isopatch.general(100 * level.energy_norm_error, 2) + " %" : "not estimated"]);
     const convergence = summary.convergence || {};
-    if (levels.length) results.push(["limit of the energy", Number.isFinite(convergence.extrapolated_energy)
+    if (summary.accuracy) results.push(["accuracy", summary.accuracy.text]);
+    else if (levels.length) results.push(["limit of the energy", Number.isFinite(convergence.extrapolated_energy)
       ? isopatch.withUnit(convergence.extrapolated_energy, "J") + " (extrapolated)" : "none can be told: fewer than three levels, or changes that do not shrink evenly"]);
     if (convergence.max_von_mises_grows) results.push(["largest von Mises stress", "grows with refinement: at a sharp corner or edge it has no limit"]);
     if (results.length + model.length === 0) return null;
@@ -83,7 +84,7 @@ globalThis.isopatch = globalThis.isopatch || {};
       "figure", {id}, element("figcaption", {}, title), isopatch.table(head, rows)));
     return isopatch.section("Figures", element("div", {class: "figures"},
       part("Results", null, results, "results"), part("Model", null, model),
-      part("Levels", ["refine", "unknowns", "largest displacement", "largest von Mises stress", "energy", "error in the energy norm"], levels),
+      part("Levels", [summary.accuracy ? "step" : "refine", "unknowns", "largest displacement", "largest von Mises stress", "energy", "error in the energy norm"], levels),
       part("Materials", ["material", "Young's modulus", "Poisson's ratio", "density", "patches"], materials)));
   }
 

@@ -9,8 +9,9 @@
 
 namespace isopatch::app {
 
-/// Keys `levels` and `convergence` of summary.json; defined in level_report.cpp.
+/// Keys `levels`, `convergence` and `accuracy` of summary.json; defined in level_report.cpp.
 Json levels_json(const std::vector<RunLevel>& levels);
+Json accuracy_json(const AccuracyOutcome& accuracy);
 Json convergence_json(const std::vector<RunLevel>& levels);
 
 }  // namespace isopatch::app

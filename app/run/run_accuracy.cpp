@@ -1,0 +1,133 @@
+#include "app/run/run_accuracy.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "app/run/if_it_fits.hpp"
+#include "app/run/run_level.hpp"
+#include "iga/estimate/refinement.hpp"
+
+namespace isopatch::app {
+namespace {
+
+// Control points of a refinement, at most, as a multiple of those before: an estimate that is far from its
+// goal says little about where the last elements will be needed.
+constexpr double most_growth = 4;
+// Errors of what is yet unresolved shrink less than the estimate promises.
+constexpr double aim = 0.9;
+
+// An error of a case as a share of the goal, and why it cannot become smaller, if it cannot.
+struct Distance {
+  double of_goal = 0;
+  std::optional<std::string> singular = {};
+};
+
+double share(double error, double value) {
+  if (value > 0) return error / value;
+  return error > 0 ? std::numeric_limits<double>::infinity() : 0;
+}
+
+Distance stress_distance(const AccuracyInput& asked, const CaseView& of) {
+  if (asked.probe.empty()) {
+    const double value = of.solution.results.max_von_mises.value;
+    return {share(iga::von_mises(of.error->stress_at_max), value) / *asked.stress, of.error->singular};
+  }
+  for (const ProbeValues& probe : of.probes)
+    if (probe.name == asked.probe)
+      return {share(iga::von_mises(*probe.stress_error), probe.values.von_mises) / *asked.stress,
+              probe.singular};
+  return {};
+}
+
+Distance distance(const AccuracyInput& asked, const CaseView& of) {
+  Distance result;
+  if (asked.stress) result = stress_distance(asked, of);
+  if (asked.energy) result.of_goal = std::max(result.of_goal, of.error->relative / *asked.energy);
+  return result;
+}
+
+// The case that is farthest from its goal.
+struct Worst {
+  const iga::ElasticField* field = nullptr;
+  Distance distance;
+  std::string name;
+};
+
+Worst worst_of(const AccuracyInput& asked, const StudyRun& run) {
+  Worst worst;
+  for (const CaseView& one : cases_of(run)) {
+    const Distance here = distance(asked, one);
+    if (!worst.field || here.of_goal > worst.distance.of_goal)
+      worst = {&one.solution.field, here, one.name.name};
+  }
+  return worst;
+}
+
+void check_probe(const Study& study) {
+  const std::string& name = study.accuracy.probe;
+  const auto is_it = [&](const ProbeInput& probe) { return probe.name == name; };
+  if (name.empty() || std::any_of(study.probes.begin(), study.probes.end(), is_it)) return;
+  throw error_at(study.accuracy.place,
+                 fmt::format("accuracy.probe is \"{}\", and no [[probe]] has that name", name));
+}
+
+// What ends the work short of the goal.
+std::string no_further(const AccuracyInput& asked, const Worst& worst, int refinements) {
+  if (worst.distance.singular && asked.stress)
+    return fmt::format("the stress there grows with every refinement: {}", *worst.distance.singular);
+  if (refinements >= asked.refinements) return fmt::format("accuracy.refinements is {}", asked.refinements);
+  return "";
+}
+
+// More knots for the next solution.
+std::vector<iga::KnotPlace> next_knots(const StudyRun& run, const Worst& worst) {
+  const double ratio = aim / worst.distance.of_goal;
+  double energy = 0;
+  for (const iga::ElementErrors& of_patch : worst.field->errors) energy += of_patch.along.sum();
+  return iga::knots_to_add(run.built.problem.discretization, worst.field->errors, ratio * ratio * energy,
+                           most_growth);
+}
+
+}  // namespace
+
+StudyRun run_accuracy(const Study& study, const std::function<void(StudyRun&)>& keep,
+                      const Progress& progress) {
+  check_probe(study);
+  const bool is_alone = study.options.processes.count() == 1;
+  Study refined = study;
+  refined.output.error_estimate = true;
+  std::vector<RunLevel> levels;
+  std::optional<StudyRun> last;
+  const auto ended = [&](const std::string& missing) {
+    last->accuracy->missing = missing;
+    if (!missing.empty())
+      last->built.warnings.push_back({"the accuracy that is asked for is not reached: " + missing});
+    return std::move(*last);
+  };
+  for (int refinements = 0;; ++refinements) {
+    std::string reason;
+    const auto solve = [&] { return run_study(refined, progress); };
+    auto run = last && is_alone ? if_it_fits(solve, reason) : std::optional(solve());
+    if (!run) return ended("there is no memory for the next refinement: " + reason);
+    last = std::move(run);
+    levels.push_back(run_level(*last, refinements));
+    levels.back().is_adaptive = true;
+    last->levels = levels;
+    last->accuracy = AccuracyOutcome{.asked = study.accuracy};
+    if (!last->error_missing.empty()) return ended("the error cannot be estimated: " + last->error_missing);
+    const Worst worst = worst_of(study.accuracy, *last);
+    if (worst.distance.of_goal <= 1) return ended("");
+    if (const std::string why = no_further(study.accuracy, worst, refinements); !why.empty())
+      return ended(why);
+    const std::vector<iga::KnotPlace> more = next_knots(*last, worst);
+    if (more.empty()) return ended("no elements are left that could be halved");
+    refined.discretization.knots.insert(refined.discretization.knots.end(), more.begin(), more.end());
+    last->accuracy->missing = "the next refinement is being computed";
+    keep(*last);
+  }
+}
+
+}  // namespace isopatch::app

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace isopatch::app {
+
+/// A run's figures on one of several refinements.
+struct RunLevel {
+  /// Of the study's discretization; of an adaptive run how often elements have been halved where it was
+  /// needed.
+  int refine = 0;
+  std::int64_t unknowns = 0;         ///< before supports are fixed, multipliers included
+  double internal_energy = 0;        ///< J
+  double max_displacement = 0;       ///< m
+  double max_von_mises = 0;          ///< Pa
+  std::optional<double> error = {};  ///< estimated, in the energy norm, relative
+  double seconds = 0;                ///< of all phases
+  bool is_adaptive = false;          ///< whether some elements alone were halved since the level before
+};
+
+/// Whether each level halves all elements of the one before, so that its figures have a limit that can be
+/// told.
+bool is_even(const std::vector<RunLevel>& levels);
+
+struct StudyRun;
+/// @param refine  as `RunLevel` has it
+RunLevel run_level(const StudyRun& run, int refine);
+
+}  // namespace isopatch::app
