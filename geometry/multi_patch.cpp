@@ -107,6 +107,23 @@ std::vector<std::vector<PatchId>> MultiPatch::bodies() const {
   return found;
 }
 
+MultiPatch MultiPatch::with_apart(const std::vector<bool>& apart) const {
+  MultiPatch result = *this;
+  result.interfaces_.clear();
+  for (std::size_t i = 0; i < interfaces_.size(); ++i) {
+    const Interface& interface = interfaces_[i];
+    if (apart[i])
+      result.non_matching_.push_back(
+          {std::min(interface.first, interface.second), std::max(interface.first, interface.second), 0});
+    else
+      result.interfaces_.push_back(interface);
+  }
+  std::sort(result.non_matching_.begin(), result.non_matching_.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.first, a.second) < std::pair(b.first, b.second);
+  });
+  return result;
+}
+
 std::string MultiPatch::patch_name(PatchId id) const {
   const auto i = static_cast<std::size_t>(id.value);
   return i < names_.size() ? names_[i] : "";

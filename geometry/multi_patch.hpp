@@ -51,6 +51,11 @@ class MultiPatch {
   /// "3:north", in the input's names: for messages and reports.
   std::string label(PatchFace face) const;
 
+  /// The same model with some interfaces kept as non-matching ones: what lies on both sides of them may have
+  /// other functions.
+  /// @param apart  for each of `interfaces()` whether it is one of them
+  MultiPatch with_apart(const std::vector<bool>& apart) const;
+
   /// Connected components over all interfaces: the bodies, each an increasing list of patches.
   std::vector<std::vector<PatchId>> bodies() const;
 

@@ -61,10 +61,22 @@ Tolerance tolerance_for(const std::vector<NurbsVolume>& patches, const PatchConn
   return tolerance;
 }
 
+bool is_same(const Interface& x, const Interface& y) {
+  return x.first == y.first && x.second == y.second && x.orientation == y.orientation;
+}
+
 bool are_same(const std::vector<Interface>& a, const std::vector<Interface>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Interface& x, const Interface& y) {
-    return x.first == y.first && x.second == y.second && x.orientation == y.orientation;
-  });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), is_same);
+}
+
+/// Faces agree point by point and are yet kept apart if patches have functions of their own on both sides.
+MultiPatch as_kept(const MultiPatch& model, const PatchConnections& connections) {
+  if (!connections.tolerance.keep_non_matching) return model;
+  std::vector<bool> apart;
+  for (const Interface& found : model.interfaces())
+    apart.push_back(std::none_of(connections.interfaces.begin(), connections.interfaces.end(),
+                                 [&](const Interface& kept) { return is_same(found, kept); }));
+  return model.with_apart(apart);
 }
 
 }  // namespace
@@ -97,7 +109,8 @@ MultiPatch connected(const std::vector<NurbsVolume>& patches, const PatchConnect
   validate(connections, patches.size());
   constexpr const char* other = "the patches do not meet as their connections say";
   try {
-    MultiPatch model = connect(as_given(patches, connections), tolerance_for(patches, connections));
+    MultiPatch model =
+        as_kept(connect(as_given(patches, connections), tolerance_for(patches, connections)), connections);
     if (connections_of(model).reversed != connections.reversed ||
         !are_same(model.interfaces(), connections.interfaces))
       throw Error(ErrorCode::invalid_argument, other);

@@ -422,12 +422,33 @@ LoadedModel load_model(const ModelInput& input, const Progress& progress) {
           std::move(found.stages)};
 }
 
-BuiltProblem build_problem(const Study& study, const Progress& progress) {
+namespace {
+
+// With the patches that the study names.
+iga::DiscretizationOptions discretization_of(const Study& study, const MultiPatch& model) {
+  iga::DiscretizationOptions options = study.discretization;
+  for (const PatchDiscretizationInput& input : study.patch_discretizations) {
+    options.patches.push_back(input.refinement);
+    for (const PatchId patch : select_patches(model, input.patches))
+      options.patches.back().patches.push_back(patch.value);
+  }
+  return options;
+}
+
+}  // namespace
+
+ReportedModel reported_model(const Study& study, const Progress& progress) {
   progress("reading the model", 0);
-  const LoadedModel loaded = load_model(study.model, progress);
+  LoadedModel loaded = load_model(study.model, progress);
   // Before the report, which takes longer.
   assign_materials(study, loaded.model);
-  return build_problem(study, loaded, report(loaded.model, progress), progress);
+  ModelReport seen = report(loaded.model, progress);
+  return {std::move(loaded), std::move(seen)};
+}
+
+BuiltProblem build_problem(const Study& study, const Progress& progress) {
+  const ReportedModel model = reported_model(study, progress);
+  return build_problem(study, model.loaded, model.report, progress);
 }
 
 BuiltProblem build_problem(const Study& study, const LoadedModel& loaded, const ModelReport& seen,
@@ -435,9 +456,11 @@ BuiltProblem build_problem(const Study& study, const LoadedModel& loaded, const 
   const MultiPatch& model = loaded.model;
   const std::vector<iga::Material> materials = assign_materials(study, model);
   progress("refining", 0);
-  iga::require_memory(model, iga::solution_knots(model, study.discretization), materials,
-                      study.options.coupling, study.options.solver, study.options.processes);
-  BuiltProblem built{{iga::discretize(model, study.discretization), materials, {}, {}, {}},
+  const iga::DiscretizationOptions discretization = discretization_of(study, model);
+  const iga::DirectionKnots knots = iga::solution_knots(model, discretization);
+  iga::require_memory(iga::solution_model(model, knots), knots, materials, study.options.coupling,
+                      study.options.solver, study.options.processes);
+  BuiltProblem built{{iga::discretize(model, discretization), materials, {}, {}, {}},
                      seen,
                      {},
                      {},

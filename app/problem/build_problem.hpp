@@ -25,6 +25,15 @@ struct LoadedModel {
 /// model's dimensions and for attachments
 LoadedModel load_model(const ModelInput& input, const Progress& progress = {});
 
+/// A model and what is to be said of it, for any number of problems on it.
+struct ReportedModel {
+  LoadedModel loaded;
+  ModelReport report;
+};
+/// The model of a study, whose patches have one material each.
+/// @throws Error as `load_model`, and invalid_argument for a patch without material or with two
+ReportedModel reported_model(const Study& study, const Progress& progress = {});
+
 /// Builds the problem that a study describes. Nothing is assembled yet, and no file but the model's is
 /// touched.
 ///

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "app/run/if_it_fits.hpp"
-#include "app/run/run_level.hpp"
 #include "iga/estimate/refinement.hpp"
 
 namespace isopatch::app {
@@ -83,12 +82,12 @@ std::string no_further(const AccuracyInput& asked, const Worst& worst, int refin
 }
 
 // More knots for the next solution.
-std::vector<iga::KnotPlace> next_knots(const StudyRun& run, const Worst& worst) {
+std::vector<iga::KnotPlace> next_knots(const StudyRun& run, const Worst& worst, bool spread) {
   const double ratio = aim / worst.distance.of_goal;
   double energy = 0;
   for (const iga::ElementErrors& of_patch : worst.field->errors) energy += of_patch.along.sum();
   return iga::knots_to_add(run.built.problem.discretization, worst.field->errors, ratio * ratio * energy,
-                           most_growth);
+                           most_growth, spread);
 }
 
 }  // namespace
@@ -99,6 +98,7 @@ StudyRun run_accuracy(const Study& study, const std::function<void(StudyRun&)>& 
   const bool is_alone = study.options.processes.count() == 1;
   Study refined = study;
   refined.output.error_estimate = true;
+  const ReportedModel model = reported_model(study, progress);
   std::vector<RunLevel> levels;
   std::optional<StudyRun> last;
   const auto ended = [&](const std::string& missing) {
@@ -109,7 +109,7 @@ StudyRun run_accuracy(const Study& study, const std::function<void(StudyRun&)>& 
   };
   for (int refinements = 0;; ++refinements) {
     std::string reason;
-    const auto solve = [&] { return run_study(refined, progress); };
+    const auto solve = [&] { return run_study(refined, model, progress); };
     auto run = last && is_alone ? if_it_fits(solve, reason) : std::optional(solve());
     if (!run) return ended("there is no memory for the next refinement: " + reason);
     last = std::move(run);
@@ -122,7 +122,7 @@ StudyRun run_accuracy(const Study& study, const std::function<void(StudyRun&)>& 
     if (worst.distance.of_goal <= 1) return ended("");
     if (const std::string why = no_further(study.accuracy, worst, refinements); !why.empty())
       return ended(why);
-    const std::vector<iga::KnotPlace> more = next_knots(*last, worst);
+    const std::vector<iga::KnotPlace> more = next_knots(*last, worst, refined.discretization.spread);
     if (more.empty()) return ended("no elements are left that could be halved");
     refined.discretization.knots.insert(refined.discretization.knots.end(), more.begin(), more.end());
     last->accuracy->missing = "the next refinement is being computed";

@@ -24,8 +24,4 @@ struct RunLevel {
 /// told.
 bool is_even(const std::vector<RunLevel>& levels);
 
-struct StudyRun;
-/// @param refine  as `RunLevel` has it
-RunLevel run_level(const StudyRun& run, int refine);
-
 }  // namespace isopatch::app

@@ -6,20 +6,21 @@
 
 #include "app/run/compare_levels.hpp"
 #include "app/run/if_it_fits.hpp"
-#include "app/run/run_level.hpp"
 
 namespace isopatch::app {
 StudyRun run_levels(const Study& study, int count, const std::function<void(StudyRun&)>& keep,
                     const Progress& progress) {
   std::vector<RunLevel> levels;
   std::optional<StudyRun> finest;
-  for (const iga::DiscretizationOptions& discretization : level_discretizations(study, {.count = count})) {
+  const auto discretizations = level_discretizations(study, {.count = count});
+  const ReportedModel model = reported_model(study, progress);
+  for (const iga::DiscretizationOptions& discretization : discretizations) {
     if (finest) keep(*finest);
     Study level = study;
     level.discretization = discretization;
     const bool may_fail = finest && study.options.processes.count() == 1;
     std::string reason;
-    const auto solve = [&] { return run_study(level, progress); };
+    const auto solve = [&] { return run_study(level, model, progress); };
     std::optional<StudyRun> run = may_fail ? if_it_fits(solve, reason) : std::optional(solve());
     if (!run) {
       finest->built.warnings.push_back(

@@ -69,9 +69,19 @@ void add_warnings(const std::string& name, std::vector<Warning> warnings, std::v
 }  // namespace
 
 StudyRun run_study(const Study& study, const Progress& progress) {
+  load_cases(study);  // throws before anything takes long
+  const Stopwatch reading;
+  const ReportedModel model = reported_model(study, progress);
+  const double seconds = reading.seconds();
+  StudyRun run = run_study(study, model, progress);
+  run.timings.front().seconds += seconds;
+  return run;
+}
+
+StudyRun run_study(const Study& study, const ReportedModel& model, const Progress& progress) {
   const iga::LoadCases cases = load_cases(study);
   const Stopwatch building;
-  StudyRun run{build_problem(study, progress), {}, {}, {}, 0};
+  StudyRun run{build_problem(study, model.loaded, model.report, progress), {}, {}, {}, 0};
   run.timings.push_back({"model", building.seconds()});
   if (cases.cases.empty()) {
     run.solution = iga::solve_elasticity(run.built.problem, study.options, progress);

@@ -9,4 +9,16 @@ std::vector<CaseView> cases_of(const StudyRun& run) {
   return result;
 }
 
+RunLevel run_level(const StudyRun& run, int refine) {
+  const iga::ElasticityResults& results = run.solution.results;
+  RunLevel level{.refine = refine,
+                 .unknowns = run.solution.size.dofs,
+                 .internal_energy = results.internal_energy,
+                 .max_displacement = results.max_displacement.value,
+                 .max_von_mises = results.max_von_mises.value};
+  if (run.error) level.error = run.error->relative;
+  for (const iga::PhaseTime& time : run.timings) level.seconds += time.seconds;
+  return level;
+}
+
 }  // namespace isopatch::app

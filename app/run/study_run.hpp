@@ -33,10 +33,13 @@ struct StudyRun {
   std::optional<RunError> error = {};        ///< of the solution, if it was asked for and could be estimated
   std::string error_missing = {};            ///< why no case has one though they were asked for
   std::vector<RunLevel> levels = {};         ///< of a run on several, this one the last
-  std::optional<AccuracyOutcome> accuracy = {};     ///< of a run that was refined until it is accurate
+  std::optional<AccuracyOutcome> accuracy = {};  ///< of a run that was refined until it is accurate
 
   bool has_cases() const { return !case_name.name.empty(); }
 };
+
+/// @param refine  as `RunLevel` has it
+RunLevel run_level(const StudyRun& run, int refine);
 
 /// One case of a run, which must outlive it.
 struct CaseView {

@@ -44,10 +44,16 @@ void read_options(const StudyKeys& top, Study& study) {
   const auto space = read_table<DiscretizationKeys>(discretization.table, discretization.place,
                                                     "[discretization]", discretization_keys());
   study.discretization = space.options;
+  for (const ConfigSection& input : sections(space.patch, "discretization.patch")) {
+    const auto own = read_table<PatchDiscretizationKeys>(input.table, input.place, "[[discretization.patch]]",
+                                                         patch_discretization_keys());
+    study.patch_discretizations.push_back({own.patches, own.refinement, input.place});
+  }
   const ConfigSection coupling = section(top.coupling, "coupling", study.source);
   const auto coupled =
       read_table<CouplingKeys>(coupling.table, coupling.place, "[coupling]", coupling_keys());
   study.options.coupling = coupled.method;
+  study.discretization.spread = !coupled.keeps_non_matching;
   study.model.tolerance.keep_non_matching = coupled.keeps_non_matching;
   if (auto* blocks = std::get_if<BlocksInput>(&study.model.source))
     blocks->options.keep_t_joints = coupled.keeps_non_matching;

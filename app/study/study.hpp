@@ -29,6 +29,14 @@ struct MaterialInput {
   bool operator==(const MaterialInput&) const = default;
 };
 
+/// What some patches have beyond [discretization]: [[discretization.patch]].
+struct PatchDiscretizationInput {
+  PatchSelection patches;
+  iga::PatchRefinement refinement;  ///< of no patch yet; max_size in m
+  Place place;
+  bool operator==(const PatchDiscretizationInput&) const = default;
+};
+
 /// A parameter of a patch, in the input's naming.
 struct PatchParameter {
   int patch = 0;
@@ -75,6 +83,7 @@ struct Study {
   std::string title;
   ModelInput model;
   iga::DiscretizationOptions discretization;  ///< max_size in m
+  std::vector<PatchDiscretizationInput> patch_discretizations = {};
   std::vector<MaterialInput> materials;
   std::vector<SupportInput> supports;
   std::vector<AppliedLoad> loads;

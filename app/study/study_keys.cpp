@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "app/study/selection_keys.hpp"
+
 namespace isopatch::app {
 namespace {
 
@@ -27,25 +29,25 @@ std::array<int, 3> read_per_direction(const ConfigValue& value, const std::strin
   return result;
 }
 
-Key<DiscretizationKeys> per_direction_key(const std::string& name,
-                                          std::array<int, 3> iga::DiscretizationOptions::*member, int least,
-                                          int most, const std::string& fallback, std::string meaning) {
-  Key<DiscretizationKeys> key =
-      custom_key<DiscretizationKeys>(name, "integer, or array of 3", std::move(meaning),
-                                     [=](DiscretizationKeys& target, const ConfigValue& value) {
-                                       target.options.*member = read_per_direction(value, name, least, most);
-                                     });
+/// A key of a member of one of S's members.
+template <class S, class Options>
+Key<S> per_direction_key(const std::string& name, Options S::*options, std::array<int, 3> Options::*member,
+                         int least, int most, const std::string& fallback, std::string meaning) {
+  Key<S> key = custom_key<S>(name, "integer, or array of 3", std::move(meaning),
+                             [=](S& target, const ConfigValue& value) {
+                               target.*options.*member = read_per_direction(value, name, least, most);
+                             });
   key.text.range = fmt::format("from {} to {}", least, most);
   key.text.fallback = fallback;
   return key;
 }
 
-Key<DiscretizationKeys> option_key(const std::string& name, int iga::DiscretizationOptions::*member,
-                                   int least, int most, const std::string& fallback, std::string meaning) {
-  Key<DiscretizationKeys> key = custom_key<DiscretizationKeys>(
-      name, "integer", std::move(meaning), [=](DiscretizationKeys& target, const ConfigValue& value) {
-        target.options.*member = read_integer(value, name, least, most);
-      });
+template <class S, class Options>
+Key<S> option_key(const std::string& name, Options S::*options, int Options::*member, int least, int most,
+                  const std::string& fallback, std::string meaning) {
+  Key<S> key = custom_key<S>(name, "integer", std::move(meaning), [=](S& target, const ConfigValue& value) {
+    target.*options.*member = read_integer(value, name, least, most);
+  });
   key.text.range = fmt::format("from {} to {}", least, most);
   key.text.fallback = fallback;
   return key;
@@ -88,15 +90,17 @@ const Keys<StudyKeys>& study_keys() {
 
 const Keys<DiscretizationKeys>& discretization_keys() {
   using Options = iga::DiscretizationOptions;
+  constexpr auto options = &DiscretizationKeys::options;
   static const Keys<DiscretizationKeys> keys = {
       per_direction_key(
-          "degree", &Options::degree, 1, 10, "2",
+          "degree", options, &Options::degree, 1, 10, "2",
           "Degree of the splines, raised where the geometry's is lower and never lowered; the continuity "
           "of the geometry stays. 1 keeps the geometry's everywhere; elements of degree 1 hardly bend."),
-      option_key("refine", &Options::refine, 0, 10, "0",
+      option_key("refine", options, &Options::refine, 0, 10, "0",
                  "How often every element is halved, after all that the other keys ask for."),
       per_direction_key(
-          "elements_per_direction", &Options::elements_per_direction, 1, 10000, "as the geometry has",
+          "elements_per_direction", options, &Options::elements_per_direction, 1, 10000,
+          "as the geometry has",
           "Least number of elements along each direction of each patch, before refine halves them."),
       custom_key<DiscretizationKeys>(
           "max_size", type_name(dim::length), "Largest length of an element's edge, before refine halves it.",
@@ -104,12 +108,39 @@ const Keys<DiscretizationKeys>& discretization_keys() {
             target.options.max_size = read_quantity(value, "max_size", dim::length, positive);
           })
           .with_default("no limit"),
-      option_key("continuity", &Options::continuity, 0, 9, "as smooth as degree and geometry allow",
+      option_key("continuity", options, &Options::continuity, 0, 9, "as smooth as degree and geometry allow",
                  "Highest continuity C^k across the knots inside a patch."),
       integer_key<DiscretizationKeys>(
           "points", &DiscretizationKeys::points, 0, 20,
           "Gauss points per element and direction; 0 means degree + 1, and more in "
           "directions in which the map of a patch is so curved that it needs them."),
+      value_key<DiscretizationKeys>("patch", "array of tables", &DiscretizationKeys::patch,
+                                    "What some patches have beyond all others; see below."),
+  };
+  return keys;
+}
+
+const Keys<PatchDiscretizationKeys>& patch_discretization_keys() {
+  using P = PatchDiscretizationKeys;
+  using Options = iga::PatchRefinement;
+  constexpr auto options = &P::refinement;
+  static const Keys<P> keys = {
+      custom_key<P>("patches", "patches, as in [[material]]",
+                    "Which ones: indices, ranges or names of bodies.",
+                    [](P& target, const ConfigValue& value) { target.patches = read_patch_selection(value); })
+          .required(),
+      per_direction_key("degree", options, &Options::degree, 1, 10, "that of [discretization]",
+                        "Degree of the splines, if it is higher than that of [discretization]."),
+      option_key("refine", options, &Options::refine, 0, 10, "0",
+                 "How often every element of these patches is halved, after `discretization.refine`."),
+      per_direction_key("elements_per_direction", options, &Options::elements_per_direction, 1, 10000,
+                        "that of [discretization]", "Least number of elements before they are halved."),
+      custom_key<P>("max_size", type_name(dim::length),
+                    "Largest length of an element's edge before it is halved.",
+                    [](P& target, const ConfigValue& value) {
+                      target.refinement.max_size = read_quantity(value, "max_size", dim::length, positive);
+                    })
+          .with_default("that of [discretization]"),
   };
   return keys;
 }

@@ -10,6 +10,7 @@ namespace isopatch::app {
 
 /// Degree 1 does not bend, so that it has to be asked for.
 struct DiscretizationKeys {
+  std::optional<ConfigValue> patch;
   iga::DiscretizationOptions options = {.degree = {2, 2, 2}};
   int points = 0;
 };
@@ -19,6 +20,12 @@ struct ProbeKeys {
   std::optional<Eigen::Vector3d> point;
   std::optional<int> patch;
   std::optional<Eigen::Vector3d> parameter;
+};
+
+/// One table of [[discretization.patch]].
+struct PatchDiscretizationKeys {
+  PatchSelection patches;
+  iga::PatchRefinement refinement;
 };
 
 /// [coupling].
@@ -53,6 +60,7 @@ struct StudyKeys {
 /// load_keys.
 const Keys<StudyKeys>& study_keys();
 const Keys<DiscretizationKeys>& discretization_keys();
+const Keys<PatchDiscretizationKeys>& patch_discretization_keys();
 const Keys<CouplingKeys>& coupling_keys();
 const Keys<solvers::SolverOptions>& solver_keys();
 const Keys<ProbeKeys>& probe_keys();

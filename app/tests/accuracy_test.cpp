@@ -172,6 +172,30 @@ TEST_F(Accuracy, NeedsAGoalThatMakesSense) {
   EXPECT_THAT(err_, HasSubstr("leave one away"));
 }
 
+// The leg with the support is finer than the others, which follow or are coupled as they are.
+TEST_F(Accuracy, OfPatchesOfTheirOwn) {
+  const std::string fine = bracket + "[[discretization.patch]]\npatches = [1]\nrefine = 1\n";
+  ASSERT_EQ(run_text(fine), 0) << err_;
+  const json followed = summary();
+  ASSERT_EQ(run_text(fine, {"--set", "coupling.non_matching=nitsche"}), 0) << err_;
+  const json coupled = summary();
+  EXPECT_EQ(followed["model"]["non_matching_interfaces"], 0);
+  EXPECT_GT(coupled["model"]["non_matching_interfaces"], 0);
+  EXPECT_LT(coupled["discretization"]["dofs"], followed["discretization"]["dofs"]);
+  const double difference = coupled["results"]["internal_energy"].get<double>() /
+                                followed["results"]["internal_energy"].get<double>() -
+                            1;
+  EXPECT_LT(std::abs(difference), 0.01);
+  ASSERT_EQ(run({"report", (results() / "results.h5").string()}), 0) << err_;
+  ASSERT_EQ(run({"info", (results() / "results.h5").string()}), 0) << err_;
+  // Refined where it is needed, patch by patch.
+  ASSERT_EQ(run_text(bracket, {"--set", "coupling.non_matching=nitsche", "--set", "accuracy.energy='6 %'"}),
+            0)
+      << err_;
+  EXPECT_TRUE(summary()["accuracy"]["reached"]);
+  EXPECT_GT(summary()["model"]["non_matching_interfaces"], 0);
+}
+
 // Two cubes of different materials pulled along x; transverse stresses differ where they meet.
 const std::string two_materials = R"([model]
 generate = "box"

@@ -265,6 +265,12 @@ std::string words_of(const Study& study) {
   std::string text = fmt::format("title {}\n", study.title) + words_of(study.model) +
                      fmt::format("degree {}\nrefine {}\nelements {}\nmax_size {:g}\ncontinuity {}\n",
                                  d.degree, d.refine, d.elements_per_direction, d.max_size, d.continuity);
+  for (const PatchDiscretizationInput& input : study.patch_discretizations) {
+    const iga::PatchRefinement& own = input.refinement;
+    text += fmt::format(
+        "patches of their own{}\nown degree {}\nown refine {}\nown elements {}\nown size {:g}\n",
+        words_of(input.patches), own.degree, own.refine, own.elements_per_direction, own.max_size);
+  }
   for (const MaterialInput& input : study.materials) text += words_of(input);
   for (const SupportInput& input : study.supports) text += words_of(input);
   for (const AppliedLoad& input : study.loads) text += words_of(input);

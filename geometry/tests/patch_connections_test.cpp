@@ -68,6 +68,21 @@ TEST(PatchConnections, KeepAGapThatWasAccepted) {
   expect_same(connected(expected.patches(), connections_of(expected)), expected);
 }
 
+// Faces that agree point by point, but may have other functions on both sides.
+TEST(PatchConnections, KeepApartWhatWasKeptApart) {
+  PatchSet set{test::eight_boxes(), {}, {}};
+  const MultiPatch whole = connect(std::move(set), {.keep_non_matching = true});
+  std::vector<bool> apart(whole.interfaces().size(), false);
+  apart[2] = apart[5] = true;
+  const MultiPatch expected = whole.with_apart(apart);
+  EXPECT_EQ(expected.interfaces().size(), whole.interfaces().size() - 2);
+  EXPECT_EQ(expected.non_matching().size(), 2u);
+  EXPECT_EQ(expected.bodies().size(), 1u);
+  const MultiPatch found = connected(expected.patches(), connections_of(expected));
+  expect_same(found, expected);
+  EXPECT_EQ(found.non_matching(), expected.non_matching());
+}
+
 TEST(PatchConnections, ThatCannotBeAreRefused) {
   const MultiPatch good = model();
   const auto refused = [&](auto change) -> std::string {

@@ -35,6 +35,11 @@ class LayerErrors {
   std::array<Eigen::VectorXd, 3> sums_;
 };
 
+// Shares of the error, and of what would be left if all sheets were halved, that are not gone after in one
+// refinement: the last sheets promise little for their price, and the next estimate knows better.
+constexpr double least_left = 0.1;
+constexpr double least_left_of_all = 2;
+
 // What halving a sheet promises, and its price.
 struct Offer {
   std::size_t sheet = 0;
@@ -69,14 +74,14 @@ KnotPlace middle(const Discretization& d, const ElementLayer& layer) {
 }  // namespace
 
 std::vector<KnotPlace> knots_to_add(const Discretization& d, const std::vector<ElementErrors>& errors,
-                                    double wanted, double growth) {
+                                    double wanted, double growth, bool spread) {
   std::vector<LayerErrors> of_layers;
   double left = 0;
   for (std::size_t p = 0; p < d.patches.size(); ++p) {
     of_layers.emplace_back(d.patches[p], errors[p]);
     left += errors[p].along.sum();
   }
-  const std::vector<ElementSheet> sheets = element_sheets(d);
+  const std::vector<ElementSheet> sheets = element_sheets(d, spread);
   std::vector<Offer> offers;
   for (std::size_t i = 0; i < sheets.size(); ++i) {
     offers.push_back(offer_of(d, of_layers, sheets[i]));
@@ -84,10 +89,13 @@ std::vector<KnotPlace> knots_to_add(const Discretization& d, const std::vector<E
   }
   std::stable_sort(offers.begin(), offers.end(),
                    [](const Offer& a, const Offer& b) { return a.worth() > b.worth(); });
+  double gains = 0;
+  for (const Offer& offer : offers) gains += offer.gain;
+  const double enough = std::max({wanted, least_left * left, least_left_of_all * (left - gains)});
   std::vector<KnotPlace> result;
   double room = (growth - 1) * d.node_count();
   for (const Offer& offer : offers) {
-    if (left <= wanted || !(offer.gain > 0)) break;
+    if (left <= enough || !(offer.gain > 0)) break;
     if (!result.empty() && offer.nodes > room) break;
     result.push_back(middle(d, sheets[offer.sheet].front()));
     left -= offer.gain;

@@ -27,6 +27,13 @@ void validate(const DiscretizationOptions& options) {
   for (const int n : options.elements_per_direction) check_range("elements_per_direction", n, 0, 10000);
   check_range("max_size", options.max_size, 0, 1e300);
   check_range("continuity", options.continuity, -1, 9);
+  for (const PatchRefinement& own : options.patches) {
+    for (const int p : own.degree) check_range("degree of some patches", p, 0, 10);
+    for (const int n : own.elements_per_direction) check_range("elements of some patches", n, 0, 10000);
+    check_range("max_size of some patches", own.max_size, 0, 1e300);
+    check_range("refine of some patches", own.refine, 0, 10);
+    check_range("refine with that of some patches", options.refine + own.refine, 0, 14);
+  }
 }
 
 std::int64_t Discretization::element_count() const {
@@ -41,7 +48,7 @@ std::int64_t Discretization::element_count() const {
 
 Discretization discretize(const geometry::MultiPatch& model, const DiscretizationOptions& options) {
   const DirectionKnots knots = solution_knots(model, options);
-  Discretization result{model, {}, {0}, {}};
+  Discretization result{solution_model(model, knots), {}, {0}, {}};
   for (std::size_t i = 0; i < model.patches().size(); ++i) {
     const double nodes = result.first_node.back() +
                          1.0 * knots[3 * i].size() * knots[3 * i + 1].size() * knots[3 * i + 2].size();
@@ -61,7 +68,7 @@ Discretization discretize(const geometry::MultiPatch& model, const Discretizatio
     const auto patch = static_cast<std::size_t>(i);
     result.gauss_points[patch] = gauss_points(result.patches[patch]);
   });
-  check_traces(model, result.patches);
+  check_traces(result.model, result.patches);
   return result;
 }
 

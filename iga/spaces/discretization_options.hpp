@@ -5,6 +5,17 @@
 
 namespace isopatch::iga {
 
+/// What some patches have beyond the others.
+struct PatchRefinement {
+  std::vector<int> patches;
+  /// As those of `DiscretizationOptions`; more than these alone counts.
+  std::array<int, 3> degree = {0, 0, 0};
+  std::array<int, 3> elements_per_direction = {0, 0, 0};
+  double max_size = 0;
+  int refine = 0;  ///< halvings after those of all patches, 0 .. 10
+  bool operator==(const PatchRefinement&) const = default;
+};
+
 /// A place where the elements of a patch end along one direction, beside those that all patches have.
 struct KnotPlace {
   int patch = 0;
@@ -28,8 +39,12 @@ struct DiscretizationOptions {
   /// Highest continuity C^k across knots inside a patch; -1: as smooth as degree and geometry allow. Range -1
   /// .. 9.
   int continuity = -1;
+  std::vector<PatchRefinement> patches = {};
   /// Further ends of elements, after all else.
   std::vector<KnotPlace> knots = {};
+  /// Whether what `patches` and `knots` ask for continues through neighbours, so that faces still match.
+  /// Otherwise interfaces whose sides differ become non-matching ones.
+  bool spread = true;
   bool operator==(const DiscretizationOptions&) const = default;
 };
 /// @throws Error invalid_argument naming field, value and range

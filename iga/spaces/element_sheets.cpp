@@ -5,7 +5,7 @@
 
 namespace isopatch::iga {
 
-std::vector<ElementSheet> element_sheets(const Discretization& d) {
+std::vector<ElementSheet> element_sheets(const Discretization& d, bool spread) {
   std::vector<ElementLayer> layers;
   std::vector<int> first;  // layer of each direction
   for (int patch = 0; patch < d.patch_count(); ++patch)
@@ -16,7 +16,8 @@ std::vector<ElementSheet> element_sheets(const Discretization& d) {
     }
   first.push_back(static_cast<int>(layers.size()));
   UnionFind sheets(static_cast<int>(layers.size()));
-  for (const geometry::Interface& interface : d.model.interfaces())
+  const std::vector<geometry::Interface> none;
+  for (const geometry::Interface& interface : spread ? d.model.interfaces() : none)
     for (const TiedPair& pair : tied_pairs(interface)) {
       const int spans = first[pair.first + 1] - first[pair.first];
       for (int i = 0; i < spans; ++i)

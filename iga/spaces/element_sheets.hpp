@@ -19,7 +19,8 @@ struct ElementLayer {
 using ElementSheet = std::vector<ElementLayer>;
 
 /// The sheets of a discretization: every layer is in exactly one.
+/// @param spread  as `DiscretizationOptions` has it; without it every layer is a sheet of its own
 /// @cost  nearly O(layers)
-std::vector<ElementSheet> element_sheets(const Discretization& discretization);
+std::vector<ElementSheet> element_sheets(const Discretization& discretization, bool spread = true);
 
 }  // namespace isopatch::iga

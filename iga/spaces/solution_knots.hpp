@@ -16,4 +16,9 @@ namespace isopatch::iga {
 /// @cost   O(knots)
 DirectionKnots solution_knots(const geometry::MultiPatch& model, const DiscretizationOptions& options = {});
 
+/// The model as the solution space sees it: interfaces whose sides have other functions are non-matching
+/// ones.
+/// @param knots  of all patches, as `solution_knots` gives them
+geometry::MultiPatch solution_model(const geometry::MultiPatch& model, const DirectionKnots& knots);
+
 }  // namespace isopatch::iga
