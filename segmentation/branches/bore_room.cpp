@@ -107,8 +107,11 @@ class BoreRoomFinder {
   }
 
   Interval interval(const CrossBore& bore, const Eigen::Vector3d& direction) const {
-    const double at = (bore.branch.view.origin - frame_.origin).dot(direction);
-    return {at - bore.radius, at + bore.radius, bore.radius};
+    const PlanView& view = bore.branch.view;
+    const Eigen::Vector2d way(view.x.dot(direction), view.y.dot(direction));
+    const double at = (view.origin - frame_.origin).dot(direction);
+    const double one = way.dot(bore.low), other = way.dot(bore.high);
+    return {at + std::min(one, other), at + std::max(one, other), bore.radius};
   }
 
   void find_heights() {
@@ -187,6 +190,7 @@ class BoreRoomFinder {
 
   static double smallest_radius(const CrossBore& bore) {
     double result = bore.radius;
+    if (bore.is_slot) return result;
     for (const Outline& outline : bore.branch.outlines)
       result = std::min(result, (outline.curves.front().from - outline.curves.front().centre).norm());
     return result;

@@ -34,14 +34,17 @@ class BoredStack {
     Stack stack(blank_, frame_, room.lines);
     for (const double height : room.heights) stack.divide_at(height);
     std::vector<BranchPlace> places;
-    for (const CrossBore& bore : bores_) places.push_back(place_of(bore, stack));
     CellComplex complex = stack.complex();
+    for (const CrossBore& bore : bores_)
+      places.push_back(bore.opening ? place_of(bore, stack) : place_of(bore, complex));
     name_faces(complex);
     const FaceId no_cut(static_cast<int>(solid_.faces().size()));
     for (std::size_t b = 0; b < bores_.size(); ++b)
       complex = inserted_branch(solid_, complex, bores_[b].branch, places[b], no_cut);
     require_all_of(complex);
-    return {std::move(complex), frame_.along, static_cast<int>(bores_.size())};
+    const auto slots =
+        std::count_if(bores_.begin(), bores_.end(), [](const CrossBore& bore) { return bore.is_slot; });
+    return {std::move(complex), frame_.along, static_cast<int>(bores_.size()), static_cast<int>(slots)};
   }
 
  private:
@@ -52,12 +55,8 @@ class BoredStack {
     const PlanView& view = bore.branch.view;
     const PlaneSurface plane{view.point({0, 0}, bore.branch.surface), view.x, view.y};
     for (const StackSide& side : stack.sides_on(plane, tolerance())) {
-      const double free = std::min(-side.low.maxCoeff(), side.high.minCoeff());
       if (side.low.maxCoeff() > -tolerance() || side.high.minCoeff() < tolerance()) continue;
-      if (free < (1 + least_room) * bore.radius)
-        throw Error(ErrorCode::unsupported,
-                    fmt::format("{} has no room beside it: {:.3g} m to what is next, from its axis",
-                                describe(solid_, bore.faces.front()), free));
+      require_room(bore, side.low, side.high);
       BranchPlace place;
       place.corners = {plane.point(side.low), plane.point({side.high.x(), side.low.y()}),
                        plane.point(side.high), plane.point({side.low.x(), side.high.y()})};
@@ -65,6 +64,52 @@ class BoredStack {
     }
     throw Error(ErrorCode::unsupported,
                 fmt::format("{} begins in no rectangle of its stack", describe(solid_, bore.faces.front())));
+  }
+
+  /// The side that the bore opens in, the outermost that looks like a rectangle around it along the bore.
+  BranchPlace place_of(const CrossBore& bore, const CellComplex& complex) const {
+    const PlanView& view = bore.branch.view;
+    std::optional<BranchPlace> best;
+    Eigen::Vector2d low, high;
+    double highest = -1e300;
+    for (const geometry::CellFace& face : complex.faces) {
+      if (!face.origin || face.loop.size() != 4) continue;
+      BranchPlace place;
+      double height = 0;
+      Eigen::Vector2d least(1e300, 1e300), most(-1e300, -1e300);
+      for (std::size_t i = 0; i < 4; ++i) {
+        place.corners[i] = complex.vertex(complex.from(face.loop[i]));
+        height += view.height(place.corners[i]) / 4;
+        least = least.cwiseMin(view.flat(place.corners[i]));
+        most = most.cwiseMax(view.flat(place.corners[i]));
+      }
+      const bool is_rectangle =
+          std::all_of(place.corners.begin(), place.corners.end(), [&](const Eigen::Vector3d& corner) {
+            return (view.flat(corner) - least).cwiseMin(most - view.flat(corner)).cwiseAbs().maxCoeff() <
+                   tolerance();
+          });
+      if (!is_rectangle || height < highest || least.maxCoeff() > -tolerance() ||
+          most.minCoeff() < tolerance())
+        continue;
+      best = place;
+      low = least;
+      high = most;
+      highest = height;
+    }
+    if (!best)
+      throw Error(ErrorCode::unsupported,
+                  fmt::format("{} begins in no side of its stack that is rectangular as seen along it",
+                              describe(solid_, bore.faces.front())));
+    require_room(bore, low, high);
+    return *best;
+  }
+
+  /// In a rectangle, seen as the bore is.
+  void require_room(const CrossBore& bore, const Eigen::Vector2d& low, const Eigen::Vector2d& high) const {
+    const double free = (bore.low - low).cwiseMin(high - bore.high).minCoeff();
+    if (free < least_room * bore.radius)
+      throw Error(ErrorCode::unsupported, fmt::format("{} has no room beside it: {:.3g} m to what is next",
+                                                      describe(solid_, bore.faces.front()), free));
   }
 
   /// By the solid's faces instead of the blank's.
