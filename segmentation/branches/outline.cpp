@@ -89,11 +89,12 @@ class Tracer {
     trace.place = view_.flat(solid_.point(face, uv));
     trace.outward = {normal.dot(view_.x), normal.dot(view_.y)};
     const bool is_round = carrier && carrier->kind == SurfaceKind::cylinder;
-    if (ends.size() > 2 || (!is_round && ends.size() != 2))
+    const bool is_plane = carrier && carrier->kind == SurfaceKind::plane;
+    if (ends.size() > 2 || ends.size() < (is_plane ? 2U : is_round ? 0U : 1U))
       refuse(face, "is no wall between two edges along a branch");
     if (is_round)
       trace.curve = arc(view_.flat(carrier->origin), carrier->radius, ends, trace.place);
-    else if (carrier && carrier->kind == SurfaceKind::plane)
+    else if (is_plane)
       trace.curve = {ends[0], ends[1]};
     else
       trace.curve = freeform(face, uv);
@@ -103,6 +104,23 @@ class Tracer {
         return;
       }
     traces_.push_back(std::move(trace));
+  }
+
+  /// The first place, as a share, where a curve looks towards a corner of a square.
+  static double first_turn(const auto& at) {
+    const auto turn = [&](double share) {
+      const Eigen::Vector3d way = at(share + 1e-4) - at(share);
+      return std::sin(2 * std::atan2(way.y(), way.x()) - std::numbers::pi / 2);
+    };
+    constexpr int steps = 64;
+    for (int i = 0; i + 1 < steps; ++i) {
+      double low = static_cast<double>(i) / steps, high = static_cast<double>(i + 1) / steps;
+      const bool rises = turn(low) < 0;
+      if (rises == (turn(high) < 0)) continue;
+      for (int k = 0; k < 30; ++k) ((turn((low + high) / 2) < 0) == rises ? low : high) = (low + high) / 2;
+      return low;
+    }
+    return 0;
   }
 
   /// What a freeform wall shows, from one edge along the view to the other.
@@ -121,11 +139,16 @@ class Tracer {
           low = std::min(low, at);
           high = std::max(high, at);
         }
-    const auto curve = [&](double share) -> Eigen::Vector3d {
+    const auto at = [&](double share) -> Eigen::Vector3d {
       Eigen::Vector2d uv = inside;
       uv[across] = low + share * (high - low);
       const Eigen::Vector2d place = view_.flat(solid_.point(face, uv));
       return {place.x(), place.y(), 0};
+    };
+    // What is closed begins where it looks towards a corner, as circles do.
+    const double first = is_same(at(0).head<2>(), at(1).head<2>()) ? first_turn(at) : 0;
+    const auto curve = [&](double share) {
+      return at(first + share > 1 ? first + share - 1 : first + share);
     };
     PlanCurve result{curve(0).head<2>(), curve(1).head<2>()};
     result.spline = interpolated(curve, 1e-9 * solid_.size());
@@ -185,9 +208,13 @@ class Tracer {
     return result;
   }
 
+  /// About.
   static double length(const PlanCurve& curve) {
-    return curve.sweep == 0 ? (curve.to - curve.from).norm()
-                            : std::abs(curve.sweep) * (curve.from - curve.centre).norm();
+    constexpr int chords = 32;
+    double sum = 0;
+    for (int i = 0; i < chords; ++i)
+      sum += (curve.point((i + 1.0) / chords) - curve.point(static_cast<double>(i) / chords)).norm();
+    return sum;
   }
 
   static double twice_area(const Outline& outline) {
