@@ -14,14 +14,13 @@
 #include "geometry/brep/without_faces.hpp"
 #include "segmentation/branches/internal/bore_room.hpp"
 #include "segmentation/branches/internal/cross_bores.hpp"
-#include "segmentation/sweeps/stack.hpp"
+#include "segmentation/sweeps/swept_cells.hpp"
 
 namespace isopatch::segmentation {
 namespace {
 
 using geometry::Brep;
 using geometry::CellComplex;
-using geometry::PlaneSurface;
 
 class BoredStack {
  public:
@@ -30,13 +29,10 @@ class BoredStack {
       : solid_(solid), blank_(blank), bores_(bores), frame_(frame) {}
 
   CrossBoredCells make() {
-    const BoreRoom room = bore_room(blank_, frame_, bores_);
-    Stack stack(blank_, frame_, room.lines);
-    for (const double height : room.heights) stack.divide_at(height);
+    const BoreRoom room = bore_room(solid_, blank_, frame_, bores_);
+    CellComplex complex = swept_with(blank_, frame_, room.lines, room.heights).complex;
     std::vector<BranchPlace> places;
-    CellComplex complex = stack.complex();
-    for (const CrossBore& bore : bores_)
-      places.push_back(bore.opening ? place_of(bore, stack) : place_of(bore, complex));
+    for (const CrossBore& bore : bores_) places.push_back(place_of(bore, complex));
     name_faces(complex);
     const FaceId no_cut(static_cast<int>(solid_.faces().size()));
     for (std::size_t b = 0; b < bores_.size(); ++b)
@@ -49,22 +45,6 @@ class BoredStack {
 
  private:
   double tolerance() const { return 1e-6 * solid_.size(); }
-
-  /// The rectangle on the plane that the bore opens in around its axis.
-  BranchPlace place_of(const CrossBore& bore, const Stack& stack) const {
-    const PlanView& view = bore.branch.view;
-    const PlaneSurface plane{view.point({0, 0}, bore.branch.surface), view.x, view.y};
-    for (const StackSide& side : stack.sides_on(plane, tolerance())) {
-      if (side.low.maxCoeff() > -tolerance() || side.high.minCoeff() < tolerance()) continue;
-      require_room(bore, side.low, side.high);
-      BranchPlace place;
-      place.corners = {plane.point(side.low), plane.point({side.high.x(), side.low.y()}),
-                       plane.point(side.high), plane.point({side.low.x(), side.high.y()})};
-      return place;
-    }
-    throw Error(ErrorCode::unsupported,
-                fmt::format("{} begins in no rectangle of its stack", describe(solid_, bore.faces.front())));
-  }
 
   /// The side that the bore opens in, the outermost that looks like a rectangle around it along the bore.
   BranchPlace place_of(const CrossBore& bore, const CellComplex& complex) const {
@@ -88,8 +68,8 @@ class BoredStack {
             return (view.flat(corner) - least).cwiseMin(most - view.flat(corner)).cwiseAbs().maxCoeff() <
                    tolerance();
           });
-      if (!is_rectangle || height < highest || least.maxCoeff() > -tolerance() ||
-          most.minCoeff() < tolerance())
+      if (!is_rectangle || (bore.opening && std::abs(height - bore.branch.surface) > tolerance()) ||
+          height < highest || least.maxCoeff() > -tolerance() || most.minCoeff() < tolerance())
         continue;
       best = place;
       low = least;

@@ -42,14 +42,11 @@ class CrossBoreFinder {
       });
       if (!bore.is_slot)
         walls = coaxial(*left.begin());
-      else if (!are_closed(walls, *direction))
+      else if (!are_closed(walls, *direction) || !look_inwards(walls))
         return std::nullopt;
       bore.faces = with_floors(walls, *direction);
       for (const FaceId face : bore.faces) left.erase(face);
       look_at(bore, walls, *direction);
-      if (bore.is_slot && !std::all_of(bore.branch.outlines.begin(), bore.branch.outlines.end(),
-                                       [](const Outline& outline) { return outline.is_void; }))
-        return std::nullopt;
       result.push_back(std::move(bore));
     }
     std::stable_sort(result.begin(), result.end(),
@@ -104,6 +101,26 @@ class CrossBoreFinder {
         result = result && std::find(walls.begin(), walls.end(), other) != walls.end();
       });
     return result;
+  }
+
+  /// Whether the highest walls along the stack look down: around a slot, not around the solid.
+  bool look_inwards(const std::vector<FaceId>& walls) const {
+    std::vector<std::pair<double, double>> looks;  // height, and how far up it looks there
+    constexpr int steps = 9;
+    for (const FaceId wall : walls) {
+      const geometry::DomainBox box = solid_.domain(wall);
+      for (int i = 0; i < steps * steps; ++i) {
+        const int row = i / steps;
+        const Eigen::Vector2d share((i % steps + 0.5) / steps, (row + 0.5) / steps);
+        const Eigen::Vector2d uv = box.low + share.cwiseProduct(box.high - box.low);
+        looks.emplace_back(solid_.point(wall, uv).dot(along_), solid_.outward_normal(wall, uv).dot(along_));
+      }
+    }
+    const auto [lowest, highest] = std::minmax_element(looks.begin(), looks.end());
+    const double near_top = highest->first - 0.05 * (highest->first - lowest->first);
+    double sum = 0;
+    for (const auto& [height, up] : looks) sum += height > near_top ? up : 0;
+    return sum < 0;
   }
 
   /// Neighbours across edges along a direction.
