@@ -22,7 +22,7 @@ namespace isopatch::geometry::test {
 /// (made_solids/drilled.cpp): "port", "ports" (through), "three_bores", "sunk_port", "blind_bore",
 /// "port_beside" (the axis), and "wide_port", which is wider than the bore that it ends in. Stacks with slots
 /// across (made_solids/slotted.cpp): "slotted_bar", "slotted_wing" (freeform walls and slot), "pocketed_wing",
-/// "slotted_lens" (round walls), "bored_lens". Stacks but for
+/// "slotted_lens" (round walls), "bored_lens", "flatted_pin" (bored through two flats under a chamfer). Stacks but for
 /// their rounds (made_solids/rounds.cpp): "filleted_boss", "filleted_step", "filleted_pocket" (concave ones
 /// along floors), "rounded_boss" (a convex one). Turned with branches across (made_solids/branched.cpp):
 /// "bossed_bar", "bossed_oblique", "tapped_boss", "two_bosses", "cross_bored", "beside_the_axis", "oil_bore",

@@ -42,7 +42,8 @@ INSTANTIATE_TEST_SUITE_P(
                     CrossBoredSample{"three_bores", 60, 4}, CrossBoredSample{"sunk_port", 60, 1},
                     CrossBoredSample{"blind_bore", 70, 1}, CrossBoredSample{"slotted_bar", 14, 2, 1},
                     CrossBoredSample{"slotted_wing", 9, 1, 1}, CrossBoredSample{"pocketed_wing", 21, 1, 1},
-                    CrossBoredSample{"slotted_lens", 14, 1, 1}, CrossBoredSample{"bored_lens", 9, 1}),
+                    CrossBoredSample{"slotted_lens", 14, 1, 1}, CrossBoredSample{"bored_lens", 9, 1},
+                    CrossBoredSample{"flatted_pin", 160, 1}),
     [](const auto& info) { return std::string(info.param.name); });
 
 TEST(CrossBoredCells, AreNoneOfSolidsWithoutBoresAcross) {

@@ -6,6 +6,7 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <GC_MakeArcOfCircle.hxx>
@@ -90,11 +91,23 @@ TopoDS_Shape egg(double from, double to) {
       .Shape();
 }
 
+// Two flats at the upper end of a round pin with a chamfer, and a hole through them.
+TopoDS_Shape flatted_pin() {
+  TopoDS_Shape result =
+      BRepAlgoAPI_Fuse(BRepPrimAPI_MakeCylinder(15, 60).Shape(),
+                       BRepPrimAPI_MakeCone(gp_Ax2({0, 0, 60}, gp::DZ()), 15, 14, 1).Shape())
+          .Shape();
+  for (const double x : {11.0, -16.0})
+    result = cut(result, BRepPrimAPI_MakeBox(gp_Pnt(x, -16, 36), gp_Pnt(x + 5, 16, 62)).Shape());
+  return cut(result, BRepPrimAPI_MakeCylinder(gp_Ax2({-12, 0, 48}, gp::DX()), 4, 24).Shape());
+}
+
 }  // namespace
 
 std::map<std::string, TopoDS_Shape> slotted() {
   const TopoDS_Shape bar = BRepPrimAPI_MakeBox(gp_Pnt(0, 8, 0), gp_Pnt(length, 32, height)).Shape();
   return {
+      {"flatted_pin", flatted_pin()},
       {"slotted_bar", pin_hole(cut(bar, long_hole(0, 40)))},
       {"slotted_wing", pin_hole(cut(wing(), egg(0, 40)))},
       {"pocketed_wing", pin_hole(cut(wing(), egg(0, 18)))},
