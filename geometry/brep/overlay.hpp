@@ -17,7 +17,7 @@ struct Overlay {
   std::vector<std::vector<int>> covered_by;  ///< by face of the sheet: numbers of the faces laid, ascending
 };
 
-/// Edges that agree to 1e-7 of the solid's size become one.
+/// Edges that agree to 1e-7 of the solid's size become one; so do arcs that only the seam of a wall divides.
 /// @param faces      plane, at right angles to `direction`; at least one
 /// @param origin     of the plane, m
 /// @param direction  unit

@@ -22,6 +22,8 @@ struct Interval {
 constexpr double quarter = std::numbers::pi / 2;
 /// Beside a bore, of its radius: where a plane is put that has nothing else near.
 constexpr double beside = 1;
+/// Likewise: how near a vertex is that a plane goes through instead.
+constexpr double near_vertex = 0.5;
 /// Up to this, no plane is put between a bore and the end.
 constexpr double near_end = 2;
 
@@ -73,8 +75,9 @@ std::vector<double> separators(const std::vector<Interval>& merged, double low, 
 
 class BoreRoomFinder {
  public:
-  BoreRoomFinder(const Brep& blank, const SweepFrame& frame, const std::vector<CrossBore>& bores)
-      : blank_(blank), frame_(frame), bores_(bores), tolerance_(1e-6 * blank.size()) {}
+  BoreRoomFinder(const Brep& solid, const Brep& blank, const SweepFrame& frame,
+                 const std::vector<CrossBore>& bores)
+      : solid_(solid), blank_(blank), frame_(frame), bores_(bores), tolerance_(1e-6 * blank.size()) {}
 
   BoreRoom make() {
     find_heights();
@@ -106,9 +109,30 @@ class BoreRoomFinder {
     return result;
   }
 
+  /// A plane beside bores along a direction goes through a vertex of a face that they open in, where one is
+  /// near: else there would be thin hexahedra between.
+  double at_a_vertex(double at, const Eigen::Vector3d& across, const Eigen::Vector3d& direction) const {
+    double best = at, nearest = 1e300;
+    for (const CrossBore& bore : bores_) {
+      if (!bore.opening || bore.branch.view.along.cross(direction).norm() > 1e-7) continue;
+      for (const auto& loop : solid_.face(*bore.opening).loops)
+        for (const geometry::EdgeUse& use : loop) {
+          const geometry::BrepEdge& edge = solid_.edge(use.edge);
+          if (edge.start == edge.end) continue;
+          const double place = (solid_.vertex(edge.start) - frame_.origin).dot(across);
+          const double distance = std::abs(place - at);
+          if (distance < std::min(nearest, near_vertex * bore.radius)) best = place, nearest = distance;
+        }
+    }
+    return best;
+  }
+
   Interval interval(const CrossBore& bore, const Eigen::Vector3d& direction) const {
-    const double at = (bore.branch.view.origin - frame_.origin).dot(direction);
-    return {at - bore.radius, at + bore.radius, bore.radius};
+    const PlanView& view = bore.branch.view;
+    const Eigen::Vector2d way(view.x.dot(direction), view.y.dot(direction));
+    const double at = (view.origin - frame_.origin).dot(direction);
+    const double one = way.dot(bore.low), other = way.dot(bore.high);
+    return {at + std::min(one, other), at + std::max(one, other), bore.radius};
   }
 
   void find_heights() {
@@ -132,7 +156,7 @@ class BoreRoomFinder {
     }
     const auto [low, high] = extent(across);
     for (const double at : separators(merged(std::move(all)), low, high))
-      draw(frame_.origin + at * across, direction);
+      draw(frame_.origin + at_a_vertex(at, across, direction) * across, direction);
   }
 
   bool is_hollow(FaceId wall) const {
@@ -187,6 +211,7 @@ class BoreRoomFinder {
 
   static double smallest_radius(const CrossBore& bore) {
     double result = bore.radius;
+    if (bore.is_slot) return result;
     for (const Outline& outline : bore.branch.outlines)
       result = std::min(result, (outline.curves.front().from - outline.curves.front().centre).norm());
     return result;
@@ -230,6 +255,7 @@ class BoreRoomFinder {
     made_.lines.push_back({middle - blank_.size() * direction, middle + blank_.size() * direction});
   }
 
+  const Brep& solid_;
   const Brep& blank_;
   const SweepFrame& frame_;
   const std::vector<CrossBore>& bores_;
@@ -239,8 +265,9 @@ class BoreRoomFinder {
 
 }  // namespace
 
-BoreRoom bore_room(const Brep& blank, const SweepFrame& frame, const std::vector<CrossBore>& bores) {
-  return BoreRoomFinder(blank, frame, bores).make();
+BoreRoom bore_room(const Brep& solid, const Brep& blank, const SweepFrame& frame,
+                   const std::vector<CrossBore>& bores) {
+  return BoreRoomFinder(solid, blank, frame, bores).make();
 }
 
 }  // namespace isopatch::segmentation

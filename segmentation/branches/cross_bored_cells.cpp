@@ -14,14 +14,13 @@
 #include "geometry/brep/without_faces.hpp"
 #include "segmentation/branches/internal/bore_room.hpp"
 #include "segmentation/branches/internal/cross_bores.hpp"
-#include "segmentation/sweeps/stack.hpp"
+#include "segmentation/sweeps/swept_cells.hpp"
 
 namespace isopatch::segmentation {
 namespace {
 
 using geometry::Brep;
 using geometry::CellComplex;
-using geometry::PlaneSurface;
 
 class BoredStack {
  public:
@@ -30,41 +29,67 @@ class BoredStack {
       : solid_(solid), blank_(blank), bores_(bores), frame_(frame) {}
 
   CrossBoredCells make() {
-    const BoreRoom room = bore_room(blank_, frame_, bores_);
-    Stack stack(blank_, frame_, room.lines);
-    for (const double height : room.heights) stack.divide_at(height);
+    const BoreRoom room = bore_room(solid_, blank_, frame_, bores_);
+    CellComplex complex = swept_with(blank_, frame_, room.lines, room.heights).complex;
     std::vector<BranchPlace> places;
-    for (const CrossBore& bore : bores_) places.push_back(place_of(bore, stack));
-    CellComplex complex = stack.complex();
+    for (const CrossBore& bore : bores_) places.push_back(place_of(bore, complex));
     name_faces(complex);
     const FaceId no_cut(static_cast<int>(solid_.faces().size()));
     for (std::size_t b = 0; b < bores_.size(); ++b)
       complex = inserted_branch(solid_, complex, bores_[b].branch, places[b], no_cut);
     require_all_of(complex);
-    return {std::move(complex), frame_.along, static_cast<int>(bores_.size())};
+    const auto slots =
+        std::count_if(bores_.begin(), bores_.end(), [](const CrossBore& bore) { return bore.is_slot; });
+    return {std::move(complex), frame_.along, static_cast<int>(bores_.size()), static_cast<int>(slots)};
   }
 
  private:
   double tolerance() const { return 1e-6 * solid_.size(); }
 
-  /// The rectangle on the plane that the bore opens in around its axis.
-  BranchPlace place_of(const CrossBore& bore, const Stack& stack) const {
+  /// The side that the bore opens in, the outermost that looks like a rectangle around it along the bore.
+  BranchPlace place_of(const CrossBore& bore, const CellComplex& complex) const {
     const PlanView& view = bore.branch.view;
-    const PlaneSurface plane{view.point({0, 0}, bore.branch.surface), view.x, view.y};
-    for (const StackSide& side : stack.sides_on(plane, tolerance())) {
-      const double free = std::min(-side.low.maxCoeff(), side.high.minCoeff());
-      if (side.low.maxCoeff() > -tolerance() || side.high.minCoeff() < tolerance()) continue;
-      if (free < (1 + least_room) * bore.radius)
-        throw Error(ErrorCode::unsupported,
-                    fmt::format("{} has no room beside it: {:.3g} m to what is next, from its axis",
-                                describe(solid_, bore.faces.front()), free));
+    std::optional<BranchPlace> best;
+    Eigen::Vector2d low, high;
+    double highest = -1e300;
+    for (const geometry::CellFace& face : complex.faces) {
+      if (!face.origin || face.loop.size() != 4) continue;
       BranchPlace place;
-      place.corners = {plane.point(side.low), plane.point({side.high.x(), side.low.y()}),
-                       plane.point(side.high), plane.point({side.low.x(), side.high.y()})};
-      return place;
+      double height = 0;
+      Eigen::Vector2d least(1e300, 1e300), most(-1e300, -1e300);
+      for (std::size_t i = 0; i < 4; ++i) {
+        place.corners[i] = complex.vertex(complex.from(face.loop[i]));
+        height += view.height(place.corners[i]) / 4;
+        least = least.cwiseMin(view.flat(place.corners[i]));
+        most = most.cwiseMax(view.flat(place.corners[i]));
+      }
+      const bool is_rectangle =
+          std::all_of(place.corners.begin(), place.corners.end(), [&](const Eigen::Vector3d& corner) {
+            return (view.flat(corner) - least).cwiseMin(most - view.flat(corner)).cwiseAbs().maxCoeff() <
+                   tolerance();
+          });
+      if (!is_rectangle || (bore.opening && std::abs(height - bore.branch.surface) > tolerance()) ||
+          height < highest || least.maxCoeff() > -tolerance() || most.minCoeff() < tolerance())
+        continue;
+      best = place;
+      low = least;
+      high = most;
+      highest = height;
     }
-    throw Error(ErrorCode::unsupported,
-                fmt::format("{} begins in no rectangle of its stack", describe(solid_, bore.faces.front())));
+    if (!best)
+      throw Error(ErrorCode::unsupported,
+                  fmt::format("{} begins in no side of its stack that is rectangular as seen along it",
+                              describe(solid_, bore.faces.front())));
+    require_room(bore, low, high);
+    return *best;
+  }
+
+  /// In a rectangle, seen as the bore is.
+  void require_room(const CrossBore& bore, const Eigen::Vector2d& low, const Eigen::Vector2d& high) const {
+    const double free = (bore.low - low).cwiseMin(high - bore.high).minCoeff();
+    if (free < least_room * bore.radius)
+      throw Error(ErrorCode::unsupported, fmt::format("{} has no room beside it: {:.3g} m to what is next",
+                                                      describe(solid_, bore.faces.front()), free));
   }
 
   /// By the solid's faces instead of the blank's.

@@ -7,11 +7,12 @@
 
 namespace isopatch::segmentation {
 
-/// A stack with bores across it as hexahedra.
+/// A stack with bores and slots across it as hexahedra.
 struct CrossBoredCells {
   geometry::CellComplex complex;  ///< of hexahedra that meet side to side
   Eigen::Vector3d along;          ///< unit, of the stack
-  int bores = 0;                  ///< across it
+  int bores = 0;                  ///< across it, slots among them
+  int slots = 0;                  ///< those that are not round
 };
 
 /// Whether a solid looks like a stack with bores across it that meet each other or bores along it.

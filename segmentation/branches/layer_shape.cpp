@@ -31,7 +31,7 @@ NurbsCurve mapped(const NurbsCurve& curve, const auto& map) {
 
 LayerShape::LayerShape(const geometry::CellComplex& complex, const PlanView& view, const ColumnLayer& layer,
                        double tolerance)
-    : view_(view) {
+    : view_(view), close_(1e-2 * tolerance) {
   std::vector<NurbsCurve> sides;
   double low = 1e300, high = -1e300;
   for (const geometry::EdgeUse& use : layer.sides) {
@@ -120,7 +120,14 @@ NurbsCurve LayerShape::lifted(const NurbsCurve& plan) const {
       return in_space({a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()), p.y(), p.z()});
     });
   }
-  return interpolated([&](double t) { return in_space(on_layer(plan.point(Parameter<1>(t)))); });
+  const auto curve = [&](double t) { return in_space(on_layer(plan.point(Parameter<1>(t)))); };
+  return is_smooth(plan) ? interpolated(curve) : interpolated(curve, close_);
+}
+
+/// Whether what lies over a curve has all derivatives: on planes and cylinders, over what has them itself.
+bool LayerShape::is_smooth(const NurbsCurve& plan) const {
+  constexpr int most_points = 13;  // of `interpolated` for a smooth curve
+  return plan.size() <= most_points && (centre_ || across_->degree(0) == 1);
 }
 
 geometry::NurbsSurface LayerShape::surface() const {
@@ -137,7 +144,7 @@ NurbsCurve LayerShape::trace(const NurbsCurve& curve) const {
   };
   if (std::abs(in_domain(0)[0] - in_domain(1)[0]) < 1e-12 && curve.degree(0) == 1)
     return geometry::segment(in_domain(0), in_domain(1));
-  return interpolated(in_domain);
+  return is_smooth(curve) ? interpolated(in_domain) : interpolated(in_domain, close_ / (high_ - low_));
 }
 
 }  // namespace isopatch::segmentation

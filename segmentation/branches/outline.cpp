@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -10,6 +11,7 @@
 
 #include "geometry/base/error.hpp"
 #include "geometry/brep/require_solid.hpp"
+#include "segmentation/sweeps/interpolate.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -47,9 +49,7 @@ class Tracer {
     std::vector<Eigen::Vector2d> result;
     for (const auto& loop : solid_.face(face).loops)
       for (const geometry::EdgeUse& use : loop) {
-        if (solid_.edge(use.edge).kind != geometry::CurveKind::line ||
-            solid_.tangent(use.edge, 0.5).normalized().cross(view_.along).norm() > 1e-7)
-          continue;
+        if (!is_straight_along(solid_, use.edge, view_.along)) continue;
         const Eigen::Vector2d place = view_.flat(solid_.point(use.edge, 0.5));
         if (std::none_of(result.begin(), result.end(),
                          [&](const Eigen::Vector2d& known) { return is_same(known, place); }))
@@ -80,7 +80,7 @@ class Tracer {
   }
 
   void add(FaceId face) {
-    const geometry::Carrier carrier = *solid_.carrier(face);
+    const std::optional<geometry::Carrier> carrier = solid_.carrier(face);
     const std::vector<Eigen::Vector2d> ends = rulings(face);
     const Eigen::Vector2d uv = point_inside(face);
     WallTrace trace;
@@ -88,18 +88,71 @@ class Tracer {
     const Eigen::Vector3d normal = solid_.outward_normal(face, uv);
     trace.place = view_.flat(solid_.point(face, uv));
     trace.outward = {normal.dot(view_.x), normal.dot(view_.y)};
-    if (ends.size() > 2 || (carrier.kind == SurfaceKind::plane && ends.size() != 2))
+    const bool is_round = carrier && carrier->kind == SurfaceKind::cylinder;
+    const bool is_plane = carrier && carrier->kind == SurfaceKind::plane;
+    if (ends.size() > 2 || ends.size() < (is_plane ? 2U : is_round ? 0U : 1U))
       refuse(face, "is no wall between two edges along a branch");
-    if (carrier.kind == SurfaceKind::plane)
+    if (is_round)
+      trace.curve = arc(view_.flat(carrier->origin), carrier->radius, ends, trace.place);
+    else if (is_plane)
       trace.curve = {ends[0], ends[1]};
     else
-      trace.curve = arc(view_.flat(carrier.origin), carrier.radius, ends, trace.place);
+      trace.curve = freeform(face, uv);
     for (WallTrace& known : traces_)
       if (is_one(known.curve, trace.curve)) {
         known.walls.push_back(face);
         return;
       }
     traces_.push_back(std::move(trace));
+  }
+
+  /// The first place, as a share, where a curve looks towards a corner of a square.
+  static double first_turn(const auto& at) {
+    const auto turn = [&](double share) {
+      const Eigen::Vector3d way = at(share + 1e-4) - at(share);
+      return std::sin(2 * std::atan2(way.y(), way.x()) - std::numbers::pi / 2);
+    };
+    constexpr int steps = 64;
+    for (int i = 0; i + 1 < steps; ++i) {
+      double low = static_cast<double>(i) / steps, high = static_cast<double>(i + 1) / steps;
+      const bool rises = turn(low) < 0;
+      if (rises == (turn(high) < 0)) continue;
+      for (int k = 0; k < 30; ++k) ((turn((low + high) / 2) < 0) == rises ? low : high) = (low + high) / 2;
+      return low;
+    }
+    return 0;
+  }
+
+  /// What a freeform wall shows, from one edge along the view to the other.
+  PlanCurve freeform(FaceId face, const Eigen::Vector2d& inside) const {
+    const auto derivatives = solid_.derivatives(face, inside);
+    const auto lean = [&](Eigen::Index i) {
+      return derivatives.col(i).normalized().cross(view_.along).norm();
+    };
+    const Eigen::Index across = lean(0) < lean(1) ? 1 : 0;
+    if (lean(1 - across) > 1e-7) refuse(face, "is a wall whose parameters do not run along it");
+    double low = 1e300, high = -1e300;
+    for (const auto& loop : solid_.face(face).loops)
+      for (const geometry::EdgeUse& use : loop)
+        for (const double t : {0.0, 1.0}) {
+          const double at = solid_.domain_point(face, use, t)[across];
+          low = std::min(low, at);
+          high = std::max(high, at);
+        }
+    const auto at = [&](double share) -> Eigen::Vector3d {
+      Eigen::Vector2d uv = inside;
+      uv[across] = low + share * (high - low);
+      const Eigen::Vector2d place = view_.flat(solid_.point(face, uv));
+      return {place.x(), place.y(), 0};
+    };
+    // What is closed begins where it looks towards a corner, as circles do.
+    const double first = is_same(at(0).head<2>(), at(1).head<2>()) ? first_turn(at) : 0;
+    const auto curve = [&](double share) {
+      return at(first + share > 1 ? first + share - 1 : first + share);
+    };
+    PlanCurve result{curve(0).head<2>(), curve(1).head<2>()};
+    result.spline = interpolated(curve, 1e-9 * solid_.size());
+    return result;
   }
 
   PlanCurve arc(const Eigen::Vector2d& centre, double radius, const std::vector<Eigen::Vector2d>& ends,
@@ -118,7 +171,9 @@ class Tracer {
   }
 
   bool is_one(const PlanCurve& a, const PlanCurve& b) const {
-    if (a.is_straight() != b.is_straight() || a.is_circle() != b.is_circle()) return false;
+    if (a.is_straight() != b.is_straight() || a.is_circle() != b.is_circle() ||
+        a.spline.has_value() != b.spline.has_value())
+      return false;
     if (a.is_circle())
       return is_same(a.centre, b.centre) &&
              std::abs((a.from - a.centre).norm() - (b.from - b.centre).norm()) < 1e-6 * solid_.size();
@@ -153,9 +208,13 @@ class Tracer {
     return result;
   }
 
+  /// About.
   static double length(const PlanCurve& curve) {
-    return curve.is_straight() ? (curve.to - curve.from).norm()
-                               : std::abs(curve.sweep) * (curve.from - curve.centre).norm();
+    constexpr int chords = 32;
+    double sum = 0;
+    for (int i = 0; i < chords; ++i)
+      sum += (curve.point((i + 1.0) / chords) - curve.point(static_cast<double>(i) / chords)).norm();
+    return sum;
   }
 
   static double twice_area(const Outline& outline) {
@@ -194,6 +253,29 @@ bool is_wall(const Brep& solid, FaceId face, const Eigen::Vector3d& along) {
   if (!carrier) return false;
   if (carrier->kind == SurfaceKind::plane) return std::abs(carrier->axis.dot(along)) < 1e-7;
   return carrier->kind == SurfaceKind::cylinder && carrier->axis.cross(along).norm() < 1e-7;
+}
+
+bool is_straight_along(const Brep& solid, EdgeId edge, const Eigen::Vector3d& along) {
+  if (solid.edge(edge).kind != geometry::CurveKind::line &&
+      solid.edge(edge).kind != geometry::CurveKind::spline)
+    return false;
+  constexpr std::array<double, 5> places = {0, 0.25, 0.5, 0.75, 1};
+  return std::all_of(places.begin(), places.end(), [&](double t) {
+    return solid.tangent(edge, t).normalized().cross(along).norm() < 1e-7;
+  });
+}
+
+bool runs_along(const Brep& solid, FaceId face, const Eigen::Vector3d& along) {
+  const geometry::DomainBox box = solid.domain(face);
+  constexpr int steps = 9;
+  for (int i = 0; i < steps * steps; ++i) {
+    const int row = i / steps;
+    const Eigen::Vector2d share((i % steps + 0.5) / steps, (row + 0.5) / steps);
+    if (std::abs(solid.outward_normal(face, box.low + share.cwiseProduct(box.high - box.low)).dot(along)) >
+        1e-7)
+      return false;
+  }
+  return true;
 }
 
 std::vector<Outline> outlines_of(const Brep& solid, const PlanView& view, const std::vector<FaceId>& walls) {

@@ -23,8 +23,38 @@ Eigen::Vector3d on_ground(const Eigen::Vector2d& point) {
   return {point.x(), point.y(), 0};
 }
 
+/// Where a spline looks towards a corner of a square: shares of its parameters.
+std::vector<double> turns_of(const geometry::NurbsCurve& spline) {
+  const auto turn = [&](double t) {  // 0 where it looks at a corner
+    const Eigen::Vector3d way = spline.jacobian(geometry::Parameter<1>(t));
+    return std::sin(2 * (std::atan2(way.y(), way.x()) - right_angle / 2));
+  };
+  constexpr int steps = 256;
+  std::vector<double> result;
+  for (int i = 1; i < steps; ++i) {
+    double low = static_cast<double>(i) / steps, high = static_cast<double>(i + 1) / steps;
+    const bool rises = turn(low) < 0;
+    if (i + 1 == steps || rises == (turn(high) < 0)) continue;
+    for (int k = 0; k < 50; ++k) ((turn((low + high) / 2) < 0) == rises ? low : high) = (low + high) / 2;
+    result.push_back(low);
+  }
+  return result;
+}
+
+std::vector<PlanCurve> spline_pieces(const PlanCurve& curve) {
+  std::vector<double> shares = {0};
+  for (const double share : turns_of(*curve.spline)) shares.push_back(share);
+  shares.push_back(1);
+  std::vector<PlanCurve> result;
+  for (std::size_t i = 1; i < shares.size(); ++i)
+    result.push_back(
+        {curve.point(shares[i - 1]), curve.point(shares[i]), {}, 0, curve.piece(shares[i - 1], shares[i])});
+  return result;
+}
+
 /// Divided where it looks towards corners of a square, so that a side faces no more than a right angle of it.
 std::vector<PlanCurve> pieces_of(const PlanCurve& curve) {
+  if (curve.spline) return spline_pieces(curve);
   if (curve.is_straight()) return {curve};
   const Eigen::Vector2d out = curve.from - curve.centre;
   const double start = std::atan2(out.y(), out.x()), sign = curve.sweep > 0 ? 1 : -1;
@@ -77,8 +107,11 @@ class Drafter {
  private:
   Uses ring(int outline, bool divided) {
     std::vector<PlanCurve> pieces;
-    for (const PlanCurve& curve : outlines_[static_cast<std::size_t>(outline)].curves)
-      for (PlanCurve& piece : divided ? pieces_of(curve) : std::vector{curve})
+    const std::vector<PlanCurve>& curves = outlines_[static_cast<std::size_t>(outline)].curves;
+    const bool keeps_splines = curves.size() >= 4 && curves.size() % 2 == 0;
+    for (const PlanCurve& curve : curves)
+      for (PlanCurve& piece :
+           divided && !(curve.spline && keeps_splines) ? pieces_of(curve) : std::vector{curve})
         pieces.push_back(std::move(piece));
     const int first = static_cast<int>(profile_.vertices.size()), count = static_cast<int>(pieces.size());
     Uses result;
@@ -212,6 +245,8 @@ class Drafter {
   /// Where a point is on a curve, if it is.
   std::optional<double> share_on(const PlanCurve& curve, const Eigen::Vector2d& point) const {
     double share = 0;
+    if (curve.spline)
+      throw Error(ErrorCode::unsupported, "what stands on a branch has an outline other than lines and arcs");
     if (curve.is_straight()) {
       share = (point - curve.from).dot(curve.to - curve.from) / (curve.to - curve.from).squaredNorm();
     } else {

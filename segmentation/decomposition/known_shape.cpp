@@ -97,8 +97,12 @@ std::string text_of(const BranchedCells& cells) {
 }
 
 std::string text_of(const CrossBoredCells& cells) {
-  return fmt::format("swept along {} with {} bore{} across", direction_text(cells.along), cells.bores,
-                     cells.bores == 1 ? "" : "s");
+  const auto counted = [](int count, const char* what) {
+    return count == 0 ? "" : fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+  };
+  const std::string bores = counted(cells.bores - cells.slots, "bore"), slots = counted(cells.slots, "slot");
+  return fmt::format("swept along {} with {}{}{} across", direction_text(cells.along), bores,
+                     bores.empty() || slots.empty() ? "" : " and ", slots);
 }
 
 /// "3 pieces: swept along z, x; turned about y".

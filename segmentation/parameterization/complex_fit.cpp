@@ -136,7 +136,11 @@ bool any(const Marks& marks) {
   });
 }
 
-/// Halves the marked spans, as far as the limit allows; returns whether any was.
+/// Of the range. Narrower ones are where an edge jumps, as beside vertices that are one but for a gap: no
+/// knots follow it.
+constexpr double narrowest_span = 1e-6;
+
+/// Halves the marked spans, as far as the limits allow; returns whether any was.
 bool halve(const HexComplex& complex, ComplexFit& fit, Marks marks) {
   bool changed = false;
   for (std::size_t k = 0; k < marks.size(); ++k) {
@@ -146,7 +150,8 @@ bool halve(const HexComplex& complex, ComplexFit& fit, Marks marks) {
     const std::vector<double> breaks = fit.sheets[k].breaks();
     std::vector<double> inserted;
     for (std::size_t i = 0; i < marks[k].size(); ++i)
-      if (marks[k][i]) inserted.push_back((breaks[i] + breaks[i + 1]) / 2);
+      if (marks[k][i] && breaks[i + 1] - breaks[i] > narrowest_span)
+        inserted.push_back((breaks[i] + breaks[i + 1]) / 2);
     if (inserted.empty() || static_cast<int>(marks[k].size() + inserted.size()) > fit.most_spans[k]) continue;
     fit.sheets[k] = geometry::with_knots(fit.sheets[k], inserted);
     changed = true;

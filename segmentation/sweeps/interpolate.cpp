@@ -1,5 +1,6 @@
 #include "segmentation/sweeps/interpolate.hpp"
 
+#include <utility>
 #include <vector>
 
 #include "geometry/base/error.hpp"
@@ -19,14 +20,53 @@ Eigen::MatrixXd through(const geometry::KnotVector& knots, const Eigen::MatrixXd
   return *result;
 }
 
-}  // namespace
-
-geometry::NurbsCurve interpolated(const std::function<Eigen::Vector3d(double)>& curve) {
-  const auto knots = geometry::KnotVector::uniform(degree_between, spans_between);
+geometry::NurbsCurve through_points_of(const std::function<Eigen::Vector3d(double)>& curve,
+                                       const geometry::KnotVector& knots) {
   const std::vector<double> at = knots.greville();
   Eigen::MatrixXd points(static_cast<Eigen::Index>(at.size()), 3);
   for (std::size_t i = 0; i < at.size(); ++i) points.row(static_cast<Eigen::Index>(i)) = curve(at[i]);
   return geometry::NurbsCurve({knots}, through(knots, points).transpose());
+}
+
+geometry::KnotVector knots_at(const std::vector<double>& breaks) {
+  std::vector<double> knots(degree_between, breaks.front());
+  knots.insert(knots.end(), breaks.begin(), breaks.end());
+  knots.insert(knots.end(), degree_between, breaks.back());
+  return {degree_between, knots};
+}
+
+bool is_close(const geometry::NurbsCurve& made, const std::function<Eigen::Vector3d(double)>& curve,
+              double low, double high, double tolerance) {
+  constexpr int places = 4;  // none of the points
+  for (int i = 0; i < places; ++i) {
+    const double t = low + (high - low) * (i + 0.37) / places;
+    if (!((made.point(geometry::Parameter<1>(t)) - curve(t)).norm() <= tolerance)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+geometry::NurbsCurve interpolated(const std::function<Eigen::Vector3d(double)>& curve) {
+  return through_points_of(curve, geometry::KnotVector::uniform(degree_between, spans_between));
+}
+
+geometry::NurbsCurve interpolated(const std::function<Eigen::Vector3d(double)>& curve, double tolerance) {
+  std::vector<double> breaks;
+  for (int i = 0; i <= spans_between; ++i) breaks.push_back(static_cast<double>(i) / spans_between);
+  constexpr int most_halvings = 20;
+  for (int halvings = 0; halvings <= most_halvings; ++halvings) {
+    geometry::NurbsCurve made = through_points_of(curve, knots_at(breaks));
+    std::vector<double> finer = {0};
+    for (std::size_t i = 1; i < breaks.size(); ++i) {
+      if (!is_close(made, curve, breaks[i - 1], breaks[i], tolerance))
+        finer.push_back((breaks[i - 1] + breaks[i]) / 2);
+      finer.push_back(breaks[i]);
+    }
+    if (finer.size() == breaks.size()) return made;
+    breaks = std::move(finer);
+  }
+  throw Error(ErrorCode::unsupported, "a curve of the solid has corners");
 }
 
 geometry::NurbsSurface interpolated(const std::function<Eigen::Vector3d(double, double)>& surface) {

@@ -48,8 +48,21 @@ NurbsCurve conic_piece(const Brep& brep, EdgeId edge, double low, double high) {
   return NurbsCurve({KnotVector(2, {0, 0, 0, 1, 1, 1})}, points, Eigen::Vector3d(1, weight, 1));
 }
 
+/// One curve of two that meet, the first up to a parameter.
+NurbsCurve joined(const NurbsCurve& first, const NurbsCurve& second, double at) {
+  const auto degree = static_cast<std::ptrdiff_t>(first.degree(0));
+  const KnotVector low = rescaled(first.knots(0), 0, at), high = rescaled(second.knots(0), at, 1);
+  std::vector<double> knots(low.knots().begin(), low.knots().end() - 1);
+  knots.insert(knots.end(), high.knots().begin() + degree + 1, high.knots().end());
+  Eigen::Matrix4Xd points(4, first.size() + second.size() - 1);
+  points << first.homogeneous(), second.homogeneous().rightCols(second.size() - 1);
+  return NurbsCurve::from_homogeneous({KnotVector(static_cast<int>(degree), std::move(knots))}, points);
+}
+
+}  // namespace
+
 /// With knots of full multiplicity at both ends of the piece, what lies between them.
-NurbsCurve spline_piece(const NurbsCurve& whole, double low, double high) {
+NurbsCurve piece_of_curve(const NurbsCurve& whole, double low, double high) {
   const double first = whole.low()[0], length = whole.high()[0] - first;
   std::array<double, 2> ends = {first + low * length, first + high * length};
   for (double& end : ends)  // one that is a knot but for round-off
@@ -78,19 +91,6 @@ NurbsCurve spline_piece(const NurbsCurve& whole, double low, double high) {
                     curve.weights().segment(from, count));
 }
 
-/// One curve of two that meet, the first up to a parameter.
-NurbsCurve joined(const NurbsCurve& first, const NurbsCurve& second, double at) {
-  const auto degree = static_cast<std::ptrdiff_t>(first.degree(0));
-  const KnotVector low = rescaled(first.knots(0), 0, at), high = rescaled(second.knots(0), at, 1);
-  std::vector<double> knots(low.knots().begin(), low.knots().end() - 1);
-  knots.insert(knots.end(), high.knots().begin() + degree + 1, high.knots().end());
-  Eigen::Matrix4Xd points(4, first.size() + second.size() - 1);
-  points << first.homogeneous(), second.homogeneous().rightCols(second.size() - 1);
-  return NurbsCurve::from_homogeneous({KnotVector(static_cast<int>(degree), std::move(knots))}, points);
-}
-
-}  // namespace
-
 NurbsCurve piece_of_curve(const Brep& brep, EdgeId edge, double low, double high) {
   switch (brep.edge(edge).kind) {
     case geometry::CurveKind::line:
@@ -102,9 +102,9 @@ NurbsCurve piece_of_curve(const Brep& brep, EdgeId edge, double low, double high
       break;
   }
   const NurbsCurve whole = brep.curve(edge);
-  return high > 1
-             ? joined(spline_piece(whole, low, 1), spline_piece(whole, 0, high - 1), (1 - low) / (high - low))
-             : spline_piece(whole, low, high);
+  return high > 1 ? joined(piece_of_curve(whole, low, 1), piece_of_curve(whole, 0, high - 1),
+                           (1 - low) / (high - low))
+                  : piece_of_curve(whole, low, high);
 }
 
 }  // namespace isopatch::segmentation

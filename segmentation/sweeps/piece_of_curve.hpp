@@ -10,4 +10,7 @@ namespace isopatch::segmentation {
 /// @throws Error unsupported  an arc of 170 degrees or more, a curve of no exact form
 geometry::NurbsCurve piece_of_curve(const geometry::Brep& brep, EdgeId edge, double low, double high);
 
+/// What a spline has between two shares of its parameters, 0 <= low < high <= 1: exact, over [0, 1].
+geometry::NurbsCurve piece_of_curve(const geometry::NurbsCurve& whole, double low, double high);
+
 }  // namespace isopatch::segmentation

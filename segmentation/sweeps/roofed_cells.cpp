@@ -60,13 +60,15 @@ Lines spokes(const Brep& solid, const SweepFrame& frame, const std::vector<FaceI
 class RoofedStack {
  public:
   RoofedStack(const Brep& solid, const SweepFrame& frame, const std::vector<FaceId>& faces,
-              const Lines& lines, const QuadrangulationOptions& options)
+              const Lines& lines, const QuadrangulationOptions& options,
+              const std::vector<double>& heights = {})
       : solid_(solid),
         frame_(with_roofs(frame, faces)),
         divided_(divided_drawing(solid, frame_, lines, options)),
         moving_(solid, frame_, divided_.drawing, divided_.quads),
         layers_(layers(divided_.quads, divided_.drawing.slabs, moving_,
-                       std::vector<std::vector<double>>(divided_.quads.quads.size()), 1e-7 * solid.size())) {
+                       std::vector<std::vector<double>>(divided_.quads.quads.size(), heights),
+                       1e-7 * solid.size())) {
     for (const FaceId face : faces) roofs_.emplace_back(solid, frame_, face);
   }
 
@@ -145,6 +147,23 @@ class RoofedStack {
 };
 
 }  // namespace
+
+bool has_roofs(const Brep& solid, const SweepFrame& frame) {
+  return !roofs(solid, frame).empty();
+}
+
+SweptCells roofed_cells_with(const Brep& solid, const SweepFrame& frame, const Lines& lines,
+                             const std::vector<double>& heights) {
+  const std::vector<FaceId> faces = roofs(solid, frame);
+  Lines all = spokes(solid, frame, faces);
+  all.insert(all.end(), lines.begin(), lines.end());
+  try {
+    return RoofedStack(solid, frame, faces, all, {.thorough = true}, heights).make();
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::internal) throw;
+    return RoofedStack(solid, frame, faces, lines, {}, heights).make();
+  }
+}
 
 std::optional<SweptCells> roofed_cells(const Brep& solid, const QuadrangulationOptions& options) {
   for (const SweepFrame& frame : sweep_frames(solid)) {

@@ -18,6 +18,14 @@ SweptCells swept_along(const geometry::Brep& solid, const SweepFrame& frame,
 
 }  // namespace
 
+SweptCells swept_with(const geometry::Brep& solid, const SweepFrame& frame, const std::vector<Line>& lines,
+                      const std::vector<double>& heights) {
+  if (has_roofs(solid, frame)) return roofed_cells_with(solid, frame, lines, heights);
+  Stack stack(solid, frame, lines);
+  for (const double height : heights) stack.divide_at(height);
+  return {stack.complex(), frame.along, stack.quadrilaterals(), stack.levels()};
+}
+
 std::optional<SweptCells> swept_cells(const geometry::Brep& solid, const QuadrangulationOptions& options) {
   std::optional<SweptCells> best;
   std::optional<Error> refusal;

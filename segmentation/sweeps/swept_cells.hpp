@@ -1,9 +1,11 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "geometry/brep/brep.hpp"
 #include "segmentation/profiles/quadrangulation_options.hpp"
+#include "segmentation/sweeps/stack.hpp"
 #include "segmentation/sweeps/swept_columns.hpp"
 
 namespace isopatch::segmentation {
@@ -22,5 +24,13 @@ namespace isopatch::segmentation {
 /// are not straight, a profile cannot be divided: names the place
 std::optional<SweptCells> swept_cells(const geometry::Brep& solid,
                                       const QuadrangulationOptions& options = {.thorough = true});
+
+/// The same along one direction, for those that go on with it: what would be a stack if cones did not cut off
+/// its walls among them, rounds not.
+/// @param lines    on its floors; they become sides of hexahedra
+/// @param heights  all columns are divided at, as the frame measures, m
+/// @throws Error as above
+SweptCells swept_with(const geometry::Brep& solid, const SweepFrame& frame, const std::vector<Line>& lines,
+                      const std::vector<double>& heights);
 
 }  // namespace isopatch::segmentation

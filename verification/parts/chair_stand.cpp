@@ -20,6 +20,7 @@ constexpr double height = 67.5, middle = 112.5;  // y of the plane of symmetry
 constexpr double hub_x = -45, hub_radius = 55.575, sector_end = 22.5;
 const double sector = std::tan(std::numbers::pi / 5);  // slope of the planes between the fifths
 constexpr double end_x = 207, end_radius = 18.45, pin_radius = 5.6925;
+constexpr double ring_radius = 23.4, pin_bore = 0.4 * pin_radius;  // of the ring and the pin, inside
 
 /// Places along the arm, x, and its half width there.
 constexpr std::array<std::array<double, 2>, 7> half_widths = {{{45, 30.15},
@@ -47,11 +48,14 @@ std::vector<gp_Pnt2d> side(int sign) {
   return points;
 }
 
+/// On the planes between the fifths, at a distance from the hub's axis.
+gp_Pnt2d on_plane(double radius, int sign) {
+  const double angle = std::numbers::pi / 5;
+  return {hub_x + radius * std::cos(angle), middle + sign * radius * std::sin(angle)};
+}
+
 TopoDS_Shape arm() {
-  const double angle = 36 * std::numbers::pi / 180;
-  const auto on_hub = [&](int sign) {
-    return gp_Pnt2d(hub_x + hub_radius * std::cos(angle), middle + sign * hub_radius * std::sin(angle));
-  };
+  const auto on_hub = [](int sign) { return on_plane(hub_radius, sign); };
   const std::vector<gp_Pnt2d> below = side(-1);
   std::vector<gp_Pnt2d> above = side(1);
   std::reverse(above.begin(), above.end());
@@ -75,6 +79,23 @@ TopoDS_Shape slot() {
       .Shape();
 }
 
+TopoDS_Shape ring() {
+  const TopoDS_Wire outline =
+      wire({line(on_plane(ring_radius, -1), on_plane(hub_radius, -1)),
+            arc(hub_x, hub_radius, on_plane(hub_radius, -1), on_plane(hub_radius, 1), true),
+            line(on_plane(hub_radius, 1), on_plane(ring_radius, 1)),
+            arc(hub_x, ring_radius, on_plane(ring_radius, 1), on_plane(ring_radius, -1), false)});
+  const TopoDS_Shape longer =
+      BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline, true).Face(), gp_Vec(0, 0, 2 * height)).Shape();
+  // Top and bottom of a prism are one face in two places, of which STEP files name one.
+  return without(longer, {box({-100, 0, height}, {100, 300, 3 * height})});
+}
+
+TopoDS_Shape pin() {
+  return without(cylinder({end_x, middle, 0}, gp::DZ(), pin_radius, height),
+                 {cylinder({end_x, middle, -1}, gp::DZ(), pin_bore, height + 2)});
+}
+
 }  // namespace
 
 Part chair_stand() {
@@ -84,6 +105,22 @@ Part chair_stand() {
            {"right sector plane", {15, middle - 60 * sector, 30}},
            {"left sector plane", {15, middle + 60 * sector, 30}}},
           {}};
+}
+
+Part chair_stand_with_ring_and_pin() {
+  Part result = chair_stand();
+  result.name = "stand";
+  const double inside = (ring_radius + hub_radius) / 2, wall = (pin_bore + pin_radius) / 2;
+  const auto beside = [&](int sign) {
+    return gp_Pnt(on_plane(inside, sign).X(), on_plane(inside, sign).Y(), 30);
+  };
+  result.others = {{"ring",
+                    ring(),
+                    {{"ring top", {hub_x + inside, middle, height}},
+                     {"right plane of the ring", beside(-1)},
+                     {"left plane of the ring", beside(1)}}},
+                   {"pin", pin(), {{"pin bottom", {end_x + wall, middle, 0}}}}};
+  return result;
 }
 
 }  // namespace isopatch::parts

@@ -57,6 +57,8 @@ const std::vector<Drawing>& drawings() {
       {"demonstrator", "models", "the TERRIFIC demonstrator, from its dimensions", demonstrator},
       {"car_part", "models", "a wishbone of a car, of sharp edges", car_part},
       {"chair_stand", "models", "one fifth of a chair's base, from its dimensions", chair_stand},
+      {"chair_stand_with_ring_and_pin", "assemblies", "the same with what it holds, three bodies",
+       chair_stand_with_ring_and_pin},
   };
   return all;
 }

@@ -26,7 +26,7 @@ using nlohmann::ordered_json;
 ordered_json description(const Drawing& drawing, const Part& part) {
   ordered_json result = {{"name", drawing.name}, {"set", drawing.set}, {"what", drawing.what}};
   result["file"] = drawing.name + ".step";
-  result["triangles"] = drawing.name + ".stl";
+  if (part.others.empty()) result["triangles"] = drawing.name + ".stl";
   for (const auto& face : part.faces) result["faces"].push_back(face.name);
   result["held"] = part.faces[0].name;
   result["loaded"] = part.faces[1].name;
@@ -39,7 +39,7 @@ ordered_json written(const Drawing& drawing, const std::string& folder) {
   try {
     const Part part = drawing.draw();
     write_step(part, drawing.name, folder + "/" + drawing.name + ".step");
-    write_stl(part, folder + "/" + drawing.name + ".stl");
+    if (part.others.empty()) write_stl(part, folder + "/" + drawing.name + ".stl");
     return description(drawing, part);
   } catch (const Standard_Failure& failure) {
     throw std::runtime_error(drawing.name + ": " + failure.GetMessageString());

@@ -34,10 +34,14 @@ void write_step(const Part& part, const std::string& name, const std::string& pa
   Interface_Static::SetIVal("write.stepcaf.subshapes.name", 1);
   Handle(TDocStd_Document) document = new TDocStd_Document("BinXCAF");
   const Handle(XCAFDoc_ShapeTool) shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
-  const TDF_Label label = shapes->AddShape(part.solid, false);
-  TDataStd_Name::Set(label, name.c_str());
-  for (const FaceName& face : part.faces)
-    TDataStd_Name::Set(shapes->AddSubShape(label, face_at(part.solid, face)), face.name.c_str());
+  std::vector<Body> bodies = {{part.name.empty() ? name : part.name, part.solid, part.faces}};
+  bodies.insert(bodies.end(), part.others.begin(), part.others.end());
+  for (const Body& body : bodies) {
+    const TDF_Label label = shapes->AddShape(body.solid, false);
+    TDataStd_Name::Set(label, body.name.c_str());
+    for (const FaceName& face : body.faces)
+      TDataStd_Name::Set(shapes->AddSubShape(label, face_at(body.solid, face)), face.name.c_str());
+  }
   writer.SetNameMode(true);
   if (!writer.Transfer(document, STEPControl_AsIs) || writer.Write(path.c_str()) != IFSelect_RetDone)
     throw std::runtime_error("cannot write " + path);

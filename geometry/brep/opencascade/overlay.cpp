@@ -123,10 +123,11 @@ class Overlayer {
 
   TopoDS_Wire wire(std::vector<EdgeUse> loop, bool turned) {
     if (turned) std::reverse(loop.begin(), loop.end());
+    for (EdgeUse& use : loop) use.reversed = use.reversed != turned;
     BRepBuilderAPI_MakeWire maker;
-    for (const EdgeUse& use : loop) {
-      const TopoDS_Edge made = edge(use.edge);
-      maker.Add(use.reversed == turned ? made : TopoDS::Edge(made.Reversed()));
+    for (const std::vector<EdgeUse>& group : without_ends_of_seams(std::move(loop))) {
+      const TopoDS_Edge made = group.size() > 1 ? arc_over(group) : edge(group.front().edge);
+      maker.Add(group.size() > 1 || !group.front().reversed ? made : TopoDS::Edge(made.Reversed()));
       // The next edge that can be added takes an error back (findings/occt_make_wire_loses_edge.sh).
       if (maker.Error() != BRepBuilderAPI_WireDone) fail();
     }
@@ -134,14 +135,74 @@ class Overlayer {
     return maker.Wire();
   }
 
+  VertexId from(const EdgeUse& use) const {
+    const BrepEdge& edge = source_.tables().edges[static_cast<std::size_t>(use.edge.value)];
+    return use.reversed ? edge.end : edge.start;
+  }
+  VertexId to(const EdgeUse& use) const { return from({use.edge, !use.reversed}); }
+
+  /// Whether two arcs are one but for the seam of the wall that they bound, which is no edge to be seen.
+  bool goes_on(const EdgeUse& one, const EdgeUse& next) const {
+    const auto& edges = source_.tables().edges;
+    const BrepEdge &a = edges[static_cast<std::size_t>(one.edge.value)],
+                   &b = edges[static_cast<std::size_t>(next.edge.value)];
+    const VertexId between = to(one);
+    if (one.edge == next.edge || between != from(next) || a.kind != CurveKind::circle ||
+        b.kind != CurveKind::circle || redrawn_.contains(one.edge) || redrawn_.contains(next.edge) ||
+        !std::is_permutation(a.faces.begin(), a.faces.end(), b.faces.begin(), b.faces.end()))
+      return false;
+    bool any = false;
+    for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
+      const BrepEdge& edge = edges[static_cast<std::size_t>(e)];
+      if (EdgeId(e) == one.edge || EdgeId(e) == next.edge || (edge.start != between && edge.end != between))
+        continue;
+      if (edge.faces.size() != 2 || edge.faces[0] != edge.faces[1]) return false;
+      any = true;
+    }
+    const Handle(Geom_Circle) first = Handle(Geom_Circle)::DownCast(source_.of(one.edge).curve);
+    const Handle(Geom_Circle) second = Handle(Geom_Circle)::DownCast(source_.of(next.edge).curve);
+    return any && !first.IsNull() && !second.IsNull() &&
+           first->Location().Distance(second->Location()) < 1e-7 * first->Radius() &&
+           std::abs(first->Radius() - second->Radius()) < 1e-7 * first->Radius();
+  }
+
+  /// Arcs that go on in one another together; all others alone.
+  std::vector<std::vector<EdgeUse>> without_ends_of_seams(std::vector<EdgeUse> loop) const {
+    for (std::size_t i = 0; i < loop.size() && goes_on(loop.back(), loop.front()); ++i)
+      std::rotate(loop.begin(), loop.begin() + 1, loop.end());
+    std::vector<std::vector<EdgeUse>> result;
+    for (const EdgeUse& use : loop) {
+      if (!result.empty() && goes_on(result.back().back(), use) && from(result.back().front()) != to(use))
+        result.back().push_back(use);
+      else
+        result.push_back({use});
+    }
+    return result;
+  }
+
+  /// As the arcs run.
+  TopoDS_Edge arc_over(const std::vector<EdgeUse>& arcs) {
+    const EdgeGeometry& source = source_.of(arcs.front().edge);
+    const bool forwards = (source.first < source.last) != arcs.front().reversed;
+    const Eigen::Vector3d by =
+        (origin_ - to_eigen(source.curve->Value(source.first))).dot(direction_) * direction_;
+    const Handle(Geom_Circle) circle =
+        Handle(Geom_Circle)::DownCast(source.curve->Translated(gp_Vec(by.x(), by.y(), by.z())));
+    const auto place = [&](VertexId vertex) {
+      return to_point(source_.tables().vertices.col(vertex.value) / metres_ + by);
+    };
+    const gp_Pnt start = place(from(arcs.front())), end = place(to(arcs.back()));
+    BRepBuilderAPI_MakeEdge maker(circle, forwards ? start : end, forwards ? end : start);
+    if (!maker.IsDone()) fail();
+    const BRep_Builder shapes;
+    for (const TopoDS_Vertex& vertex : {maker.Vertex1(), maker.Vertex2()})
+      shapes.UpdateVertex(vertex, joined());
+    return forwards ? maker.Edge() : TopoDS::Edge(maker.Edge().Reversed());
+  }
+
   /// A loop that runs through an edge twice is as many as are left without it; the longest comes first.
   std::vector<std::vector<EdgeUse>> without_seams(const std::vector<std::vector<EdgeUse>>& loops) const {
     const auto& edges = source_.tables().edges;
-    const auto from = [&](const EdgeUse& use) {
-      const BrepEdge& edge = edges[static_cast<std::size_t>(use.edge.value)];
-      return use.reversed ? edge.end : edge.start;
-    };
-    const auto to = [&](const EdgeUse& use) { return from({use.edge, !use.reversed}); };
     std::vector<std::vector<EdgeUse>> result;
     for (const auto& loop : loops) {
       std::vector<EdgeUse> left;

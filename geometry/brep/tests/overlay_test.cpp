@@ -43,6 +43,21 @@ TEST(Overlay, DrawsEdgesInOtherSizes) {
   EXPECT_NEAR(laid.sheet.area(FaceId(0)), 600e-6 - 6.25e-6 * 3.14159265358979323846, 1e-12);
 }
 
+// The floor of a flat ends at a cylinder whose seam comes up to the middle of its arc.
+TEST(Overlay, DrawsArcsThatASeamDividesAsOne) {
+  const Brep solid = test::made_brep("flatted_pin");
+  int divided = 0;
+  for (const FaceId face : floors(solid)) {
+    const Overlay laid = overlay(solid, {face}, {0, 0, 0}, {0, 0, 1});
+    divided += solid.face(face).loops.front().size() > 2 ? 1 : 0;
+    if (solid.face(face).loops.front().size() == 3) {
+      EXPECT_EQ(laid.sheet.edges().size(), 2U);
+    }
+    EXPECT_NEAR(laid.sheet.area(FaceId(0)), solid.area(face), 1e-12);
+  }
+  EXPECT_GE(divided, 1);
+}
+
 TEST(Overlay, DrawsLinesToo) {
   // The block's top and bottom, with a line across and one that ends inside.
   const Brep solid = test::made_brep("block");

@@ -15,6 +15,7 @@ struct BoreRoom {
 
 /// Planes between bores, along the stack and across it, near to those that have much room; at floors.
 /// @param blank  the stack without the bores
-BoreRoom bore_room(const geometry::Brep& blank, const SweepFrame& frame, const std::vector<CrossBore>& bores);
+BoreRoom bore_room(const geometry::Brep& solid, const geometry::Brep& blank, const SweepFrame& frame,
+                   const std::vector<CrossBore>& bores);
 
 }  // namespace isopatch::segmentation

@@ -8,19 +8,23 @@
 
 namespace isopatch::segmentation {
 
-/// A bore across the direction of a stack, with its counterbores.
+/// A bore across the direction of a stack, with its counterbores, or a slot of any outline.
 struct CrossBore {
   std::vector<FaceId> faces;            ///< all of it
-  FaceId opening;                       ///< a plane of the stack that it begins on
+  std::optional<FaceId> opening;        ///< a plane of the stack that it begins on; nothing: other walls
   std::vector<geometry::Carrier> ends;  ///< of the other faces that it meets
-  double radius = 0;                    ///< the largest, m
-  Branch branch;  ///< seen from the opening, x along the stack, its origin on the bore's axis
+  double radius = 0;  ///< the largest, or half of what a slot is wide where it is widest along or across
+                      ///< the stack, whichever is less, m
+  Eigen::Vector2d low, high;  ///< of what it takes in its view, m
+  bool is_slot = false;
+  Branch branch;  ///< seen from the opening, x along the stack, its origin on the axis or in the middle
 };
 
-/// All faces of a solid that keep it from being a stack along a direction, if they are such bores: wide ones
-/// first. Bores that cross are two where one interrupts the other.
+/// All faces of a solid that keep it from being a stack along a direction, if they are such bores and slots:
+/// wide ones first. Bores that cross are two where one interrupts the other. Slots are walls between edges
+/// along them, all around.
 /// @return  nothing if other faces are among them, or none is there
-/// @throws Error unsupported  one that opens in no plane across it: names it
+/// @throws Error unsupported  one that is open along its whole length, or opens in no wall: names it
 std::optional<std::vector<CrossBore>> cross_bores(const geometry::Brep& solid, const Eigen::Vector3d& along);
 
 }  // namespace isopatch::segmentation

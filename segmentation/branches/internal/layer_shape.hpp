@@ -6,7 +6,8 @@
 
 namespace isopatch::segmentation {
 
-/// The height of a layer of a column over its plan: a plane across the view, or a plane or cylinder along x.
+/// The height of a layer of a column over its plan: a plane across the view, or what is straight along x, as
+/// planes, cylinders and extruded curves are.
 class LayerShape {
  public:
   /// @throws Error unsupported  another one
@@ -26,9 +27,11 @@ class LayerShape {
 
  private:
   double share_at(double y) const;
+  bool is_smooth(const geometry::NurbsCurve& plan) const;
   void find_centre(double tolerance);
 
   PlanView view_;
+  double close_ = 0;  // what counts as no distance of curves, m
   double height_ = 0;
   double low_ = 0, high_ = 0;                        // x of its ends
   std::optional<geometry::NurbsCurve> across_ = {};  // in coordinates of the view, at x = low_, y descending

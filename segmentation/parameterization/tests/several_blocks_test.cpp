@@ -112,6 +112,21 @@ TEST_F(SeveralBlocks, BecomeCertifiedWatertightPatches) {
   EXPECT_NEAR(sum, volume_of_half_tube, 15 * made.report.tolerance);
 }
 
+TEST_F(SeveralBlocks, ThatOnlyNearlyMeetAreFittedAsFarAsTheyDo) {
+  // One of four aside by 6e-4 of the size: edges of its neighbours end beside the vertices that are put
+  // between them all, and no knots bring them there.
+  const geometry::MultiPatch model = geometry::connect(geometry::cylinder_model(half_tube));
+  const geometry::NurbsVolume& first = model.patch(PatchId(0));
+  const Eigen::Matrix3Xd moved = first.control_points().colwise() + Eigen::Vector3d(2e-3, 1e-3, 0);
+  geometry::write_brep(files_.files[0],
+                       test::solid_of(geometry::NurbsVolume(first.knots(), moved, first.weights())),
+                       {.unit = "m"});
+  const HexModel together = found();
+  EXPECT_EQ(together.topology.edges.size(), listed().topology.edges.size());
+  const Parameterization made = parameterize(together);
+  EXPECT_LT(made.report.worst_face().deviation, 1e-3 * made.report.size);
+}
+
 TEST_F(SeveralBlocks, ThePapersMethodDeviatesMore) {
   const Parameterization made = parameterize(listed(), test::options(ParameterizationMethod::paper));
   for (const auto& patch : made.patches.patches) EXPECT_EQ(patch.size(), 343);

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <array>
 #include <optional>
+#include <vector>
 
 #include "geometry/brep/brep.hpp"
 #include "segmentation/profiles/quadrangulation_options.hpp"
+#include "segmentation/sweeps/sweep_frame.hpp"
 #include "segmentation/sweeps/swept_columns.hpp"
 
 namespace isopatch::segmentation {
@@ -14,5 +17,14 @@ namespace isopatch::segmentation {
 /// @return  nothing for a solid that is none
 /// @throws Error unsupported  it cannot be divided, or the columns are not all of it
 std::optional<SweptCells> roofed_cells(const geometry::Brep& solid, const QuadrangulationOptions& options);
+
+/// Whether cones cut off walls along a direction.
+bool has_roofs(const geometry::Brep& solid, const SweepFrame& frame);
+
+/// Along a direction that has roofs, with lines on floors, and heights that columns are divided at, m.
+/// @throws Error unsupported  as above
+SweptCells roofed_cells_with(const geometry::Brep& solid, const SweepFrame& frame,
+                             const std::vector<std::array<Eigen::Vector3d, 2>>& lines,
+                             const std::vector<double>& heights);
 
 }  // namespace isopatch::segmentation

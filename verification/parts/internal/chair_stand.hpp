@@ -8,4 +8,8 @@ namespace isopatch::parts {
 /// From the dimensions of the model published with G+Smo.
 Part chair_stand();
 
+/// The same with a fifth of the ring of the inner cylinder in its hub and a hollow pin in the hole: bodies
+/// "stand", "ring" and "pin".
+Part chair_stand_with_ring_and_pin();
+
 }  // namespace isopatch::parts

@@ -14,11 +14,20 @@ struct FaceName {
   gp_Pnt on;
 };
 
+/// Another solid of an assembly.
+struct Body {
+  std::string name;
+  TopoDS_Shape solid;
+  std::vector<FaceName> faces;
+};
+
 /// A solid as it is drawn, mm.
 struct Part {
   TopoDS_Shape solid;
-  std::vector<FaceName> faces;   ///< the first one is held and the second one loaded in a first study
-  std::optional<double> volume;  ///< mm^3, where it has a closed form
+  std::vector<FaceName> faces;    ///< the first one is held and the second one loaded in a first study
+  std::optional<double> volume;   ///< mm^3, where it has a closed form
+  std::string name = {};          ///< of the solid; the drawing's where empty
+  std::vector<Body> others = {};  ///< that touch it: an assembly
 };
 
 }  // namespace isopatch::parts

@@ -47,6 +47,7 @@
 #include "geometry/brep/tests/made_solids/crossed.hpp"
 #include "geometry/brep/tests/made_solids/drilled.hpp"
 #include "geometry/brep/tests/made_solids/rounds.hpp"
+#include "geometry/brep/tests/made_solids/slotted.hpp"
 #include "geometry/brep/tests/made_solids/stacks.hpp"
 #include "geometry/brep/tests/made_solids/turned.hpp"
 
@@ -254,6 +255,7 @@ void write_all(const std::string& folder) {
   for (const auto& [name, shape] : branched()) write(shape, in_folder(name.c_str()));
   for (const auto& [name, shape] : crossed()) write(shape, in_folder(name.c_str()));
   for (const auto& [name, shape] : drilled()) write(shape, in_folder(name.c_str()));
+  for (const auto& [name, shape] : slotted()) write(shape, in_folder(name.c_str()));
   for (const auto& [name, shape] : rounds()) write(shape, in_folder(name.c_str()));
   for (const auto& [name, shape] : turned_solids()) write(shape, in_folder(name.c_str()));
   write(drilled_quarters(), in_folder("drilled_quarters"));
