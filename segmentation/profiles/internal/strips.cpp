@@ -257,6 +257,9 @@ ShapeRules kept_rules(const ShapeRules& rules, const std::vector<Curve>& curves,
   return result;
 }
 
+/// Of a quadrilateral: smaller steps follow each other for long and take none away.
+constexpr double least_gain = 0.01;
+
 /// The cheapest of some meshes with one strip less, if it costs less than a mesh does.
 std::optional<Search> one_strip_less(const SearchInput& input, const Search& now) {
   std::vector<std::pair<double, Search>> tried;
@@ -276,21 +279,19 @@ std::optional<Search> one_strip_less(const SearchInput& input, const Search& now
     next.polish();
     next.improve(2 * static_cast<int>(next.mesh().cells.size()));
     next.polish();
-    if (next.is_valid() && next.cost() < (best ? best->cost() : now.cost()) - 1e-6) best = std::move(next);
+    if (next.is_valid() && next.cost() < (best ? best->cost() : now.cost() - least_gain))
+      best = std::move(next);
   }
   return best;
 }
 
 void take_strips_out(const SearchInput& input, Search& best, int windows) {
   for (bool again = true; again;) {
-    again = false;
-    while (std::optional<Search> next = one_strip_less(input, best)) {
-      best = std::move(*next);
-      again = true;
-    }
-    if (!again) return;
+    while (std::optional<Search> next = one_strip_less(input, best)) best = std::move(*next);
+    const double before = best.cost();
     best.improve(windows);
     best.polish();
+    again = best.cost() < before - least_gain;
   }
 }
 
