@@ -8,6 +8,7 @@
 #include "geometry/base/error.hpp"
 #include "segmentation/profiles/quadrangulate.hpp"
 #include "segmentation/profiles/symmetry.hpp"
+#include "segmentation/sweeps/internal/drawing_at_height.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -22,13 +23,47 @@ bool stays(const Tracks& tracks) {
   return tracks.vertices.empty() && tracks.edges.empty() && tracks.rings.empty();
 }
 
-/// Their number, and more where some are poor.
-double cost_of(const Profile& profile, const Quadrangulation& quads) {
-  constexpr double good = 0.25;  // of a scaled Jacobian: better ones are not worth another quadrilateral
-  double least = good;
+double least_jacobian(const Profile& profile, const Quadrangulation& quads) {
+  double least = 1;
   for (int q = 0; q < static_cast<int>(quads.quads.size()); ++q)
     least = std::min(least, shape_of(profile, quads, q).jacobian);
-  return static_cast<double>(quads.quads.size()) / std::max(least, 0.01);
+  return least;
+}
+
+/// Of a scaled Jacobian: better ones are not worth another quadrilateral.
+constexpr double good = 0.25;
+
+/// Their number, and more where some are poor.
+double cost_of(const Quadrangulation& quads, double least) {
+  return static_cast<double>(quads.quads.size()) / std::clamp(least, 0.01, good);
+}
+
+/// Of a drawing whose walls are inclined: divided where they are lowest, and half-way up, where what moves is
+/// nowhere far from where it is divided; the better of both at all heights.
+DividedDrawing divided_with_inclined_walls(const geometry::Brep& solid, const SweepFrame& frame,
+                                           SweptDrawing drawing, const QuadrangulationOptions& options) {
+  const auto [low, high] = range_of(drawing.tracks);
+  const auto least = [&](const Quadrangulation& quads) {
+    return least_over_heights(solid, frame, drawing, quads);
+  };
+  std::optional<Quadrangulation> best;
+  std::optional<Error> refusal;
+  for (const bool half_way : {false, true}) {
+    if (half_way && best && !options.thorough && least(*best) >= good) break;
+    try {
+      const double height = (low + high) / 2;
+      Quadrangulation made =
+          half_way ? as_drawn(solid, frame, drawing,
+                              quadrangulate(profile_at(solid, frame, drawing, height), options), height)
+                   : quadrangulate(drawing.profile, options);
+      if (!best || cost_of(made, least(made)) < cost_of(*best, least(*best))) best = std::move(made);
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::internal) throw;
+      if (!refusal) refusal = error;
+    }
+  }
+  if (!best) throw *refusal;
+  return {std::move(drawing), *std::move(best)};
 }
 
 /// As long as the solid to both sides, so that it crosses all of the drawing.
@@ -65,7 +100,7 @@ DividedDrawing divided_drawing(const geometry::Brep& solid, const SweepFrame& fr
     try {
       const Profile profile = profile_of(drawing, as_divided);
       Quadrangulation quads = mirrored_quadrangulation(profile, mirrors, options);
-      const double cost = cost_of(profile, quads);
+      const double cost = cost_of(quads, least_jacobian(profile, quads));
       if (!best || cost < least) best = DividedDrawing{std::move(drawing), std::move(quads)}, least = cost;
     } catch (const Error& error) {
       if (error.code() == ErrorCode::internal) throw;
@@ -73,6 +108,8 @@ DividedDrawing divided_drawing(const geometry::Brep& solid, const SweepFrame& fr
     }
   };
   SweptDrawing whole = swept_drawing(solid, frame, lines);
+  if (!as_divided && !stays(whole.tracks))
+    return divided_with_inclined_walls(solid, frame, std::move(whole), options);
   std::vector<std::vector<MirrorLine>> ways;
   if (lines.empty() && stays(whole.tracks))
     ways = ways_to_mirror(mirror_lines(profile_of(whole, as_divided)));
