@@ -39,32 +39,59 @@ double cost_of(const Quadrangulation& quads, double least) {
 }
 
 /// Of a drawing whose walls are inclined: divided where they are lowest, and half-way up, where what moves is
-/// nowhere far from where it is divided; the better of both at all heights.
-DividedDrawing divided_with_inclined_walls(const geometry::Brep& solid, const SweepFrame& frame,
-                                           SweptDrawing drawing, const QuadrangulationOptions& options) {
-  const auto [low, high] = range_of(drawing.tracks);
-  const auto least = [&](const Quadrangulation& quads) {
-    return least_over_heights(solid, frame, drawing, quads);
-  };
-  std::optional<Quadrangulation> best;
-  std::optional<Error> refusal;
-  for (const bool half_way : {false, true}) {
-    if (half_way && best && !options.thorough && least(*best) >= good) break;
+/// nowhere far from where it is divided; thorough ones several times. The best of them at all heights.
+class InclinedWalls {
+ public:
+  InclinedWalls(const geometry::Brep& solid, const SweepFrame& frame, SweptDrawing drawing)
+      : solid_(solid), frame_(frame), drawing_(std::move(drawing)) {
+    const auto [low, high] = range_of(drawing_.tracks);
+    half_way_ = (low + high) / 2;
+  }
+
+  DividedDrawing divided(QuadrangulationOptions options) {
+    constexpr unsigned most = 4;
+    if (options.thorough) options.good_jacobian = std::max(options.good_jacobian, at_one_height);
+    const double enough = options.thorough ? at_one_height : good;
+    for (unsigned again = 0; again < (options.thorough ? most : 1U); ++again, ++options.seed) {
+      consider([&] { return quadrangulate(drawing_.profile, options); });
+      if (best_ && least_ >= enough) break;
+      consider([&] { return divided_half_way(options); });
+    }
+    if (!best_) throw *refusal_;
+    return {std::move(drawing_), *std::move(best_)};
+  }
+
+ private:
+  /// Of a scaled Jacobian where a drawing is divided, so that it is good at other heights.
+  static constexpr double at_one_height = 0.4;
+
+  template <class Make>
+  void consider(const Make& make) {
     try {
-      const double height = (low + high) / 2;
-      Quadrangulation made =
-          half_way ? as_drawn(solid, frame, drawing,
-                              quadrangulate(profile_at(solid, frame, drawing, height), options), height)
-                   : quadrangulate(drawing.profile, options);
-      if (!best || cost_of(made, least(made)) < cost_of(*best, least(*best))) best = std::move(made);
+      Quadrangulation made = make();
+      const double least = least_over_heights(solid_, frame_, drawing_, made);
+      if (best_ && cost_of(*best_, least_) <= cost_of(made, least)) return;
+      best_ = std::move(made);
+      least_ = least;
     } catch (const Error& error) {
       if (error.code() == ErrorCode::internal) throw;
-      if (!refusal) refusal = error;
+      if (!refusal_) refusal_ = error;
     }
   }
-  if (!best) throw *refusal;
-  return {std::move(drawing), *std::move(best)};
-}
+
+  Quadrangulation divided_half_way(const QuadrangulationOptions& options) const {
+    const Profile there = profile_at(solid_, frame_, drawing_, half_way_);
+    return as_drawn(solid_, frame_, drawing_, quadrangulate(there, options), half_way_);
+  }
+
+  const geometry::Brep& solid_;
+  const SweepFrame& frame_;
+  SweptDrawing drawing_;
+  double half_way_ = 0;
+  std::optional<Quadrangulation> best_;
+  double least_ = 0;  // scaled Jacobian of the best
+  std::optional<Error> refusal_;
+};
 
 /// As long as the solid to both sides, so that it crosses all of the drawing.
 std::array<Eigen::Vector3d, 2> in_space(const MirrorLine& line, const geometry::Brep& solid,
@@ -109,7 +136,7 @@ DividedDrawing divided_drawing(const geometry::Brep& solid, const SweepFrame& fr
   };
   SweptDrawing whole = swept_drawing(solid, frame, lines);
   if (!as_divided && !stays(whole.tracks))
-    return divided_with_inclined_walls(solid, frame, std::move(whole), options);
+    return InclinedWalls(solid, frame, std::move(whole)).divided(options);
   std::vector<std::vector<MirrorLine>> ways;
   if (lines.empty() && stays(whole.tracks))
     ways = ways_to_mirror(mirror_lines(profile_of(whole, as_divided)));

@@ -42,6 +42,15 @@ Quadrangulation outlines_of(const Profile& profile) {
   return result;
 }
 
+/// Where walls begin and end, floors lie, and half-way up; from low to high.
+std::vector<double> heights_of(const SweptDrawing& drawing) {
+  const auto [low, high] = range_of(drawing.tracks);
+  std::set<double> result = {low, (low + high) / 2, high};
+  for (const std::vector<Slab>& slabs : drawing.slabs)
+    for (const Slab& slab : slabs) result.insert({slab.low, slab.high});
+  return {result.begin(), result.end()};
+}
+
 /// Where a divided drawing is at a height.
 Quadrangulation moved_to(const MovingDrawing& moving, const SweepFrame& frame, Quadrangulation quads,
                          double height) {
@@ -108,11 +117,11 @@ Quadrangulation as_drawn(const Brep& solid, const SweepFrame& frame, const Swept
 double least_over_heights(const Brep& solid, const SweepFrame& frame, const SweptDrawing& drawing,
                           const Quadrangulation& quads) {
   const MovingDrawing moving(solid, frame, drawing, quads);
-  const auto [low, high] = range_of(drawing.tracks);
-  const std::array<double, 3> heights = {low, (low + high) / 2, high};
+  const std::vector<double> heights = heights_of(drawing);
   std::vector<double> upright(quads.vertices.size(), 1);  // cosines
   for (int v = 0; v < static_cast<int>(upright.size()); ++v)
     for (std::size_t h = 0; h + 1 < heights.size(); ++h) {
+      if (heights[h + 1] - heights[h] < 1e-6 * solid.size()) continue;  // one height up to round-off
       const Eigen::Vector3d way = moving.place(v, heights[h + 1]) - moving.place(v, heights[h]);
       upright[static_cast<std::size_t>(v)] =
           std::min(upright[static_cast<std::size_t>(v)], way.dot(frame.along) / way.norm());

@@ -21,7 +21,7 @@ Quadrangulation as_drawn(const geometry::Brep& solid, const SweepFrame& frame, c
                          Quadrangulation at_height, double height);
 
 /// The least scaled Jacobian of the hexahedra that stand on a divided drawing, about: of its quadrilaterals
-/// where walls are lowest, highest and half-way between, each with the steepest way up beside it.
+/// where walls begin and end, at floors and half-way up, each with the steepest way up beside it.
 /// @cost  some milliseconds for 100 quadrilaterals
 double least_over_heights(const geometry::Brep& solid, const SweepFrame& frame, const SweptDrawing& drawing,
                           const Quadrangulation& quads);
