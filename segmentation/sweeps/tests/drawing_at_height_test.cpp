@@ -32,7 +32,8 @@ struct Pocket {
 
 double to_nearest(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector2d& to) {
   double result = (points.front() - to).norm();
-  for (const Eigen::Vector2d& point : points) result = std::min(result, (point - to).norm());
+  for (const Eigen::Vector2d& point : points)
+    if (!((point - to).norm() >= result)) result = (point - to).norm();
   return result;
 }
 
