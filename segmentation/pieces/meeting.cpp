@@ -95,6 +95,7 @@ class Settler {
     stacks_.resize(pieces.size());
     turned_.resize(pieces.size());
     boxes_.resize(pieces.size());
+    divided_by_.resize(pieces.size());
     for (const Piece& piece : pieces) sockets_.push_back(with_sockets ? socket_of(piece) : std::nullopt);
   }
 
@@ -120,6 +121,8 @@ class Settler {
     const auto n = static_cast<std::size_t>(number);
     const Piece& made = pieces_[n];
     const std::vector<Line> lines = lines_on(number);
+    if (divided_by_[n] == lines) return;
+    divided_by_[n] = lines;
     if (is_socket(number)) {
       boxes_[n] = socket_cells(made, *sockets_[n], lines);
       return;
@@ -326,6 +329,7 @@ class Settler {
   double tolerance_;
   std::vector<std::optional<Stack>> stacks_;
   std::vector<std::optional<TurnedCells>> turned_;
+  std::vector<std::optional<std::vector<Line>>> divided_by_;
   std::vector<std::optional<Socket>> sockets_;
   std::vector<std::optional<geometry::CellComplex>> boxes_;  // of sockets
   int divisions_ = 0;

@@ -22,6 +22,7 @@ void validate(const QuadrangulationOptions& options) {
   in_range("largest_angle", options.largest_angle.degrees(), 120, 175);
   in_range("largest_turn", options.largest_turn.degrees(), 60, 180);
   in_range("smallest_jacobian", options.smallest_jacobian, 0, 0.5);
+  in_range("good_jacobian", options.good_jacobian, 0.05, 0.6);
   in_range("angle_weight", options.angle_weight, 0, 1e6);
   in_range("turn_weight", options.turn_weight, 0, 1e6);
   in_range("length_weight", options.length_weight, 0, 1e6);

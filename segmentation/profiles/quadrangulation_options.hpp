@@ -30,6 +30,9 @@ struct QuadrangulationOptions {
   /// mended together, and rows of quadrilaterals that run through several of them are taken out at the end
   /// where that makes the drawing cheaper. Twice the time, and seconds more for a hundred cells.
   bool thorough = false;
+  /// Thorough drawings have quadrilaterals with such a least scaled Jacobian where that costs few more;
+  /// better ones are not worth another; range 0.05 to 0.6.
+  double good_jacobian = 0.25;
   bool operator==(const QuadrangulationOptions&) const = default;
 };
 /// @throws Error invalid_argument with field, value and range

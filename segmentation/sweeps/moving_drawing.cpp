@@ -268,6 +268,18 @@ NurbsCurve MovingDrawing::curve(int number, double height) const {
   return pushed(still, frame_, height);
 }
 
+Eigen::Vector2d MovingDrawing::outline_place(int number, double share, double height) const {
+  const QuadEdge& drawn = edge(number);
+  const Piece* piece = at_height(pieces_[static_cast<std::size_t>(number)], height);
+  if (piece && !piece->track->line)
+    return track_place(*piece->track, piece->low + share * (piece->high - piece->low), height);
+  const Eigen::Vector2d still = frame_.flat(sheet_point(drawn, share));
+  if (const auto ring = edge_rings_.find(number); ring != edge_rings_.end())
+    return ring->second->centre + growth(*ring->second, height) * (still - ring->second->centre);
+  if (!is_segment(curves_[static_cast<std::size_t>(number)])) return still;
+  return frame_.flat((1 - share) * place(drawn.start, height) + share * place(drawn.end, height));
+}
+
 std::vector<double> MovingDrawing::kinks(int number) const {
   std::vector<double> result;
   const QuadEdge& drawn = edge(number);

@@ -207,6 +207,12 @@ std::vector<int> open_in_both(const std::vector<int>& first, const std::vector<i
   return result.empty() ? first : result;
 }
 
+/// Whether further cuts have opened many more regions than they closed: the next would open more still.
+bool spreads(std::size_t open, std::size_t least) {
+  constexpr std::size_t some = 4;
+  return open >= std::max(2 * least, least + some);
+}
+
 /// Closes what single regions left open, if that goes with shared cuts elsewhere.
 void mend(RegionSearches::Whole& whole, const SearchInput& input, const QuadrangulationOptions& options) {
   Search search(input, whole.mesh, options.seed, true);
@@ -230,7 +236,8 @@ CellMesh best_mesh(const SearchInput& input, const Profile& profile, const Quadr
       RegionSearches::Whole whole = searches.divide(places);
       RegionSearches::Whole as_they_are = options.thorough ? searches.divide_as_they_are(places) : whole;
       if (options.thorough && any_shared && !whole.open.empty()) mend(whole, input, options);
-      const bool done = as_they_are.open.empty() || whole.open.empty() || !any_shared;
+      const bool done = as_they_are.open.empty() || whole.open.empty() || !any_shared ||
+                        (best && spreads(whole.open.size(), best->open.size()));
       if (!done)
         places = further_places(profile, input.curves, places, open_in_both(whole.open, as_they_are.open));
       const auto rank = [](const RegionSearches::Whole& w) { return std::pair(w.open.size(), w.cost); };

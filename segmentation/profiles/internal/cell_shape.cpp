@@ -131,7 +131,8 @@ ShapeRules::ShapeRules(const QuadrangulationOptions& options)
       turn_weight(options.turn_weight),
       length_weight(options.length_weight),
       aspect_weight(options.aspect_weight),
-      slant_weight(options.slant_weight) {}
+      slant_weight(options.slant_weight),
+      good_jacobian(options.good_jacobian) {}
 
 double angle_between(double leaving, double arriving) {
   const double angle = std::fmod(arriving - leaving, 2 * pi);

@@ -46,7 +46,7 @@ constexpr double thinnest_at_all = 0.04;
 struct ShapeRules {
   explicit ShapeRules(const QuadrangulationOptions& options);
   double smallest, largest, largest_turn, smallest_jacobian, angle_weight, turn_weight, length_weight,
-      aspect_weight, slant_weight;
+      aspect_weight, slant_weight, good_jacobian;
   double thinnest = thinnest_at_all;
   double smallest_in_triangle = 0.12, largest_in_triangle = 3.02;  ///< triangles are on their way to vanish
   double triangle = 8;                                             ///< what one costs, in quadrilaterals

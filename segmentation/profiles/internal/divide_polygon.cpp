@@ -27,7 +27,9 @@ class PolygonDivider {
         places_(std::move(places)),
         triangles_(triangles),
         count_(static_cast<int>(places_.size())),
-        table_(static_cast<std::size_t>(2 * (count_ + 1) * (count_ + 1))) {
+        table_(static_cast<std::size_t>(2 * (count_ + 1) * (count_ + 1)), -1),
+        from_(static_cast<std::size_t>(count_ + 1)),
+        to_(static_cast<std::size_t>(count_ + 1)) {
     const auto fixed =
         std::find_if(places_.begin(), places_.end(), [](const Place& place) { return !place.optional; });
     std::rotate(places_.begin(), fixed, places_.end());
@@ -36,20 +38,26 @@ class PolygonDivider {
     enter_directions();
     enter_stretches();
     enter_chords();
+    enter_least();
   }
 
   std::optional<Division> divide(int region, double bound) {
     for (int span = triangles_ ? 2 : 3; span < count_; ++span)
       for (int i = 0; i + span < count_; ++i) {
-        Link& chord = link(i, i + span, across);
-        if (chord.exists) chord.cost = close(i, i + span, chord, chord.choice, bound);
+        const int number = table(i, i + span, across);
+        if (number < 0) continue;
+        Choice choice;
+        const double cost = close(i, i + span, links_[number], choice, bound - least_outside(i, i + span));
+        links_[number].cost = cost;
+        links_[number].choice = choice;
+        if (cost < refused) offer(i, i + span, across);
       }
     int last = -1;
     double best = bound;
     Choice choice;
     for (int q = count_ - 1; q >= 2; --q) {
-      const Link& closing = link(q, count_, along);
-      if (closing.exists) {
+      if (table(q, count_, along) >= 0) {
+        const Link& closing = link(q, count_, along);
         Link turned = closing;  // seen from place 0
         turned.start = wrapped(closing.end + pi);
         turned.end = wrapped(closing.start + pi);
@@ -75,7 +83,6 @@ class PolygonDivider {
     Way ik = along, kl = along, lj = along;
   };
   struct Link {
-    bool exists = false;
     double cost = refused;  ///< of what lies between it and the polygon
     double start = 0, end = 0, length = 0;
     double turning = 0, slant = 0;
@@ -83,9 +90,44 @@ class PolygonDivider {
     Choice choice;
   };
 
-  Link& link(int i, int j, Way way) {
+  /// A link that cells may have as a side, by its other end.
+  struct Offer {
+    int place;
+    Way way;
+    int link;  ///< its number
+  };
+
+  int& table(int i, int j, Way way) {
     return table_[static_cast<std::size_t>(2 * (i * (count_ + 1) + j) + way)];
   }
+  Link& link(int i, int j, Way way) { return links_[static_cast<std::size_t>(table(i, j, way))]; }
+  void enter(int i, int j, Way way, const Link& made) {
+    table(i, j, way) = static_cast<int>(links_.size());
+    links_.push_back(made);
+  }
+  void offer(int i, int j, Way way) {
+    const auto insert = [](std::vector<Offer>& offers, const Offer& made) {
+      const auto later = [](const Offer& a, const Offer& b) {
+        return std::pair(a.place, a.way) < std::pair(b.place, b.way);
+      };
+      offers.insert(std::upper_bound(offers.begin(), offers.end(), made, later), made);
+    };
+    insert(from_[static_cast<std::size_t>(i)], {j, way, table(i, j, way)});
+    insert(to_[static_cast<std::size_t>(j)], {i, way, table(i, j, way)});
+  }
+
+  /// Every place that is not optional is a corner of cells; n corners take n / 2 - 1 quadrilaterals.
+  void enter_least() {
+    least_before_.push_back(0);
+    for (int i = 0; i <= count_; ++i)
+      least_before_.push_back(least_before_.back() + (places_[i].optional ? 0 : 0.5));
+  }
+  /// What cells beyond a chord cost at least.
+  double least_outside(int i, int j) const {
+    return std::max(1.0, least_before_[count_] - least_before_[j + 1] + least_before_[i]);
+  }
+  /// What cells cost at least that have all places between two as corners.
+  double least_between(int i, int j) const { return least_before_[j] - least_before_[i + 1]; }
   static double wrapped(double angle) {
     while (angle < 0) angle += 2 * pi;
     while (angle >= 2 * pi) angle -= 2 * pi;
@@ -122,8 +164,9 @@ class PolygonDivider {
         length += piece.length;
         turning += piece.turning;
         if (turning > rules_.largest_turn) break;
-        Link& stretch = link(i, j, along);
-        stretch = {true, 0, leaving_[i], arriving_[j - 1], length, turning, piece.slant, piece.straight, {}};
+        enter(i, j, along,
+              {0, leaving_[i], arriving_[j - 1], length, turning, piece.slant, piece.straight, {}});
+        offer(i, j, along);
       }
     }
   }
@@ -135,7 +178,7 @@ class PolygonDivider {
         const Vector2d d = point(j) - point(i);
         const double direction = wrapped(std::atan2(d.y(), d.x()));
         if (!inside(i, direction) || !inside(j, opposite(direction)) || !visible(i, j)) continue;
-        link(i, j, across) = {true, refused, direction, direction, d.norm(), 0, slant_of(d), true, {}};
+        enter(i, j, across, {refused, direction, direction, d.norm(), 0, slant_of(d), true, {}});
       }
   }
 
@@ -171,54 +214,60 @@ class PolygonDivider {
   double close(int i, int j, const Link& closing, Choice& choice, double bound, int root = -1) {
     double best = bound;
     const double at_i = closing.start;
-    for (int k = i + 1; k < j; ++k)
-      for (const Way ik : {along, across}) {
-        const Link& first = link(i, k, ik);
-        if (!(first.cost < best)) continue;
-        const double angle_i = between(first.start, at_i);
-        if (triangles_) try_triangles(i, k, j, ik, first, angle_i, best, choice, root);
-        const double cost_i = corner_cost(rules_, angle_i);
-        const double so_far = first.cost + cost_i + 1;
-        if (!(so_far < best)) continue;
-        try_quads(i, k, j, ik, first, closing, so_far, best, choice, root);
-      }
+    for (const Offer& one : from_[static_cast<std::size_t>(i)]) {
+      if (one.place >= j) break;
+      const Link& first = links_[static_cast<std::size_t>(one.link)];
+      const double rest = std::max(0.0, least_between(one.place, j) - 0.5);
+      if (!(first.cost + rest + 1 < best)) continue;
+      const double angle_i = between(first.start, at_i);
+      if (triangles_) try_triangles(i, one.place, j, one.way, first, angle_i, best, choice, root);
+      const double so_far = first.cost + corner_cost(rules_, angle_i) + 1;
+      if (!(so_far + rest < best)) continue;
+      try_quads(i, one.place, j, one.way, first, closing, so_far, best, choice, root);
+    }
     if (best < bound) return best;
     return refused;
   }
 
   void try_quads(int i, int k, int j, Way ik, const Link& first, const Link& closing, double so_far,
                  double& best, Choice& choice, int root) {
-    const double back_k = opposite(first.end);
-    for (int l = k + 1; l < j; ++l)
-      for (const Way lj : {along, across}) {
-        const Link& third = link(l, j, lj);
-        if (!(so_far + third.cost < best)) continue;
+    const double back_k = opposite(first.end), from_j = opposite(closing.end);
+    for (const Offer& one : to_[static_cast<std::size_t>(j)]) {
+      const int l = one.place;
+      if (l <= k) continue;
+      const Link& third = links_[static_cast<std::size_t>(one.link)];
+      if (!(so_far + third.cost + least_between(k, l) < best)) continue;
+      double with_j = refused;
+      for (const Way kl : {along, across}) {
+        const int number = table(k, l, kl);
+        if (number < 0) continue;
+        const Link& second = links_[static_cast<std::size_t>(number)];
+        if (!(so_far + third.cost + second.cost < best)) continue;
         // At j the cell's side leaves against the link.
-        const double cost_j = corner_cost(rules_, between(opposite(closing.end), opposite(third.end)));
-        if (!(so_far + third.cost + cost_j < best)) continue;
-        for (const Way kl : {along, across}) {
-          const Link& second = link(k, l, kl);
-          double cost = so_far + third.cost + cost_j + second.cost;
-          if (!(cost < best)) continue;
-          cost += corner_cost(rules_, between(second.start, back_k));
-          if (!(cost < best)) continue;
-          cost += corner_cost(rules_, between(third.start, opposite(second.end)));
-          if (!(cost < best)) continue;
-          cost += sides_cost(rules_, first, second, third, closing);
-          if (!(cost < best)) continue;
-          if (!(first.straight && second.straight && third.straight && closing.straight) &&
-              !stands({i, k, l, j}, {ik, kl, lj}, root))
-            continue;
-          best = cost;
-          choice = {k, l, ik, kl, lj};
-        }
+        if (with_j == refused)
+          with_j = so_far + third.cost + corner_cost(rules_, between(from_j, opposite(third.end)));
+        double cost = with_j + second.cost;
+        if (!(cost < best)) continue;
+        cost += corner_cost(rules_, between(second.start, back_k));
+        if (!(cost < best)) continue;
+        cost += corner_cost(rules_, between(third.start, opposite(second.end)));
+        if (!(cost < best)) continue;
+        cost += sides_cost(rules_, first, second, third, closing);
+        if (!(cost < best)) continue;
+        if (!(first.straight && second.straight && third.straight && closing.straight) &&
+            !stands({i, k, l, j}, {ik, kl, one.way}, root))
+          continue;
+        best = cost;
+        choice = {k, l, ik, kl, one.way};
       }
+    }
   }
 
   void try_triangles(int i, int k, int j, Way ik, const Link& first, double angle_i, double& best,
                      Choice& choice, int root) {
     if (angle_i < rules_.smallest_in_triangle || angle_i > rules_.largest_in_triangle) return;
     for (const Way kj : {along, across}) {
+      if (table(k, j, kj) < 0) continue;
       const Link& second = link(k, j, kj);
       if (!(first.cost + second.cost + rules_.triangle < best)) continue;
       const SideShape a = shape_of(i, k, ik), b = shape_of(k, j, kj), c = closing_shape(i, j, root);
@@ -290,7 +339,10 @@ class PolygonDivider {
   bool triangles_;
   int count_;
   double smallest_ = 0;
-  std::vector<Link> table_;
+  std::vector<int> table_;  // numbers of links by ends and way, -1 where there is none
+  std::vector<Link> links_;
+  std::vector<std::vector<Offer>> from_, to_;  // by place, in order of the other end
+  std::vector<double> least_before_;
   std::vector<SideShape> shapes_of_links_;
   std::vector<double> leaving_, arriving_;  // directions of the link that follows each place, at its ends
   std::unordered_map<int, SideShape> shapes_;

@@ -316,35 +316,66 @@ bool Search::divide_anew(int cell, const Try& what) {
 
 bool Search::replace(const std::vector<int>& cells, const std::vector<Cell>& by, double gain,
                      std::size_t nodes_before) {
-  CellMesh next;
-  next.nodes.assign(mesh_.nodes.begin(), mesh_.nodes.begin() + static_cast<std::ptrdiff_t>(nodes_before));
+  CellMesh part;  // what changes: the new cells, and those beside them
+  part.nodes.assign(mesh_.nodes.begin(), mesh_.nodes.begin() + static_cast<std::ptrdiff_t>(nodes_before));
   const std::set<int> gone(cells.begin(), cells.end());
-  std::vector<double> costs;
-  for (std::size_t c = 0; c < mesh_.cells.size(); ++c)
-    if (!gone.contains(static_cast<int>(c))) next.cells.push_back(mesh_.cells[c]);
   std::map<int, int> numbers;
   std::set<int> moved;
-  for (Cell cell : by) {
+  std::vector<Cell> made = by;
+  for (Cell& cell : made)
     for (int k = 0; k < cell.count; ++k)
       for (int* node : {&cell.sides[k].from, &cell.sides[k].to}) {
         if (*node >= static_cast<int>(nodes_before)) {
-          const auto [entry, is_new] = numbers.try_emplace(*node, static_cast<int>(next.nodes.size()));
-          if (is_new) next.nodes.push_back(mesh_.nodes[*node]);
+          const auto [entry, is_new] = numbers.try_emplace(*node, static_cast<int>(part.nodes.size()));
+          if (is_new) part.nodes.push_back(mesh_.nodes[*node]);
           *node = entry->second;
         }
-        if (may_move(next.nodes[*node])) moved.insert(*node);
+        if (may_move(part.nodes[*node])) moved.insert(*node);
       }
-    next.cells.push_back(cell);
+  std::set<int> beside;
+  for (const int node : moved)
+    if (node < neighbours_.nodes())
+      for (const int cell : neighbours_.around(node))
+        if (!gone.contains(cell)) beside.insert(cell);
+  double before = 0, after = 0;
+  for (const int cell : gone) before += costs_[cell];
+  for (const int cell : beside) {
+    before += costs_[cell];
+    part.cells.push_back(mesh_.cells[cell]);
   }
-  const double before = cost();
-  Neighbours neighbours(next);
-  relax(input_->rules, input_->curves, next, neighbours, {moved.begin(), moved.end()}, 3);
-  for (const Cell& cell : next.cells) costs.push_back(cost_of(input_->rules, input_->curves, next, cell));
-  if (std::accumulate(costs.begin(), costs.end(), 0.0) > before - gain) return false;
-  mesh_ = std::move(next);
-  neighbours_ = std::move(neighbours);
-  costs_ = std::move(costs);
+  part.cells.insert(part.cells.end(), made.begin(), made.end());
+  relax(input_->rules, input_->curves, part, Neighbours(part), {moved.begin(), moved.end()}, 3);
+  std::vector<double> costs;
+  for (const Cell& cell : part.cells) {
+    costs.push_back(cost_of(input_->rules, input_->curves, part, cell));
+    after += costs.back();
+  }
+  if (after > before - gain) return false;
+  adopt(std::move(part), costs, gone, beside);
   return true;
+}
+
+void Search::adopt(CellMesh part, const std::vector<double>& costs, const std::set<int>& gone,
+                   const std::set<int>& beside) {
+  std::size_t from_part = 0;
+  for (const int cell : beside) {
+    mesh_.cells[cell] = part.cells[from_part];
+    costs_[cell] = costs[from_part++];
+  }
+  std::size_t kept = 0;
+  for (std::size_t c = 0; c < mesh_.cells.size(); ++c) {
+    if (gone.contains(static_cast<int>(c))) continue;
+    mesh_.cells[kept] = mesh_.cells[c];
+    costs_[kept++] = costs_[c];
+  }
+  mesh_.cells.resize(kept);
+  costs_.resize(kept);
+  for (; from_part < part.cells.size(); ++from_part) {
+    mesh_.cells.push_back(part.cells[from_part]);
+    costs_.push_back(costs[from_part]);
+  }
+  mesh_.nodes = std::move(part.nodes);
+  neighbours_ = Neighbours(mesh_);
 }
 
 }  // namespace isopatch::segmentation::planar

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "segmentation/profiles/internal/cell_mesh.hpp"
@@ -67,6 +68,9 @@ class Search {
   void hang(std::vector<Place>& places, std::size_t at, const std::vector<Eigen::Vector2d>& points);
   bool replace(const std::vector<int>& cells, const std::vector<Cell>& by, double gain,
                std::size_t nodes_before);
+  /// Takes a part of the mesh that has become better: cells beside those that are gone, then new ones.
+  void adopt(CellMesh part, const std::vector<double>& costs, const std::set<int>& gone,
+             const std::set<int>& beside);
   double chance();
   bool may_move(const Node& node) const;
 

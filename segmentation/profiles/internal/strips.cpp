@@ -227,14 +227,40 @@ std::optional<CellMesh> without_strip(const std::vector<Curve>& curves, const Ce
 
 namespace {
 
-/// Bounds that are worth a quadrilateral: what moves with inclined walls must stand there as well.
-ShapeRules good_rules(ShapeRules rules) {
-  constexpr double angle = 25 * std::numbers::pi / 180;
+/// With corners and Jacobians no worse than these.
+ShapeRules bounded(ShapeRules rules, double degrees, double jacobian) {
+  const double angle = degrees * std::numbers::pi / 180;
   rules.smallest = std::max(rules.smallest, angle);
   rules.largest = std::min(rules.largest, std::numbers::pi - angle);
-  rules.smallest_jacobian = std::max(rules.smallest_jacobian, 0.25);
+  rules.smallest_jacobian = std::max(rules.smallest_jacobian, jacobian);
   rules.thinnest = std::max(rules.thinnest, 0.3);
   return rules;
+}
+
+/// Bounds that are worth a quadrilateral: what moves with inclined walls must stand there as well.
+ShapeRules good_rules(const ShapeRules& rules) {
+  return bounded(rules, 25, 0.25);
+}
+
+/// The least scaled Jacobian of all.
+double poorest(const std::vector<Curve>& curves, const CellMesh& mesh) {
+  double least = 1;
+  for (const Cell& cell : mesh.cells) {
+    std::array<SideShape, 4> shapes;
+    for (std::size_t k = 0; k < 4; ++k) shapes[k] = side_shape(curves, mesh.nodes, cell.sides[k]);
+    least = std::min(least, least_jacobian({&shapes[0], &shapes[1], &shapes[2], &shapes[3]}));
+  }
+  return least;
+}
+
+/// Their number, and more where some are poor.
+double dearness(const SearchInput& input, const CellMesh& mesh) {
+  const double least = poorest(input.curves, mesh);
+  return static_cast<double>(mesh.cells.size()) / std::clamp(least, 0.01, input.rules.good_jacobian);
+}
+
+SearchInput with_rules(const SearchInput& input, const ShapeRules& rules) {
+  return {rules, input.curves, input.shared, input.candidates, input.near_corners};
 }
 
 /// Good bounds, or as good as a mesh keeps them.
@@ -257,6 +283,9 @@ ShapeRules kept_rules(const ShapeRules& rules, const std::vector<Curve>& curves,
   return result;
 }
 
+/// Of a quadrilateral: smaller steps follow each other for long and take none away.
+constexpr double least_gain = 0.01;
+
 /// The cheapest of some meshes with one strip less, if it costs less than a mesh does.
 std::optional<Search> one_strip_less(const SearchInput& input, const Search& now) {
   std::vector<std::pair<double, Search>> tried;
@@ -276,44 +305,74 @@ std::optional<Search> one_strip_less(const SearchInput& input, const Search& now
     next.polish();
     next.improve(2 * static_cast<int>(next.mesh().cells.size()));
     next.polish();
-    if (next.is_valid() && next.cost() < (best ? best->cost() : now.cost()) - 1e-6) best = std::move(next);
+    if (next.is_valid() && next.cost() < (best ? best->cost() : now.cost() - least_gain))
+      best = std::move(next);
   }
   return best;
 }
 
 void take_strips_out(const SearchInput& input, Search& best, int windows) {
   for (bool again = true; again;) {
-    again = false;
-    while (std::optional<Search> next = one_strip_less(input, best)) {
-      best = std::move(*next);
-      again = true;
-    }
-    if (!again) return;
+    while (std::optional<Search> next = one_strip_less(input, best)) best = std::move(*next);
+    const double before = best.cost();
     best.improve(windows);
     best.polish();
+    again = best.cost() < before - least_gain;
+  }
+}
+
+/// Keeps tighter bounds, one after the other, as long as some quadrilaterals are poor: nodes move, windows
+/// are divided anew, into more quadrilaterals if need be. Enters what comes of it.
+void tighten(const SearchInput& given, CellMesh mesh, int windows, std::vector<CellMesh>& made) {
+  struct Bounds {
+    double degrees, jacobian;
+  };
+  constexpr Bounds steps[] = {{25, 0.25}, {30, 0.3}, {30, 0.4}};
+  for (const Bounds& step : steps) {
+    if (poorest(given.curves, mesh) >= given.rules.good_jacobian) return;
+    const SearchInput input = with_rules(given, bounded(given.rules, step.degrees, step.jacobian));
+    Search search(input, mesh, 0, true);
+    search.polish();
+    if (!search.is_valid()) {
+      search.improve(windows);
+      search.polish();
+    }
+    if (!search.is_valid()) return;
+    mesh = search.mesh();
+    made.push_back(mesh);
   }
 }
 
 }  // namespace
 
 CellMesh with_fewer_strips(const SearchInput& given, CellMesh mesh, int windows) {
-  SearchInput input{good_rules(given.rules), given.curves, given.shared, given.candidates,
-                    given.near_corners};
-  Search best(input, mesh, 0, true);
+  const SearchInput good = with_rules(given, good_rules(given.rules));
+  Search best(good, mesh, 0, true);
   if (best.triangles() > 0) return mesh;
+  std::vector<CellMesh> made = {mesh};
+  const auto enter = [&](const CellMesh& found) {
+    made.push_back(found);
+    tighten(given, found, windows, made);
+  };
   if (!best.is_valid()) {
     best.polish();
     best.remove_triangles(60);
     best.improve(windows);
     best.polish();
   }
-  if (best.is_valid()) take_strips_out(input, best, windows);
-  if (best.is_valid() && best.mesh().cells.size() <= mesh.cells.size()) return best.mesh();
-  input.rules = kept_rules(given.rules, given.curves, mesh);
-  best = Search(input, mesh, 0, true);
-  if (!best.is_valid()) return mesh;
-  take_strips_out(input, best, windows);
-  return best.mesh();
+  if (best.is_valid()) take_strips_out(good, best, windows);
+  if (best.is_valid()) enter(best.mesh());
+  const bool enough = best.is_valid() && best.mesh().cells.size() <= mesh.cells.size() &&
+                      given.rules.good_jacobian <= good.rules.smallest_jacobian;
+  const SearchInput kept = with_rules(given, kept_rules(given.rules, given.curves, mesh));
+  best = Search(kept, mesh, 0, true);
+  if (!enough && best.is_valid()) {
+    take_strips_out(kept, best, windows);
+    enter(best.mesh());
+  }
+  return *std::min_element(made.begin(), made.end(), [&](const CellMesh& a, const CellMesh& b) {
+    return dearness(given, a) < dearness(given, b);
+  });
 }
 
 }  // namespace isopatch::segmentation::planar

@@ -16,6 +16,7 @@ class Neighbours {
 
   /// The cell on the other side of one, -1 if there is none.
   int across(const Side& side) const;
+  int nodes() const { return static_cast<int>(around_.size()); }
   const std::vector<int>& around(int node) const { return around_[static_cast<std::size_t>(node)]; }
 
  private:

@@ -23,6 +23,8 @@ class MovingDrawing {
   Eigen::Vector3d place(int vertex, double height) const;
   /// Exact, over [0, 1] from start to end, in space.
   geometry::NurbsCurve curve(int edge, double height) const;
+  /// A point of an edge of the profile, by its share of the edge's parameter.
+  Eigen::Vector2d outline_place(int edge, double share, double height) const;
   /// Heights where walls beside an edge of the drawing begin, end or change their slope.
   std::vector<double> kinks(int edge) const;
 
