@@ -20,6 +20,8 @@
 #include "segmentation/reconstruction/internal/angle_regions.hpp"
 #include "segmentation/reconstruction/internal/carrier_distance.hpp"
 #include "segmentation/reconstruction/internal/carrier_regions.hpp"
+#include "segmentation/reconstruction/internal/chance_planes.hpp"
+#include "segmentation/reconstruction/internal/dented_planes.hpp"
 #include "segmentation/reconstruction/internal/facets.hpp"
 #include "segmentation/reconstruction/internal/nearest_on_spline.hpp"
 #include "segmentation/reconstruction/internal/regularise.hpp"
@@ -34,6 +36,8 @@ namespace {
 constexpr double steps_of_rounding = 4;
 // Vertices of a plane face of a CAD file are nearer to it than those of curved faces.
 constexpr double plane_share = 0.2;
+// What is a flaw of a plane, and no strip of a curved face, may be farther from it.
+constexpr double dent_share = 3;
 // Edges of freeform faces are as near to the vertices, as a share of the size.
 constexpr double freeform_share = 1e-5;
 // What lies between triangles and surfaces is known to this share of it from their distances at the middles
@@ -42,6 +46,8 @@ constexpr double freeform_share = 1e-5;
 constexpr double share_of_carriers = 0.05, share_of_freeform = 0.25;
 // What is farther off its surface than this share of the size lies on another one.
 constexpr double loosest = 1e-3;
+// Of the tolerance, beside freeform faces.
+constexpr double freeform_looseness = 3;
 
 double tolerance_of(const geometry::TriangleMesh& mesh, const ReconstructionOptions& options,
                     double share = 1) {
@@ -69,8 +75,12 @@ Regions regions_of(const geometry::TriangleMesh& mesh, const geometry::MeshNeigh
   if (options.method == RegionMethod::angles)
     return by_area(angle_regions(mesh, neighbours, tolerance_of(mesh, options), options));
   progress("joining triangles to planes", 0);
-  const Facets facets = plane_facets(mesh, neighbours, tolerance_of(mesh, options, plane_share));
-  return by_area(carrier_regions(mesh, facets, tolerance_of(mesh, options), options, progress));
+  const Facets facets = without_dents(
+      mesh, neighbours, plane_facets(mesh, neighbours, tolerance_of(mesh, options, plane_share)),
+      dent_share * tolerance_of(mesh, options));
+  const double tolerance = tolerance_of(mesh, options);
+  Regions regions = carrier_regions(mesh, facets, tolerance, options, progress);
+  return by_area(without_chance_planes(mesh, neighbours, std::move(regions), options.smooth, tolerance));
 }
 
 /// Signed distances from a region's surface.
@@ -147,6 +157,15 @@ bool is_freeform(const Regions& regions) {
                      [](const Region& region) { return !region.carrier; });
 }
 
+std::string looseness(const Reconstruction& made, const ReconstructionOptions& options) {
+  return fmt::format(
+      "vertices are up to {:.2g} m off the surfaces that they belong to, {:.1g} of the size; "
+      "surfaces were taken for what they are "
+      "within {:.1g} of it",
+      made.report.largest_deviation, made.report.largest_deviation / geometry::diagonal(made.mesh),
+      options.tolerance);
+}
+
 /// Some programs put vertices on edges that are only near their surfaces: the solid of the fewest faces that
 /// looser tolerances give, if they leave no freeform face and no more faces than the strict one.
 std::optional<Reconstruction> loosely(const geometry::TriangleMesh& mesh,
@@ -166,14 +185,23 @@ std::optional<Reconstruction> loosely(const geometry::TriangleMesh& mesh,
       if (error.code() == ErrorCode::internal) throw;
       continue;
     }
-    best->report.remarks = {
-        fmt::format("vertices are up to {:.2g} m off the surfaces that they belong to, {:.1g} of the size; "
-                    "surfaces were taken for what they are "
-                    "within {:.1g} of it",
-                    best->report.largest_deviation, best->report.largest_deviation / geometry::diagonal(mesh),
-                    looser.tolerance)};
+    best->report.remarks = {looseness(*best, looser)};
   }
   return best;
+}
+
+/// With freeform faces: carriers beside them may need a little more, but much more finds some amid them. The
+/// fewer faces.
+Reconstruction with_freeform(const geometry::TriangleMesh& mesh, const geometry::MeshNeighbours& neighbours,
+                             Regions strict, const ReconstructionOptions& options, const Progress& progress) {
+  ReconstructionOptions looser = options;
+  looser.tolerance = std::min(loosest, freeform_looseness * options.tolerance);
+  Regions fewer = regions_of(mesh, neighbours, looser, progress);
+  if (fewer.regions.size() >= strict.regions.size())
+    return bounded(mesh, neighbours, std::move(strict), options, progress);
+  Reconstruction result = bounded(mesh, neighbours, std::move(fewer), looser, progress);
+  result.report.remarks = {looseness(result, looser)};
+  return result;
 }
 
 }  // namespace
@@ -207,8 +235,10 @@ Reconstruction reconstruct(const geometry::TriangleMesh& given, const Reconstruc
   const geometry::MeshNeighbours neighbours = geometry::neighbours(mended.mesh);
   const Regions regions = regions_of(mended.mesh, neighbours, options, progress);
   std::optional<Reconstruction> result;
-  if (is_freeform(regions) && options.method == RegionMethod::carriers)
+  if (is_freeform(regions) && options.method == RegionMethod::carriers) {
     result = loosely(mended.mesh, neighbours, regions, options, progress);
+    if (!result) result = with_freeform(mended.mesh, neighbours, regions, options, progress);
+  }
   if (!result) result = bounded(mended.mesh, neighbours, regions, options, progress);
   result->report.remarks.insert(result->report.remarks.begin(), mended.remarks.begin(), mended.remarks.end());
   result->report.seconds = watch.seconds();
