@@ -19,12 +19,15 @@ constexpr double widest_dent = 0.05;
 constexpr double strip_share = 0.15;
 // No round has as many strips that they turn by less.
 constexpr double flat = 1.7e-3;  // rad, a tenth of a degree
+// Planes with dents have this share of the whole area: small facets of gently curved surfaces are flat as
+// well.
+constexpr double face_share = 5e-3;
 // What bends away behind a facet, and not what its own rounding turns by.
 constexpr double least_bend = 1e-6;
 // A plane has this many times the area of a facet around a dent's vertex.
 constexpr double plane_over_vertex = 20;
-// Depth of a dent at one vertex, as a share of the size.
-constexpr double deepest = 5e-4;
+// Depth of a dent at one vertex, and of a flat one, as shares of the size.
+constexpr double deepest = 5e-4, deepest_flat = 5e-5;
 // More facets than this around a vertex are no dent.
 constexpr std::size_t most_around = 12;
 
@@ -34,7 +37,8 @@ class DentFiller {
       : mesh_(mesh),
         facets_(facets.facets),
         tolerance_(tolerance),
-        deepest_(deepest * geometry::diagonal(mesh)),
+        size_(geometry::diagonal(mesh)),
+        least_area_(face_share * geometry::area(mesh)),
         owner_(facets_.size()),
         is_done_(facets_.size(), false) {
     std::iota(owner_.begin(), owner_.end(), 0);
@@ -46,7 +50,7 @@ class DentFiller {
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return area(a) > area(b); });
     for (const int f : order) {
-      if (is_free(f)) take_neighbours(f);
+      if (is_free(f) && area(f) >= least_area_) take_neighbours(f);
       is_done_[static_cast<std::size_t>(f)] = true;
     }
     return owner_;
@@ -84,8 +88,9 @@ class DentFiller {
   bool is_dent(int plane, int f) {
     const double own = turn(plane, f);
     if (!(own < widest_dent)) return false;
+    const double allowed = own < flat ? std::fmax(tolerance_, deepest_flat * size_) : tolerance_;
     for (const int v : facet(f).vertices)
-      if (!(height(plane, v) <= tolerance_)) return false;
+      if (!(height(plane, v) <= allowed)) return false;
     if (own < flat) return true;
     double behind = 0;
     bool bends = false;
@@ -123,7 +128,7 @@ class DentFiller {
   }
 
   bool is_vertex_dent(int plane, int vertex, const std::vector<int>& around) {
-    if (!(height(plane, vertex) <= deepest_)) return false;
+    if (!(height(plane, vertex) <= deepest * size_)) return false;
     for (const int f : around) {
       if (!is_free(f)) return false;
       for (const int v : facet(f).vertices)
@@ -142,7 +147,7 @@ class DentFiller {
 
   const geometry::TriangleMesh& mesh_;
   const std::vector<Facet>& facets_;
-  double tolerance_, deepest_;
+  double tolerance_, size_, least_area_;
   std::vector<int> owner_;
   std::vector<bool> is_done_;
 };

@@ -27,6 +27,7 @@
 #include "segmentation/reconstruction/internal/regularise.hpp"
 #include "segmentation/reconstruction/internal/solid_of_regions.hpp"
 #include "segmentation/reconstruction/internal/split_bands.hpp"
+#include "segmentation/reconstruction/internal/without_rounds.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -131,12 +132,10 @@ void require_volume(const ReconstructionReport& report, bool freeform, double ar
           report.volume, report.expected_volume));
 }
 
-/// The solid of regions.
-Reconstruction bounded(const geometry::TriangleMesh& mesh, const geometry::MeshNeighbours& neighbours,
-                       Regions regions, const ReconstructionOptions& options, const Progress& progress) {
-  ReconstructionReport report;
-  report.tolerance = tolerance_of(mesh, options);
-  report.regularity = regularise(mesh, regions, report.tolerance);
+/// The solid of regions without freeform rounds, as the report says.
+/// @param report  what is known of it so far
+Reconstruction bounded_by(const geometry::TriangleMesh& mesh, const geometry::MeshNeighbours& neighbours,
+                          Regions regions, ReconstructionReport report, const Progress& progress) {
   regions = by_area(split_bands(mesh, neighbours, std::move(regions)));
   progress("bounding the faces", 0);
   const geometry::CarrierSolid solid = solid_of_regions(
@@ -150,6 +149,24 @@ Reconstruction bounded(const geometry::TriangleMesh& mesh, const geometry::MeshN
                                     [](const Region& region) { return region.spline.has_value(); });
   require_volume(report, freeform, geometry::area(mesh));
   return {brep, mesh, std::move(regions), std::move(report)};
+}
+
+std::string text_of(const WithoutRounds& sharp, double volume) {
+  return fmt::format("{} round{} along freeform walls removed, volume {:+.2g} %", sharp.removed,
+                     sharp.removed == 1 ? "" : "s", 100 * sharp.volume_change / volume);
+}
+
+/// The solid of regions.
+Reconstruction bounded(const geometry::TriangleMesh& mesh, const geometry::MeshNeighbours& neighbours,
+                       Regions regions, const ReconstructionOptions& options, const Progress& progress) {
+  ReconstructionReport report;
+  report.tolerance = tolerance_of(mesh, options);
+  report.regularity = regularise(mesh, regions, report.tolerance);
+  if (!options.remove_blends) return bounded_by(mesh, neighbours, std::move(regions), report, progress);
+  WithoutRounds sharp = without_rounds(mesh, neighbours, regions);
+  report.remarks = sharp.kept;
+  if (sharp.removed > 0) report.remarks.push_back(text_of(sharp, geometry::volume(mesh)));
+  return bounded_by(sharp.mesh, geometry::neighbours(sharp.mesh), std::move(sharp.regions), report, progress);
 }
 
 bool is_freeform(const Regions& regions) {
@@ -185,7 +202,7 @@ std::optional<Reconstruction> loosely(const geometry::TriangleMesh& mesh,
       if (error.code() == ErrorCode::internal) throw;
       continue;
     }
-    best->report.remarks = {looseness(*best, looser)};
+    best->report.remarks.insert(best->report.remarks.begin(), looseness(*best, looser));
   }
   return best;
 }
@@ -200,7 +217,7 @@ Reconstruction with_freeform(const geometry::TriangleMesh& mesh, const geometry:
   if (fewer.regions.size() >= strict.regions.size())
     return bounded(mesh, neighbours, std::move(strict), options, progress);
   Reconstruction result = bounded(mesh, neighbours, std::move(fewer), looser, progress);
-  result.report.remarks = {looseness(result, looser)};
+  result.report.remarks.insert(result.report.remarks.begin(), looseness(result, looser));
   return result;
 }
 
