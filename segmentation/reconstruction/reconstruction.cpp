@@ -18,6 +18,7 @@
 #include "geometry/mesh/mend.hpp"
 #include "geometry/mesh/mesh_neighbours.hpp"
 #include "segmentation/reconstruction/internal/angle_regions.hpp"
+#include "segmentation/reconstruction/internal/bent_borders.hpp"
 #include "segmentation/reconstruction/internal/carrier_distance.hpp"
 #include "segmentation/reconstruction/internal/carrier_regions.hpp"
 #include "segmentation/reconstruction/internal/chance_planes.hpp"
@@ -80,8 +81,10 @@ Regions regions_of(const geometry::TriangleMesh& mesh, const geometry::MeshNeigh
       mesh, neighbours, plane_facets(mesh, neighbours, tolerance_of(mesh, options, plane_share)),
       dent_share * tolerance_of(mesh, options));
   const double tolerance = tolerance_of(mesh, options);
-  Regions regions = carrier_regions(mesh, facets, tolerance, options, progress);
-  return by_area(without_chance_planes(mesh, neighbours, std::move(regions), options.smooth, tolerance));
+  Regions regions =
+      without_chance_planes(mesh, neighbours, carrier_regions(mesh, facets, tolerance, options, progress),
+                            options.smooth, tolerance);
+  return by_area(without_bent_borders(mesh, neighbours, std::move(regions), options.smooth));
 }
 
 /// Signed distances from a region's surface.
