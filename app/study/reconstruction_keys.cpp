@@ -67,6 +67,10 @@ const Keys<ReconstructionKeys>& reconstruction_keys() {
                           read_choice(value, "blends", blend_choices()) == segmentation::Blends::remove;
                     })
           .with_default("\"keep\""),
+      share_key("time_limit", {0, 1e7, false, true}, &O::time_limit,
+                "Seconds of computing that a file of triangles may take to become a solid (the processor's, "
+                "so that a "
+                "busy machine makes what an idle one does), after which it is refused."),
       turn_key("smooth", 89, &O::smooth,
                "Largest angle between neighbouring plane pieces of one curved surface."),
       turn_key("cutoff", 179, &O::cutoff, "By angles: edges of at least this angle part faces."),

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -104,30 +105,53 @@ class BentBorders {
   double least_cosine_;
 };
 
-void make(const Move& move, const geometry::TriangleMesh& mesh, Regions& regions) {
+/// Whether triangles hang together.
+bool is_connected(const std::vector<int>& triangles, const geometry::MeshNeighbours& neighbours) {
+  std::set<int> left(triangles.begin(), triangles.end());
+  std::vector<int> open{triangles.front()};
+  left.erase(open.front());
+  while (!open.empty()) {
+    const int t = open.back();
+    open.pop_back();
+    for (const TriangleSide& side : neighbours.across[static_cast<std::size_t>(t)])
+      if (left.erase(side.triangle) > 0) open.push_back(side.triangle);
+  }
+  return left.empty();
+}
+
+/// Makes a move that leaves the surface most of its area, in one piece.
+/// @param least  area of the surface that stays, m^2
+bool make(const Move& move, const geometry::TriangleMesh& mesh, const geometry::MeshNeighbours& neighbours,
+          double least, Regions& regions) {
   Region &carrier = regions.regions[static_cast<std::size_t>(move.from)],
          &freeform = regions.regions[static_cast<std::size_t>(move.to)];
-  for (const int t : move.triangles) {
-    int& owner = regions.of_triangle[static_cast<std::size_t>(t)];
-    if (owner != move.from) continue;
-    owner = move.to;
-    freeform.triangles.push_back(t);
-    const double area = geometry::area_vector(mesh, t).norm() / 2;
-    carrier.area -= area;
-    freeform.area += area;
+  std::vector<int> kept, given;
+  double area = 0;
+  for (const int t : carrier.triangles) {
+    const bool goes = std::find(move.triangles.begin(), move.triangles.end(), t) != move.triangles.end();
+    (goes ? given : kept).push_back(t);
+    if (goes) area += geometry::area_vector(mesh, t).norm() / 2;
   }
-  std::erase_if(carrier.triangles,
-                [&](int t) { return regions.of_triangle[static_cast<std::size_t>(t)] == move.to; });
+  if (given.empty() || carrier.area - area < least || !is_connected(kept, neighbours)) return false;
+  for (const int t : given) regions.of_triangle[static_cast<std::size_t>(t)] = move.to;
+  freeform.triangles.insert(freeform.triangles.end(), given.begin(), given.end());
+  freeform.area += area;
+  carrier.area -= area;
+  carrier.triangles = std::move(kept);
+  return true;
 }
 
 }  // namespace
 
 Regions without_bent_borders(const geometry::TriangleMesh& mesh, const geometry::MeshNeighbours& neighbours,
                              Regions regions, Angle smooth) {
+  std::vector<double> least;
+  for (const Region& region : regions.regions) least.push_back((1 - largest_share) * region.area);
   for (int round = 0; round < most_bent_rounds; ++round) {
-    const std::vector<Move> moves = BentBorders(mesh, neighbours, regions, smooth).moves();
-    if (moves.empty()) break;
-    for (const Move& move : moves) make(move, mesh, regions);
+    bool changed = false;
+    for (const Move& move : BentBorders(mesh, neighbours, regions, smooth).moves())
+      changed = make(move, mesh, neighbours, least[static_cast<std::size_t>(move.from)], regions) || changed;
+    if (!changed) break;
   }
   return regions;
 }

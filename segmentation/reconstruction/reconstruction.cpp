@@ -51,6 +51,11 @@ constexpr double loosest = 1e-3;
 // Of the tolerance, beside freeform faces.
 constexpr double freeform_looseness = 3;
 
+class OutOfTime : public Error {
+ public:
+  using Error::Error;
+};
+
 double tolerance_of(const geometry::TriangleMesh& mesh, const ReconstructionOptions& options,
                     double share = 1) {
   return std::max(share * options.tolerance * geometry::diagonal(mesh), steps_of_rounding * mesh.grain);
@@ -141,8 +146,9 @@ Reconstruction bounded_by(const geometry::TriangleMesh& mesh, const geometry::Me
                           Regions regions, ReconstructionReport report, const Progress& progress) {
   regions = by_area(split_bands(mesh, neighbours, std::move(regions)));
   progress("bounding the faces", 0);
-  const geometry::CarrierSolid solid = solid_of_regions(
-      mesh, neighbours, regions, std::max(report.tolerance, freeform_share * geometry::diagonal(mesh)));
+  const geometry::CarrierSolid solid =
+      solid_of_regions(mesh, neighbours, regions,
+                       std::max(report.tolerance, freeform_share * geometry::diagonal(mesh)), progress);
   measure_deviation(mesh, regions, report);
   const geometry::Brep brep = geometry::make_brep(solid, 3 * report.tolerance);
   progress("checking the solid", 0);
@@ -177,6 +183,19 @@ bool is_freeform(const Regions& regions) {
                      [](const Region& region) { return !region.carrier; });
 }
 
+/// A progress that ends what reports to it when its time is up.
+Progress limited(const Progress& progress, const ProcessorStopwatch& watch, double time_limit) {
+  return {[&progress, &watch, time_limit](std::string_view phase, double share) {
+    if (watch.seconds() > time_limit)
+      throw OutOfTime(
+          ErrorCode::unsupported,
+          fmt::format("no solid was made of the triangles in {:.3g} s, which ended while {}; raise "
+                      "time_limit, or give it fewer triangles",
+                      time_limit, phase));
+    progress(phase, share);
+  }};
+}
+
 std::string looseness(const Reconstruction& made, const ReconstructionOptions& options) {
   return fmt::format(
       "vertices are up to {:.2g} m off the surfaces that they belong to, {:.1g} of the size; "
@@ -201,6 +220,8 @@ std::optional<Reconstruction> loosely(const geometry::TriangleMesh& mesh,
     if (is_freeform(regions) || regions.regions.size() > most) continue;
     try {
       best = bounded(mesh, neighbours, std::move(regions), looser, progress);
+    } catch (const OutOfTime&) {
+      throw;
     } catch (const Error& error) {
       if (error.code() == ErrorCode::internal) throw;
       continue;
@@ -247,9 +268,10 @@ std::string kinds_text(const Regions& regions) {
 }
 
 Reconstruction reconstruct(const geometry::TriangleMesh& given, const ReconstructionOptions& options,
-                           const Progress& progress) {
+                           const Progress& reported) {
   validate(options);
   const ProcessorStopwatch watch;
+  const Progress progress = limited(reported, watch, options.time_limit);
   progress("looking at the triangles", 0);
   geometry::MendedMesh mended = geometry::mended(given, given.grain);
   const geometry::MeshNeighbours neighbours = geometry::neighbours(mended.mesh);
