@@ -20,6 +20,8 @@ constexpr double largest_share = 0.2;
 // Triangles of one strip turn by less.
 constexpr double flat_strip = 1.7e-3;  // rad, a tenth of a degree
 constexpr int most_bent_rounds = 4;
+// More triangles are no strip, and more corners no chance.
+constexpr std::size_t longest_strip = 64, most_bends = 100;
 
 struct Move {
   std::vector<int> triangles;
@@ -94,7 +96,9 @@ class BentBorders {
           continue;
         strip.push_back(other);
         area += geometry::area_vector(mesh_, other).norm() / 2;
-        if (area > largest_share * regions_.regions[static_cast<std::size_t>(from)].area) return;
+        if (strip.size() > longest_strip ||
+            area > largest_share * regions_.regions[static_cast<std::size_t>(from)].area)
+          return;
       }
     result.push_back({std::move(strip), from, to});
   }
@@ -149,7 +153,9 @@ Regions without_bent_borders(const geometry::TriangleMesh& mesh, const geometry:
   for (const Region& region : regions.regions) least.push_back((1 - largest_share) * region.area);
   for (int round = 0; round < most_bent_rounds; ++round) {
     bool changed = false;
-    for (const Move& move : BentBorders(mesh, neighbours, regions, smooth).moves())
+    const std::vector<Move> moves = BentBorders(mesh, neighbours, regions, smooth).moves();
+    if (moves.size() > most_bends) break;
+    for (const Move& move : moves)
       changed = make(move, mesh, neighbours, least[static_cast<std::size_t>(move.from)], regions) || changed;
     if (!changed) break;
   }

@@ -157,6 +157,9 @@ class DentFiller {
 Facets without_dents(const geometry::TriangleMesh& mesh, const geometry::MeshNeighbours& neighbours,
                      Facets facets, double tolerance) {
   const std::vector<int> owner = DentFiller(mesh, facets, tolerance).fill();
+  bool is_dented = false;
+  for (std::size_t f = 0; f < owner.size(); ++f) is_dented = is_dented || owner[f] != static_cast<int>(f);
+  if (!is_dented) return facets;
   std::vector<int> number(owner.size(), -1);
   Facets result;
   for (std::size_t f = 0; f < owner.size(); ++f)
