@@ -78,6 +78,12 @@ void add_reconstruct_command(CLI::App& app, CommandLine& line) {
                   "How triangles are put together: by surfaces, or by angles alone")
       ->check(CLI::IsMember(names(region_method_choices())))
       ->capture_default_str();
+  reconstruct
+      .add_option("--time-limit", command->options.time_limit,
+                  "Seconds of the processor after which it is given up")
+      ->capture_default_str();
+  reconstruct.add_flag("--remove-blends", command->options.remove_blends,
+                       "Rounds along freeform walls between parallel planes are left out");
   reconstruct.add_flag("--json", command->json, "JSON instead of text");
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/base/engineering_units.hpp"
+
 namespace isopatch::app {
 namespace {
 
@@ -24,11 +26,11 @@ std::string figures_of(const Region& region) {
   switch (c.kind) {
     case SurfaceKind::cylinder:
     case SurfaceKind::sphere:
-      return fmt::format("radius {:.6g} m", c.radius);
+      return "radius " + with_unit(c.radius, "m");
     case SurfaceKind::cone:
       return fmt::format("half angle {:.6g} deg", std::abs(c.half_angle.degrees()));
     case SurfaceKind::torus:
-      return fmt::format("radii {:.6g} and {:.6g} m", c.radius, c.second_radius);
+      return fmt::format("radii {} and {}", with_unit(c.radius, "m"), with_unit(c.second_radius, "m"));
     default:
       return fmt::format("normal ({:.4g}, {:.4g}, {:.4g})", c.axis.x() + 0.0, c.axis.y() + 0.0,
                          c.axis.z() + 0.0);
@@ -69,12 +71,12 @@ std::string reconstruction_text(const segmentation::Reconstruction& made) {
   text += fmt::format(
       "  vertices off their surfaces by at most {:.2g} m, in the mean {:.2g} m; allowed were {:.2g} m\n",
       report.largest_deviation, report.mean_deviation, report.tolerance);
-  text +=
-      fmt::format("  volume {:.9g} m^3; of the triangles {:.9g} m^3\n", report.volume, report.mesh_volume);
+  text += fmt::format("  volume {}; of the triangles {}\n", with_unit(report.volume, "m^3"),
+                      with_unit(report.mesh_volume, "m^3"));
   for (std::size_t f = 0; f < made.regions.regions.size(); ++f) {
     const Region& region = made.regions.regions[f];
-    text += fmt::format("  {:<12} area {:<12.6g} m^2  {}\n", made.brep.faces()[f].name, region.area,
-                        figures_of(region));
+    text += fmt::format("  {:<12} area {:<12}  {}\n", made.brep.faces()[f].name,
+                        with_unit(region.area, "m^2"), figures_of(region));
   }
   return text;
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "app/study/segmentation_keys.hpp"
+
 namespace isopatch::app {
 namespace {
 
@@ -54,6 +56,21 @@ const Keys<ReconstructionKeys>& reconstruction_keys() {
                 "Largest distance between a vertex and the surface that it lies on, as a share of the "
                 "model's size; by how much the file "
                 "has rounded its coordinates is found out and allowed for."),
+      custom_key<R>("blends", quoted_list(names(blend_choices())),
+                    "What becomes of rounds along freeform walls between parallel planes, as those of milled "
+                    "pockets: they "
+                    "stay, or the walls are extended to the planes. A warning says how many, and what that "
+                    "does to the volume. "
+                    "`blends` of [segmentation] removes those that are cylinders and tori.",
+                    [](R& target, const ConfigValue& value) {
+                      target.options.remove_blends =
+                          read_choice(value, "blends", blend_choices()) == segmentation::Blends::remove;
+                    })
+          .with_default("\"keep\""),
+      share_key("time_limit", {0, 1e7, false, true}, &O::time_limit,
+                "Seconds of computing that a file of triangles may take to become a solid (the processor's, "
+                "so that a "
+                "busy machine makes what an idle one does), after which it is refused."),
       turn_key("smooth", 89, &O::smooth,
                "Largest angle between neighbouring plane pieces of one curved surface."),
       turn_key("cutoff", 179, &O::cutoff, "By angles: edges of at least this angle part faces."),

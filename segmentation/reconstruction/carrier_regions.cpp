@@ -71,9 +71,10 @@ class CarrierGrower {
   }
 
   /// Rings of a torus or sphere lie on cones: neighbours become one surface where that explains more of them.
-  void join_rings() {
+  void join_rings(const Progress& progress) {
     int tries = 0;
-    for (std::size_t r = 0; r < found_.size() && tries < most_joins; ++r)
+    for (std::size_t r = 0; r < found_.size() && tries < most_joins; ++r) {
+      if (r % 16 == 0) progress("joining surfaces", double(r) / double(found_.size()));
       for (const std::size_t other : smooth_regions(r)) {
         if (++tries > most_joins || found_[r].facets.empty()) break;
         if (auto joined = join(r, other)) {
@@ -81,6 +82,7 @@ class CarrierGrower {
           break;
         }
       }
+    }
   }
 
   /// Carriers with few facets amid what none explains are chance.
@@ -405,7 +407,7 @@ Regions carrier_regions(const geometry::TriangleMesh& mesh, const Facets& facets
                         const ReconstructionOptions& options, const Progress& progress) {
   CarrierGrower grower(mesh, facets, tolerance, options);
   grower.search(progress);
-  grower.join_rings();
+  grower.join_rings(progress);
   grower.drop_leaves();
   return grower.regions(static_cast<std::size_t>(mesh.triangles.cols()));
 }

@@ -63,7 +63,7 @@ class FacetMaker {
     });
     for (const int t : order)
       if (result_.of_triangle[static_cast<std::size_t>(t)] < 0) grow(t, normals);
-    link();
+    link_facets(mesh_, neighbours_, result_);
     return std::move(result_);
   }
 
@@ -125,34 +125,6 @@ class FacetMaker {
       facet.middle += mesh_.vertices.col(facet.vertices[i]) / (small ? double(facet.vertices.size()) : 3.0);
   }
 
-  void link() {
-    for (std::size_t f = 0; f < result_.facets.size(); ++f) {
-      std::vector<FacetLink>& links = result_.facets[f].links;
-      for (const int t : result_.facets[f].triangles)
-        for (const geometry::TriangleSide& side : neighbours_.across[static_cast<std::size_t>(t)]) {
-          if (side.triangle < 0) continue;
-          const int other = result_.of_triangle[static_cast<std::size_t>(side.triangle)];
-          if (other == static_cast<int>(f)) continue;
-          links.push_back(
-              {other, 0, vertex(side.triangle, side.side) - vertex(side.triangle, side.side + 1)});
-        }
-      std::stable_sort(links.begin(), links.end(),
-                       [](const FacetLink& a, const FacetLink& b) { return a.other < b.other; });
-      std::size_t kept = 0;
-      for (const FacetLink& link : links)
-        if (kept > 0 && links[kept - 1].other == link.other)
-          links[kept - 1].edge += link.edge;
-        else
-          links[kept++] = link;
-      links.resize(kept);
-      for (FacetLink& link : links) {
-        const Eigen::Vector3d &a = result_.facets[f].normal,
-                              &b = result_.facets[static_cast<std::size_t>(link.other)].normal;
-        link.angle = std::atan2(a.cross(b).norm(), a.dot(b));
-      }
-    }
-  }
-
   const geometry::TriangleMesh& mesh_;
   const geometry::MeshNeighbours& neighbours_;
   double tolerance_;
@@ -161,6 +133,36 @@ class FacetMaker {
 };
 
 }  // namespace
+
+void link_facets(const geometry::TriangleMesh& mesh, const geometry::MeshNeighbours& neighbours,
+                 Facets& facets) {
+  const auto vertex = [&](int t, int corner) { return mesh.vertices.col(mesh.triangles(corner % 3, t)); };
+  for (std::size_t f = 0; f < facets.facets.size(); ++f) {
+    std::vector<FacetLink>& links = facets.facets[f].links;
+    links.clear();
+    for (const int t : facets.facets[f].triangles)
+      for (const geometry::TriangleSide& side : neighbours.across[static_cast<std::size_t>(t)]) {
+        if (side.triangle < 0) continue;
+        const int other = facets.of_triangle[static_cast<std::size_t>(side.triangle)];
+        if (other == static_cast<int>(f)) continue;
+        links.push_back({other, 0, vertex(side.triangle, side.side) - vertex(side.triangle, side.side + 1)});
+      }
+    std::stable_sort(links.begin(), links.end(),
+                     [](const FacetLink& a, const FacetLink& b) { return a.other < b.other; });
+    std::size_t kept = 0;
+    for (const FacetLink& link : links)
+      if (kept > 0 && links[kept - 1].other == link.other)
+        links[kept - 1].edge += link.edge;
+      else
+        links[kept++] = link;
+    links.resize(kept);
+    for (FacetLink& link : links) {
+      const Eigen::Vector3d &a = facets.facets[f].normal,
+                            &b = facets.facets[static_cast<std::size_t>(link.other)].normal;
+      link.angle = std::atan2(a.cross(b).norm(), a.dot(b));
+    }
+  }
+}
 
 Facets plane_facets(const geometry::TriangleMesh& mesh, const geometry::MeshNeighbours& neighbours,
                     double tolerance) {

@@ -145,7 +145,8 @@ class TrimmedFace {
 }  // namespace
 
 void add_freeform_faces(const geometry::TriangleMesh& mesh, const geometry::MeshNeighbours& neighbours,
-                        Wireframe& wires, Regions& regions, double tolerance, double size) {
+                        Wireframe& wires, Regions& regions, double tolerance, double size,
+                        const Progress& progress) {
   const auto is_open = [&](std::size_t r) {
     return !regions.regions[r].carrier && !regions.regions[r].spline;
   };
@@ -159,8 +160,10 @@ void add_freeform_faces(const geometry::TriangleMesh& mesh, const geometry::Mesh
       wires.edges[static_cast<std::size_t>(strip->edges[i])].curve = strip->curves[i];
   }
   add_freeform_edges(wires, regions, tolerance, size);
-  for (std::size_t r = 0; r < regions.regions.size(); ++r)
+  for (std::size_t r = 0; r < regions.regions.size(); ++r) {
+    progress("fitting freeform faces", double(r) / double(regions.regions.size()));
     if (is_open(r)) TrimmedFace(mesh, neighbours, wires, regions, static_cast<int>(r)).make(tolerance, size);
+  }
 }
 
 }  // namespace isopatch::segmentation

@@ -38,6 +38,7 @@ struct Reconstruction {
 /// @throws Error not_manifold, bad_format  as of `geometry::mended`
 /// @throws Error unsupported  a part of the surface is no plane, cylinder, cone, sphere or torus: named with
 /// its place; surfaces that do not meet along the mesh's edges
+/// @throws Error unsupported  it would take longer than `time_limit`
 /// @throws Error invalid_argument  options out of range
 /// @cost  O(T log T)
 Reconstruction reconstruct(const geometry::TriangleMesh& mesh, const ReconstructionOptions& options = {},

@@ -20,6 +20,7 @@ void validate(const ReconstructionOptions& o) {
   require(o.smooth.radians() > 0 && o.smooth.radians() < right, "smooth", o.smooth.degrees(),
           "(0, 90) degrees");
   require(o.most_failures >= 1, "most_failures", o.most_failures, "at least 1");
+  require(o.time_limit > 0 && o.time_limit <= 1e7, "time_limit", o.time_limit, "(0, 1e7] seconds");
   require(o.cutoff.radians() > 0 && o.cutoff.radians() < 2 * right, "cutoff", o.cutoff.degrees(),
           "(0, 180) degrees");
   require(o.inner_cutoff.radians() > 0 && o.inner_cutoff.radians() < 2 * right, "inner_cutoff",

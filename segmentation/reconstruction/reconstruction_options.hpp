@@ -19,6 +19,10 @@ struct ReconstructionOptions {
   Angle smooth = Angle::degrees(41);
   /// Places where surfaces are looked for in vain before the search ends. At least 1.
   int most_failures = 4000;
+  /// Seconds of the processor after which it is given up. Above 0.
+  double time_limit = 300;
+  /// Whether rounds along freeform walls between parallel planes are left out, and the walls extended.
+  bool remove_blends = false;
 
   // Of the method by angles.
   Angle cutoff = Angle::degrees(40);        ///< edges of at least this part regions

@@ -21,6 +21,8 @@ using geometry::SurfaceKind;
 constexpr double direction_steps = 10;
 constexpr double largest_turn = 2e-3;  // rad; a draft of a tenth of a degree is meant
 constexpr double kept_within = 3;
+// What was farther off before, as dents of a plane are, may stay so.
+constexpr double kept_of_dents = 1.2;
 constexpr std::size_t most_fit_points = 400;
 
 struct Surface {
@@ -28,6 +30,7 @@ struct Surface {
   Carrier carrier;
   Eigen::Matrix3Xd points;
   double spread = 0;                           ///< least extent that determines the axis' direction, m
+  double off = 0;                              ///< of a point from the carrier as it was found, m
   int direction = -1, axis = -1, radius = -1;  ///< groups
 };
 
@@ -72,6 +75,8 @@ class Regulariser {
     Surface result{r, *region.carrier, Eigen::Matrix3Xd(3, static_cast<Eigen::Index>(vertices.size()))};
     for (std::size_t i = 0; i < vertices.size(); ++i)
       result.points.col(static_cast<Eigen::Index>(i)) = mesh_.vertices.col(vertices[i]);
+    for (const auto& p : result.points.colwise())
+      result.off = std::fmax(result.off, std::abs(carrier_distance(result.carrier, p).value));
     const Eigen::Matrix3Xd about = result.points.colwise() - result.points.rowwise().mean();
     const Eigen::Vector3d squares = principal_axes(about * about.transpose() / double(about.cols())).values;
     result.spread =
@@ -95,7 +100,7 @@ class Regulariser {
     double off = 0;
     for (const auto& p : s.points.colwise())
       off = std::fmax(off, std::abs(carrier_distance(found->carrier, p).value));
-    if (!(off <= kept_within * tolerance_)) return false;
+    if (!(off <= std::fmax(kept_within * tolerance_, kept_of_dents * s.off))) return false;
     s.carrier = found->carrier;
     return true;
   }

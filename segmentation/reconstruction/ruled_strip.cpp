@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "segmentation/reconstruction/internal/carrier_distance.hpp"
 #include "segmentation/reconstruction/internal/chord_error.hpp"
 #include "segmentation/reconstruction/internal/fit_curves.hpp"
+#include "segmentation/reconstruction/internal/nearest_on_spline.hpp"
 #include "segmentation/reconstruction/internal/slide_rulings.hpp"
 
 namespace isopatch::segmentation {
@@ -143,7 +145,56 @@ class StripMaker {
     for (std::size_t i = 0; i < inside.size(); ++i)
       all.points.col(known + static_cast<Eigen::Index>(i)) = mesh_.vertices.col(inside[i]);
     all.v = ((up_.transpose() * (all.points.colwise() - low.points.col(0))) / height_).transpose();
-    return slide_rulings({fit.curves[0], fit.curves[1]}, all, tolerance_);
+    const RuledCurves slid = slide_rulings({fit.curves[0], fit.curves[1]}, all, tolerance_);
+    if (!runs_back(slid, low, high)) return slid;
+    return smoother(low, high, all);
+  }
+
+  /// Curves no nearer to their points than the triangles say, where nearer ones run back on themselves.
+  RuledCurves smoother(const CurveSample& low, const CurveSample& high, const RuledPoints& all) const {
+    RuledCurves result;
+    for (double near = tolerance_; near <= largest_on_curves(); near *= 2) {
+      const FittedCurves fit = fit_curves({low, high}, near);
+      result = {fit.curves[0], fit.curves[1], std::max(fit.largest, off_inside(fit.curves, all)),
+                fit.largest};
+      if (!runs_back(result, low, high)) return result;
+    }
+    result.largest_on_curves = std::numeric_limits<double>::infinity();
+    return result;
+  }
+  double largest_on_curves() const { return std::max(3 * tolerance_, chord()); }
+
+  static bool runs_back(const RuledCurves& curves, const CurveSample& low, const CurveSample& high) {
+    return runs_back(curves.low, low.points) || runs_back(curves.high, high.points);
+  }
+  /// Whether a curve turns against the polygon of its points.
+  static bool runs_back(const NurbsCurve& curve, const Eigen::Matrix3Xd& polygon) {
+    const int count = 8 * static_cast<int>(std::max<Eigen::Index>(polygon.cols(), curve.size()));
+    for (int i = 0; i <= count; ++i) {
+      const geometry::Parameter<1> at(double(i) / count);
+      const Eigen::Vector3d point = curve.point(at), tangent = curve.derivative(at, {1});
+      double nearest = std::numeric_limits<double>::infinity();
+      Eigen::Vector3d along = tangent;
+      for (Eigen::Index k = 0; k + 1 < polygon.cols(); ++k) {
+        const Eigen::Vector3d way = polygon.col(k + 1) - polygon.col(k), arm = point - polygon.col(k);
+        const double share = std::clamp(arm.dot(way) / way.squaredNorm(), 0.0, 1.0);
+        if (!((arm - share * way).norm() < nearest)) continue;
+        nearest = (arm - share * way).norm();
+        along = way;
+      }
+      if (!(tangent.dot(along) > 0)) return true;
+    }
+    return false;
+  }
+
+  /// Distance of the points between two curves from the surface between them.
+  double off_inside(const std::vector<NurbsCurve>& curves, const RuledPoints& all) const {
+    const NearestOnSpline nearest(geometry::ruled(curves[0], curves[1]));
+    double result = 0;
+    for (Eigen::Index k = 0; k < all.points.cols(); ++k)
+      if (all.v[k] > 0 && all.v[k] < 1)
+        result = std::max(result, std::abs(nearest.distance(all.points.col(k)).value));
+    return result;
   }
 
   /// Vertices of the mesh between the two planes.
@@ -163,7 +214,7 @@ class StripMaker {
     std::optional<RuledCurves> curves;
     if (is_upright()) curves = upright_curves(low, high);
     if (!curves) curves = inclined_curves(low, high);
-    if (curves->largest_on_curves > 3 * tolerance_ || curves->largest > tolerance_ + chord() / 2)
+    if (curves->largest_on_curves > largest_on_curves() || curves->largest > tolerance_ + chord())
       return std::nullopt;
     const NurbsCurve &below = curves->low, &above = curves->high;
     RuledStrip strip{geometry::ruled(below, above), {}, {}};

@@ -160,13 +160,13 @@ std::vector<std::string> face_names(const Regions& regions) {
 }
 
 CarrierSolid solid_of_regions(const geometry::TriangleMesh& mesh, const geometry::MeshNeighbours& neighbours,
-                              Regions& regions, double tolerance) {
+                              Regions& regions, double tolerance, const Progress& progress) {
   const double size = geometry::diagonal(mesh);
   Wireframe wires = wireframe(mesh, neighbours, regions);
   sharpen_corners(wires, regions, size);
   make_upright(wires, regions, tolerance);
   add_seams(wires, regions, mesh, size);
-  add_freeform_faces(mesh, neighbours, wires, regions, tolerance, size);
+  add_freeform_faces(mesh, neighbours, wires, regions, tolerance, size, progress);
   CarrierSolid solid;
   solid.vertices.resize(3, static_cast<Eigen::Index>(wires.vertices.size()));
   for (std::size_t v = 0; v < wires.vertices.size(); ++v)

@@ -36,4 +36,8 @@ struct Facets {
 Facets plane_facets(const geometry::TriangleMesh& mesh, const geometry::MeshNeighbours& neighbours,
                     double tolerance);
 
+/// Who is beside whom, again, from the facets' triangles and normals.
+void link_facets(const geometry::TriangleMesh& mesh, const geometry::MeshNeighbours& neighbours,
+                 Facets& facets);
+
 }  // namespace isopatch::segmentation

@@ -12,6 +12,7 @@ namespace isopatch::segmentation {
 /// @throws Error unsupported  a region without a surface that is nearer to its vertices than the chord error,
 /// with its place
 void add_freeform_faces(const geometry::TriangleMesh& mesh, const geometry::MeshNeighbours& neighbours,
-                        Wireframe& wires, Regions& regions, double tolerance, double size);
+                        Wireframe& wires, Regions& regions, double tolerance, double size,
+                        const Progress& progress = {});
 
 }  // namespace isopatch::segmentation

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geometry/base/progress.hpp"
 #include "geometry/brep/carrier_solid.hpp"
 #include "geometry/mesh/mesh_neighbours.hpp"
 #include "geometry/mesh/triangle_mesh.hpp"
@@ -13,7 +14,7 @@ namespace isopatch::segmentation {
 /// @throws Error unsupported  as `add_seams` and `add_freeform_faces`
 geometry::CarrierSolid solid_of_regions(const geometry::TriangleMesh& mesh,
                                         const geometry::MeshNeighbours& neighbours, Regions& regions,
-                                        double tolerance);
+                                        double tolerance, const Progress& progress = {});
 
 /// "plane_1", "cylinder_2", ...: the kind and the number of the face among those of its kind.
 std::vector<std::string> face_names(const Regions& regions);

@@ -1,0 +1,178 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "geometry/base/tests/expect_error.hpp"
+#include "geometry/mesh/mesh_neighbours.hpp"
+#include "segmentation/reconstruction/internal/chance_planes.hpp"
+#include "segmentation/reconstruction/internal/dented_planes.hpp"
+#include "segmentation/reconstruction/reconstruction.hpp"
+
+namespace isopatch::segmentation {
+namespace {
+
+/// Squares of a grid, each two triangles, with vertices where a function of the grid's shares says.
+void add_squares(geometry::TriangleMesh& mesh, int n, const auto& point) {
+  const auto first = static_cast<int>(mesh.vertices.cols());
+  const Eigen::Index triangles = mesh.triangles.cols();
+  mesh.vertices.conservativeResize(3, first + (n + 1) * (n + 1));
+  mesh.triangles.conservativeResize(3, triangles + 2 * n * n);
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i)
+      mesh.vertices.col(first + i + (n + 1) * j) = point(double(i) / n, double(j) / n);
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const int a = first + i + (n + 1) * j, b = a + 1, c = b + n + 1, d = c - 1;
+      mesh.triangles.col(triangles + 2 * (i + n * j)) << a, b, c;
+      mesh.triangles.col(triangles + 2 * (i + n * j) + 1) << a, c, d;
+    }
+}
+
+/// A unit cube whose top is at other heights, which are 1 along its border.
+geometry::TriangleMesh cube(int n, const auto& top) {
+  geometry::TriangleMesh mesh;
+  add_squares(mesh, n, [&](double u, double v) { return Eigen::Vector3d(u, v, top(u, v)); });
+  add_squares(mesh, n, [](double u, double v) { return Eigen::Vector3d(v, u, 0); });
+  add_squares(mesh, n, [](double u, double v) { return Eigen::Vector3d(u, 0, v); });
+  add_squares(mesh, n, [](double u, double v) { return Eigen::Vector3d(1 - u, 1, v); });
+  add_squares(mesh, n, [](double u, double v) { return Eigen::Vector3d(0, 1 - u, v); });
+  add_squares(mesh, n, [](double u, double v) { return Eigen::Vector3d(1, u, v); });
+  return mesh;
+}
+
+TEST(DentedPlanes, OfOneVertexAreOneFaceAndSaidToBeDented) {
+  const double depth = 4e-4;
+  const geometry::TriangleMesh mesh =
+      cube(10, [&](double u, double v) { return u == 0.5 && v == 0.5 ? 1 - depth : 1.0; });
+  const Reconstruction made = reconstruct(mesh);
+  EXPECT_EQ(kinds_text(made.regions), "6 planes");
+  EXPECT_NEAR(made.report.largest_deviation, depth, 0.05 * depth);
+  EXPECT_NEAR(made.brep.volume(), 1, 1e-5);
+}
+
+TEST(DentedPlanes, KeepTheStripsOfARoundBesideThem) {
+  // Strips of a round of radius 0.2 from the plane z = 1 on, one degree each: the first is within 3e-5 of it.
+  geometry::TriangleMesh mesh;
+  const auto round = [](double share) {
+    const double turn = share * std::numbers::pi / 2;
+    return Eigen::Vector3d(0.2 * std::sin(turn), 0, 0.8 + 0.2 * std::cos(turn));
+  };
+  const int strips = 90;
+  mesh.vertices.resize(3, 2 * (strips + 2));
+  mesh.triangles.resize(3, 2 * (strips + 1));
+  for (int i = 0; i <= strips + 1; ++i) {
+    const Eigen::Vector3d at = i == 0 ? Eigen::Vector3d(-1, 0, 1) : round(double(i - 1) / strips);
+    mesh.vertices.col(2 * i) = at;
+    mesh.vertices.col(2 * i + 1) = at + Eigen::Vector3d(0, 1, 0);
+  }
+  for (int i = 0; i <= strips; ++i) {
+    mesh.triangles.col(2 * i) << 2 * i, 2 * i + 2, 2 * i + 3;
+    mesh.triangles.col(2 * i + 1) << 2 * i, 2 * i + 3, 2 * i + 1;
+  }
+  const geometry::MeshNeighbours neighbours = geometry::neighbours(mesh);
+  const Facets facets = plane_facets(mesh, neighbours, 1e-7);
+  ASSERT_EQ(facets.facets.size(), 91u);
+  EXPECT_EQ(without_dents(mesh, neighbours, facets, 1e-4).facets.size(), 91u);
+}
+
+double dome(double u, double v) {
+  return 1 + 0.2 * std::sin(std::numbers::pi * u) * std::sin(std::numbers::pi * v);
+}
+
+TEST(ChancePlanes, BelongToTheFreeformFaceAround) {
+  const Reconstruction made = reconstruct(cube(8, dome));
+  ASSERT_EQ(kinds_text(made.regions), "1 freeform surface, 5 planes");
+  Regions regions = made.regions;
+  regions.regions[0].spline.reset();
+  // A triangle amid the dome as a plane of its own.
+  const int alone = regions.regions[0].triangles[60];
+  Region plane;
+  const Eigen::Vector3d normal = geometry::area_vector(made.mesh, alone);
+  plane.carrier = geometry::Carrier{geometry::SurfaceKind::plane,
+                                    made.mesh.vertices.col(made.mesh.triangles(0, alone)),
+                                    normal.normalized(),
+                                    0,
+                                    0,
+                                    {}};
+  plane.area = normal.norm() / 2;
+  plane.triangles = {alone};
+  std::erase(regions.regions[0].triangles, alone);
+  regions.of_triangle[static_cast<std::size_t>(alone)] = static_cast<int>(regions.regions.size());
+  regions.regions.push_back(plane);
+  const Regions joined =
+      without_chance_planes(made.mesh, geometry::neighbours(made.mesh), regions, Angle::degrees(41), 1e-6);
+  ASSERT_EQ(joined.regions.size(), 6u);
+  EXPECT_EQ(joined.of_triangle[static_cast<std::size_t>(alone)], 0);
+  EXPECT_EQ(joined.regions[0].triangles.size(), 128u);
+}
+
+constexpr int around_post = 96;
+constexpr double post_height = 0.5, post_round = 0.05;
+
+/// A closed curve without straight or circular parts, and the way outwards.
+Eigen::Vector3d post_outline(double turn) {
+  const double radius = 1 + 0.15 * std::cos(3 * turn);
+  return {radius * std::cos(turn), radius * std::sin(turn), 0};
+}
+Eigen::Vector3d post_outwards(double turn) {
+  const Eigen::Vector3d along = post_outline(turn + 1e-5) - post_outline(turn - 1e-5);
+  return along.cross(Eigen::Vector3d::UnitZ()).normalized();
+}
+
+/// An upright post with a round of nine strips along its top.
+geometry::TriangleMesh rounded_post() {
+  constexpr int rows = 11;  // two of the wall, which the round begins in, and the round's
+  geometry::TriangleMesh mesh;
+  mesh.vertices.resize(3, rows * around_post + 2);
+  mesh.triangles.resize(3, 2 * (rows - 1) * around_post + 2 * around_post);
+  Eigen::Index count = 0;
+  for (int row = 0; row < rows; ++row)
+    for (int i = 0; i < around_post; ++i) {
+      const double turn = 2 * std::numbers::pi * i / around_post,
+                   rise = std::max(0, row - 1) * std::numbers::pi / 2 / (rows - 2);
+      Eigen::Vector3d at = post_outline(turn) + post_round * (std::cos(rise) - 1) * post_outwards(turn);
+      at.z() = row == 0 ? 0 : post_height - post_round + post_round * std::sin(rise);
+      mesh.vertices.col(row * around_post + i) = at;
+    }
+  for (int row = 0; row + 1 < rows; ++row)
+    for (int i = 0; i < around_post; ++i) {
+      const int a = row * around_post + i, b = row * around_post + (i + 1) % around_post;
+      mesh.triangles.col(count++) << a, b, b + around_post;
+      mesh.triangles.col(count++) << a, b + around_post, a + around_post;
+    }
+  const int low = rows * around_post, high = low + 1, top = (rows - 1) * around_post;
+  mesh.vertices.col(low) << 0, 0, 0;
+  mesh.vertices.col(high) << 0, 0, post_height;
+  for (int i = 0; i < around_post; ++i) {
+    const int next = (i + 1) % around_post;
+    mesh.triangles.col(count++) << next, i, low;
+    mesh.triangles.col(count++) << top + i, top + next, high;
+  }
+  return mesh;
+}
+
+TEST(WithoutRounds, WallsReachTheirPlanes) {
+  const Reconstruction made = reconstruct(rounded_post(), {.remove_blends = true});
+  ASSERT_EQ(made.report.remarks.size(), 1u);
+  EXPECT_NE(made.report.remarks.front().find("1 round along freeform walls removed"), std::string::npos);
+  // The integral of radius^2 / 2, and the height; splines through 96 points of the outline are near to 1e-4
+  // of it.
+  const double area = std::numbers::pi * (1 + 0.15 * 0.15 / 2);
+  EXPECT_NEAR(made.brep.volume() / (area * post_height), 1, 1e-4);
+  const auto planes = std::count_if(made.regions.regions.begin(), made.regions.regions.end(),
+                                    [](const Region& region) { return region.carrier.has_value(); });
+  EXPECT_EQ(planes, 2);
+  for (const geometry::BrepEdge& edge : made.brep.edges()) EXPECT_EQ(edge.faces.size(), 2u);
+}
+
+TEST(Reconstruction, EndsWhenItsTimeIsUp) {
+  EXPECT_ERROR(reconstruct(cube(8, dome), {.time_limit = 1e-9}), ErrorCode::unsupported, "raise time_limit");
+  EXPECT_ERROR(reconstruct(cube(2, dome), {.time_limit = 0}), ErrorCode::invalid_argument, "time_limit is 0");
+}
+
+}  // namespace
+}  // namespace isopatch::segmentation
