@@ -155,6 +155,14 @@ TEST(SolverPlans, FollowTheOperationsAndNotTheNumberOfUnknowns) {
   EXPECT_THAT(solver_plans(cube, {}, plenty).front().reason, HasSubstr("Gflop"));
 }
 
+TEST(SolverPlans, FactorizeForManyLoadCasesWhereTheyIterateForOne) {
+  SizeForecast cube = size_of(box({1, 1, 1}), {.degree = {3, 3, 3}, .elements_per_direction = {12, 12, 12}});
+  ASSERT_EQ(solver_plans(cube, {}, plenty).front().method, Method::cg);
+  cube.right_sides = 10;
+  EXPECT_EQ(solver_plans(cube, {}, plenty).front().method, Method::cholmod);
+  EXPECT_THAT(solver_plans(cube, {}, plenty).front().reason, HasSubstr("10 load cases"));
+}
+
 TEST(SolverPlans, FactorizeMoreWhereTheMaterialIsNearlyIncompressible) {
   const DiscretizationOptions options = {.degree = {3, 3, 3}, .elements_per_direction = {12, 12, 12}};
   EXPECT_EQ(solver_plans(size_of(box({1, 1, 1}), options), {}, plenty).front().method, Method::cg);
