@@ -51,14 +51,16 @@ Eigen::Vector3d principal_values(const Eigen::Matrix3d& stress) {
   const double middle = scaled.trace() / 3;
   const Matrix3d deviator = scaled - middle * Matrix3d::Identity();
   const double spread = std::sqrt(deviator.squaredNorm() / 6);
-  const double cosine = std::clamp(0.5 * (deviator / spread).determinant(), -1.0, 1.0);
+  if (spread < 1e-20) return Vector3d::Constant(size * middle);
+  const double cosine = std::clamp(0.5 * deviator.determinant() / (spread * spread * spread), -1.0, 1.0);
   const bool is_largest = cosine >= 0;
   const double alone =
       2 * spread * std::cos((std::acos(cosine) + (is_largest ? 0 : 2 * std::numbers::pi)) / 3);
   const Vector3d axis = kernel_of(deviator - alone * Matrix3d::Identity());
   const Vector3d u = axis.unitOrthogonal(), v = axis.cross(u);
   const double uu = u.dot(deviator * u), uv = u.dot(deviator * v), vv = v.dot(deviator * v);
-  const double between = 0.5 * (uu + vv), radius = std::hypot(0.5 * (uu - vv), uv);
+  const double between = 0.5 * (uu + vv), apart = 0.5 * (uu - vv);
+  const double radius = std::sqrt(apart * apart + uv * uv);
   return size * (Vector3d::Constant(middle) + sorted({alone, between + radius, between - radius}));
 }
 
