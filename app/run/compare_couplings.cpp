@@ -40,7 +40,7 @@ double energy_difference(const iga::ElasticityResults& first, const iga::Elastic
   return ratio(std::abs(a - b), larger(std::abs(a), std::abs(b)));
 }
 
-// A force of the size that nodes have: what does the work, and so much of it that one node's share is left.
+// What a node bears on average: twice the energy over the way is a force, which all nodes share.
 double typical_force(const iga::ElasticitySolution& solution) {
   const iga::ElasticityResults& results = solution.results;
   const double way = results.max_displacement.value;
