@@ -29,7 +29,8 @@ void add_face(const geometry::NurbsVolume& patch, geometry::Side side, const Reg
   const std::vector<int> all = geometry::face_control_points(patch.sizes(), side);
   const std::vector<int> held = held_control_points(patch, side, region);
   std::vector<char> is_held;
-  for (const int node : all) is_held.push_back(std::find(held.begin(), held.end(), node) != held.end());
+  for (const int node : all)
+    is_held.push_back(std::find(held.begin(), held.end(), node) != held.end() ? char{1} : char{0});
   const FaceQuadrature whole(patch, side);
   const DirectionTable::Element *last_u = nullptr, *last_v = nullptr;
   bool is_inside = false;
