@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/base/stopwatch.hpp"
+#include "solvers/block_cg.hpp"
 
 namespace isopatch::solvers {
 namespace {
@@ -16,6 +17,8 @@ constexpr double least_share = 1e-3;
 // Each round brings the error down to the tolerance but for what combining solutions has added.
 constexpr int most_rounds = 4;
 constexpr double largest_tolerance = 1e-2;  // that iterations may be asked for
+// Loads that iterate together: six vectors each.
+constexpr std::size_t most_together = 10;
 
 double root(double square) {
   return square <= 0 ? 0 : std::sqrt(square);  // what is no number stays none
@@ -31,16 +34,16 @@ LinearSolution LoadSequence::solve_alone(const VectorXd& load, const SolverOptio
                                      : solve_with_minres(alone, options, progress);
 }
 
-// What is left of a load beside the directions known, and the combination of their solutions.
+// What is left of a load beside the directions known, and its parts along them.
 LoadSequence::Split LoadSequence::split(const VectorXd& load) const {
   const SharedRows& rows = system_->rows;
-  Split result{load, system_->preconditioner(load), VectorXd::Zero(load.size()), 0, 0};
+  Split result{load, system_->preconditioner(load), {}, 0, 0};
   result.size = root(rows.dot(result.rest, result.preconditioned));
   for (const Direction& one : known_) {
     const double part = rows.dot(result.rest, one.preconditioned);
     result.rest -= part * one.load;
     result.preconditioned -= part * one.preconditioned;
-    result.solution += part * one.solution;
+    result.parts.push_back(part);
   }
   result.across = root(rows.dot(result.rest, result.preconditioned));
   return result;
@@ -66,32 +69,113 @@ LinearSolution LoadSequence::solve(const VectorXd& load, const SolverOptions& op
   }
   Split split = this->split(load);
   if (split.size == 0) return solve_alone(load, options, progress);
-  LinearSolution result{std::move(split.solution), {}, first_.report};
+  LinearSolution result{VectorXd::Zero(load.size()), {}, first_.report};
+  for (std::size_t k = 0; k < split.parts.size(); ++k) result.x += split.parts[k] * known_[k].solution;
   result.report.iterations = 0;
   result.report.residual_history = {1};
-  bool is_new = split.across > least_share * split.size;
-  VectorXd rest = is_new ? split.rest : VectorXd(load - system_->product(result.x));
+  if (split.across > least_share * split.size) {
+    SolverOptions own = options;
+    own.tolerance = std::min(0.5 * options.tolerance * split.size / split.across, largest_tolerance);
+    const LinearSolution part = solve_alone(split.rest, own, progress);
+    known_.push_back({split.rest / split.across, split.preconditioned / split.across, part.x / split.across});
+    add(part, split.across / split.size, result);
+  }
+  return finished(std::move(result), load, split.size, watch, options, progress);
+}
+
+// Adds the solution of a rest, whose error was such a share of the load's.
+void LoadSequence::add(const LinearSolution& part, double share, LinearSolution& to) {
+  to.x += part.x;
+  to.report.iterations += part.report.iterations;
+  for (const double error : part.report.residual_history) to.report.residual_history.push_back(error * share);
+}
+
+// Goes on from the true residual of a start until the error is small enough.
+LinearSolution LoadSequence::finished(LinearSolution result, const VectorXd& load, double size,
+                                      const Stopwatch& watch, const SolverOptions& options,
+                                      const Progress& progress) const {
+  const SharedRows& rows = system_->rows;
   for (int round = 0; round < most_rounds; ++round) {
-    const double left =
-        round == 0 && is_new ? split.across : root(rows.dot(rest, system_->preconditioner(rest)));
-    result.report.energy_error = left / split.size;
+    const VectorXd rest = load - system_->product(result.x);
+    const double left = root(rows.dot(rest, system_->preconditioner(rest)));
+    result.report.energy_error = left / size;
     result.report.relative_residual = std::sqrt(rows.dot(rest, rest) / rows.dot(load, load));
     result.report.residual_history.push_back(result.report.energy_error);
     result.report.solve_seconds = watch.seconds();
-    if (left <= options.tolerance * split.size) return result;
+    if (left <= options.tolerance * size) return result;
     SolverOptions own = options;
-    own.tolerance = std::min(0.5 * options.tolerance * split.size / left, largest_tolerance);
-    const LinearSolution part = solve_alone(rest, own, progress);
-    if (is_new) known_.push_back({rest / left, split.preconditioned / left, part.x / left});
-    is_new = false;
-    result.x += part.x;
-    result.report.iterations += part.report.iterations;
-    for (const double error : part.report.residual_history)
-      result.report.residual_history.push_back(error * left / split.size);
-    rest = load - system_->product(result.x);
+    own.tolerance = std::min(0.5 * options.tolerance * size / left, largest_tolerance);
+    add(solve_alone(rest, own, progress), left / size, result);
   }
   // Combinations do not get there where round-off is as large as the tolerance.
   return solve_alone(load, options, progress);
+}
+
+// Those that are new become directions, all of them
+// are combinations of directions then.
+std::vector<LinearSolution> LoadSequence::solve_together(std::span<const VectorXd> loads,
+                                                         const SolverOptions& options,
+                                                         const Progress& progress) {
+  const Stopwatch watch;
+  const SharedRows& rows = system_->rows;
+  const std::size_t before = known_.size();
+  std::vector<Split> splits;
+  std::vector<std::size_t> direction_of;  // or none: the number of all
+  for (const VectorXd& load : loads) {
+    const Split& split = splits.emplace_back(this->split(load));
+    const bool is_new = split.across > least_share * split.size;
+    direction_of.push_back(is_new ? known_.size() : static_cast<std::size_t>(-1));
+    if (is_new) known_.push_back({split.rest / split.across, split.preconditioned / split.across, {}});
+  }
+  const auto count = static_cast<Eigen::Index>(known_.size() - before);
+  BlockSolution found;
+  if (count > 0) {
+    Eigen::MatrixXd block(loads.front().size(), count), preconditioned(loads.front().size(), count);
+    for (Eigen::Index k = 0; k < count; ++k) {
+      block.col(k) = known_[before + static_cast<std::size_t>(k)].load;
+      preconditioned.col(k) = known_[before + static_cast<std::size_t>(k)].preconditioned;
+    }
+    SolverOptions own = options;
+    own.tolerance = 0.5 * options.tolerance;
+    found = solve_with_block_cg(*system_, block, preconditioned, own, progress);
+    for (Eigen::Index k = 0; k < count; ++k)
+      known_[before + static_cast<std::size_t>(k)].solution = found.x.col(k);
+  }
+  std::vector<LinearSolution> result;
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    if (splits[i].size == 0) {
+      result.push_back(solve_alone(loads[i], options, progress));
+      continue;
+    }
+    LinearSolution start{VectorXd::Zero(loads[i].size()), {}, first_report(*system_, Method::cg)};
+    for (std::size_t k = 0; k < splits[i].parts.size(); ++k)
+      start.x += splits[i].parts[k] * known_[k].solution;
+    start.report.residual_history = {1};
+    if (direction_of[i] < known_.size()) {
+      start.x += splits[i].across * known_[direction_of[i]].solution;
+      const std::vector<double>& errors = found.errors[direction_of[i] - before];
+      for (std::size_t k = 1; k < errors.size(); ++k)
+        start.report.residual_history.push_back(errors[k] * splits[i].across / splits[i].size);
+      start.report.iterations = static_cast<int>(errors.size()) - 1;
+    }
+    result.push_back(finished(std::move(start), loads[i], splits[i].size, watch, options, progress));
+  }
+  return result;
+}
+
+std::vector<LinearSolution> LoadSequence::solve_all(const std::vector<VectorXd>& loads,
+                                                    const SolverOptions& options, const Progress& progress) {
+  std::vector<LinearSolution> result;
+  if (method_ != KrylovMethod::cg || system_->rows.is_distributed() || loads.size() < 2) {
+    for (const VectorXd& load : loads) result.push_back(solve(load, options, progress));
+    return result;
+  }
+  for (std::size_t first = 0; first < loads.size(); first += most_together) {
+    const std::size_t count = std::min(most_together, loads.size() - first);
+    for (LinearSolution& one : solve_together(std::span(loads).subspan(first, count), options, progress))
+      result.push_back(std::move(one));
+  }
+  return result;
 }
 
 }  // namespace isopatch::solvers

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "geometry/base/progress.hpp"
+#include "geometry/base/stopwatch.hpp"
 #include "solvers/operator_system.hpp"
 
 namespace isopatch::solvers {
@@ -28,6 +30,11 @@ class LoadSequence {
   ///         iterations, and three vectors for each load that is new
   LinearSolution solve(const Eigen::VectorXd& load, const SolverOptions& options, const Progress& progress);
 
+  /// The same for all loads; conjugate gradients on one process take some of them at once, where each costs
+  /// fewer iterations (`solve_with_block_cg`).
+  std::vector<LinearSolution> solve_all(const std::vector<Eigen::VectorXd>& loads,
+                                        const SolverOptions& options, const Progress& progress);
+
  private:
   struct Direction {
     Eigen::VectorXd load;            // r with r.Mr = 1
@@ -35,12 +42,20 @@ class LoadSequence {
     Eigen::VectorXd solution;        // of A x = r
   };
   struct Split {
-    Eigen::VectorXd rest, preconditioned, solution;
-    double size, across;  // of the load and of the rest, in the norm of M
+    Eigen::VectorXd rest, preconditioned;
+    std::vector<double> parts;  // along the directions known
+    double size, across;        // of the load and of the rest, in the norm of M
   };
   Split split(const Eigen::VectorXd& load) const;
   LinearSolution solve_alone(const Eigen::VectorXd& load, const SolverOptions& options,
                              const Progress& progress) const;
+
+  LinearSolution finished(LinearSolution start, const Eigen::VectorXd& load, double size,
+                          const Stopwatch& watch, const SolverOptions& options,
+                          const Progress& progress) const;
+  static void add(const LinearSolution& part, double share, LinearSolution& to);
+  std::vector<LinearSolution> solve_together(std::span<const Eigen::VectorXd> loads,
+                                             const SolverOptions& options, const Progress& progress);
 
   const OperatorSystem* system_;
   KrylovMethod method_;

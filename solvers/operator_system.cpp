@@ -52,21 +52,6 @@ double relative_residual(const OperatorSystem& system, const Eigen::VectorXd& re
   return std::sqrt(system.rows.dot(residual, residual) / system.rows.dot(system.load, system.load));
 }
 
-// What is known of the system before it is solved.
-SolveReport first_report(const OperatorSystem& system, Method method) {
-  constexpr int vectors = 20;  // of PETSc, of the preconditioner and of the products
-  const OperatorCosts& costs = system.costs;
-  SolveReport report;
-  report.method = method;
-  report.form = costs.form;
-  report.levels = costs.levels;
-  report.matrix_nonzeros = costs.matrix_nonzeros;
-  report.memory_bytes = costs.bytes + 8 * vectors * system.load.size();
-  report.assembly_seconds = costs.assembly_seconds;
-  report.analysis_seconds = costs.setup_seconds;
-  return report;
-}
-
 LinearSolution solve(const OperatorSystem& system, const SolverOptions& options, Krylov method,
                      const Progress& progress) {
   start_petsc();
@@ -113,6 +98,20 @@ LinearSolution solve(const OperatorSystem& system, const SolverOptions& options,
 }
 
 }  // namespace
+
+SolveReport first_report(const OperatorSystem& system, Method method) {
+  constexpr int vectors = 20;  // of PETSc, of the preconditioner and of the products
+  const OperatorCosts& costs = system.costs;
+  SolveReport report;
+  report.method = method;
+  report.form = costs.form;
+  report.levels = costs.levels;
+  report.matrix_nonzeros = costs.matrix_nonzeros;
+  report.memory_bytes = costs.bytes + 8 * vectors * system.load.size();
+  report.assembly_seconds = costs.assembly_seconds;
+  report.analysis_seconds = costs.setup_seconds;
+  return report;
+}
 
 LinearSolution solve_with_cg(const OperatorSystem& system, const SolverOptions& options,
                              const Progress& progress) {

@@ -33,6 +33,9 @@ struct OperatorSystem {
   OperatorCosts costs = {};
 };
 
+/// What is known of a system before it is solved.
+SolveReport first_report(const OperatorSystem& system, Method method);
+
 /// Solves A x = b by preconditioned conjugate gradients (A positive definite).
 ///
 /// The error is measured in the norm that the preconditioner M gives, sqrt(r.Mr / b.Mb), about the relative

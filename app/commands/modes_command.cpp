@@ -85,6 +85,19 @@ void leave_only_memory_limit(iga::ElasticityOptions& options) {
   options.solver.memory_limit = limit;
 }
 
+// What does not fit for the most sparing way to solve does not for factors either, which modes need.
+BuiltProblem built_for_modes(const Study& study, const Progress& progress) {
+  try {
+    return build_problem(study, progress);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::out_of_memory) throw;
+    throw Error(error.code(),
+                fmt::format("natural modes need factors, for which there is no memory: not even "
+                            "iterations would fit: {}",
+                            error.what()));
+  }
+}
+
 }  // namespace
 
 ExitCode modes_command(const ModesCommand& command, const Console& console,
@@ -99,7 +112,7 @@ ExitCode modes_command(const ModesCommand& command, const Console& console,
   const OutputFolder folder(study.output.directory);
   ProgressDisplay display(console);
   const Progress progress = display.progress();
-  BuiltProblem built = build_problem(study, progress);
+  BuiltProblem built = built_for_modes(study, progress);
   // A free body's points are for loads: it moves freely here.
   std::erase_if(built.problem.supports, [&](const iga::Support& support) {
     return study.modes.is_free || std::holds_alternative<iga::FreeBodySupport>(support.condition);

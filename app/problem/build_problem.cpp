@@ -17,6 +17,7 @@
 #include "app/problem/corner_selection.hpp"
 #include "app/problem/edge_selection.hpp"
 #include "app/problem/face_part.hpp"
+#include "app/problem/held_part_warning.hpp"
 #include "app/problem/located_points.hpp"
 #include "app/problem/loose_bodies.hpp"
 #include "app/problem/plausibility.hpp"
@@ -480,6 +481,7 @@ BuiltProblem build_problem(const Study& study, const LoadedModel& loaded, const 
     built.warnings.push_back(std::move(warning));
   for (Warning& warning : input_warnings(study)) built.warnings.push_back(std::move(warning));
   for (const SupportInput& support : study.supports) add_support(support, built);
+  for (Warning& warning : held_part_warnings(built.problem)) built.warnings.push_back(std::move(warning));
   for (const AppliedLoad& load : study.loads) {
     std::visit(LoadAdder(load, built), load.load);
     built.loads.back().key = load.key;

@@ -204,7 +204,8 @@ std::optional<double> extrapolated_energy(const std::vector<CouplingComparison>&
   std::vector<double> energies;
   for (const CouplingComparison& level : levels)
     energies.push_back(level.elimination.results.internal_energy);
-  return extrapolated(energies);
+  const std::optional<Extrapolation> found = extrapolated(energies);
+  return found ? std::optional(found->limit) : std::nullopt;
 }
 
 }  // namespace isopatch::app

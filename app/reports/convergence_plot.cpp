@@ -12,8 +12,7 @@ std::optional<LinePlot> convergence_plot(const std::vector<RunLevel>& levels) {
   PlotSeries measured{.name = "from the extrapolated energy", .x = {}, .y = {}, .dashed = true};
   std::vector<double> energies;
   for (const RunLevel& level : levels) energies.push_back(level.internal_energy);
-  const std::optional<double> limit =
-      is_even(levels) ? extrapolated(energies) : std::nullopt;
+  const std::optional<Extrapolation> limit = is_even(levels) ? extrapolated(energies) : std::nullopt;
   for (const RunLevel& level : levels) {
     const auto unknowns = static_cast<double>(level.unknowns);
     if (level.error) {
@@ -22,7 +21,8 @@ std::optional<LinePlot> convergence_plot(const std::vector<RunLevel>& levels) {
     }
     if (limit) {
       measured.x.push_back(unknowns);
-      measured.y.push_back(std::sqrt(std::abs(*limit - level.internal_energy) / std::abs(*limit)));
+      measured.y.push_back(
+          std::sqrt(std::abs(limit->limit - level.internal_energy) / std::abs(limit->limit)));
     }
   }
   LinePlot plot{.title = "Error of the discretization",

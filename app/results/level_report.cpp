@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+
 #include "app/base/engineering_units.hpp"
 #include "app/results/internal/levels_json.hpp"
 #include "app/run/extrapolation.hpp"
@@ -22,8 +24,10 @@ std::string verdict(const std::vector<RunLevel>& levels) {
   if (levels.size() < 3) return "  limits of energy and stress can be told from three levels on\n";
   const auto energy = extrapolated(values_of(levels, &RunLevel::internal_energy));
   std::string text =
-      energy ? fmt::format("  limit of the energy {} (extrapolated, {:+.2g} %)\n", with_unit(*energy, "J"),
-                           100 * (*energy / levels.back().internal_energy - 1))
+      energy ? fmt::format("  limit of the energy {} (extrapolated, {:+.2g} %, give or take {:.2g} %)\n",
+                           with_unit(energy->limit, "J"),
+                           100 * (energy->limit / levels.back().internal_energy - 1),
+                           100 * energy->doubt / std::abs(energy->limit))
       : is_settled(before(1), before(2))
           ? "  the energy does not change any more\n"
           : "  no limit of the energy can be told: its changes do not shrink evenly\n";
@@ -83,7 +87,8 @@ Json accuracy_json(const AccuracyOutcome& accuracy) {
 Json convergence_json(const std::vector<RunLevel>& levels) {
   if (!is_even(levels)) return {{"extrapolated_energy", nullptr}, {"max_von_mises_grows", false}};
   const auto energy = extrapolated(values_of(levels, &RunLevel::internal_energy));
-  return {{"extrapolated_energy", energy ? Json(*energy) : Json(nullptr)},
+  return {{"extrapolated_energy", energy ? Json(energy->limit) : Json(nullptr)},
+          {"extrapolation_doubt", energy ? Json(energy->doubt) : Json(nullptr)},
           {"max_von_mises_grows", grows(values_of(levels, &RunLevel::max_von_mises))}};
 }
 

@@ -43,7 +43,8 @@ struct CouplingComparison {
   double displacement_difference = 0;
   /// Difference of the internal energies over the larger one.
   double energy_difference = 0;
-  /// Largest difference of a multiplier's force over the largest force; 0 without multipliers.
+  /// Largest difference of a multiplier's force over the largest force, or over a thousandth of a node's
+  /// share of what acts on the part if that is larger; 0 without multipliers.
   double multiplier_difference = 0;
   /// Of the difference of the two displacements, sampled as those in `ElasticityResults`: its length, m, and
   /// its von Mises stress, Pa. Parameters are in the input's naming.

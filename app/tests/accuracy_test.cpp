@@ -7,10 +7,19 @@ namespace isopatch::app {
 namespace {
 
 TEST(Extrapolation, FindsTheLimitOfChangesThatShrink) {
-  EXPECT_NEAR(extrapolated({9, 10 - 0.25, 10 - 0.0625}).value(), 10, 1e-12);
+  EXPECT_NEAR(extrapolated({9, 10 - 0.25, 10 - 0.0625}).value().limit, 10, 1e-12);
+  EXPECT_NEAR(extrapolated({9, 10 - 0.25, 10 - 0.0625}).value().doubt, 0.0625, 1e-12);  // all that was added
   EXPECT_FALSE(extrapolated({9, 9.75}));
   EXPECT_FALSE(extrapolated({9, 9.1, 9.3}));
   EXPECT_FALSE(extrapolated({9, 9.1, 9}));
+}
+
+// Changes of 1 and 0.8 would lead to 5; those of a crack lead on by as much again.
+TEST(Extrapolation, GoesNoFartherThanACrackAllowsAndSaysHowSureItIs) {
+  EXPECT_NEAR(extrapolated({0, 1, 1.8}).value().limit, 1.8 + 0.8, 1e-12);
+  const Extrapolation found = extrapolated({0, 1, 1.5, 1.7}).value();  // 2, then 1.7 + 0.2 * 0.4 / 0.6
+  EXPECT_NEAR(found.limit, 1.7 + 0.2 * 2 / 3, 1e-12);
+  EXPECT_NEAR(found.doubt, 2 - found.limit, 1e-12);
 }
 
 TEST(Extrapolation, TellsGrowthFromConvergence) {
@@ -95,6 +104,7 @@ TEST_F(Accuracy, OfLevelsIsATable) {
   EXPECT_GT(summary()["convergence"]["extrapolated_energy"], levels[2]["internal_energy"]);
   EXPECT_THAT(out_, HasSubstr("error in energy norm"));
   EXPECT_THAT(out_, HasSubstr("limit of the energy"));
+  EXPECT_THAT(out_, HasSubstr("%, give or take "));
   EXPECT_THAT(read_file(results() / "report.html"), HasSubstr("Error of the discretization"));
 }
 

@@ -114,6 +114,29 @@ TEST_F(Program, CompareKeepsWhatIsFinishedWhenMemoryEnds) {
   EXPECT_THAT(out_, HasSubstr("the two couplings agree"));
 }
 
+// Two blocks side by side that are pulled along their interface and do not shrink across: nothing is handed
+// over.
+TEST_F(Program, CompareDoesNotTakeRoundOffForADisagreement) {
+  write_file(folder_ / "side.toml", R"([model]
+generate = "box"
+patches = [1, 2, 1]
+[discretization]
+degree = 2
+refine = 1
+[[material]]
+young = "200 GPa"
+poisson = 0
+[[support]]
+faces = ["x_min"]
+displacement = [0, 0, 0]
+[[load]]
+faces = ["x_max"]
+traction = ["1 MPa", 0, 0]
+)");
+  EXPECT_EQ(run({"compare", (folder_ / "side.toml").string(), "--output", results().string()}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("the two couplings agree"));
+}
+
 // Whatever the size: a comparison of factors must not turn into one of a factor and an iteration.
 TEST_F(Program, CompareFactorizesWithBothCouplingsWhereCholmodIsAskedFor) {
   ASSERT_EQ(run({"compare", study(), "--set", "solver.method=cholmod"}), 0) << err_;

@@ -1,5 +1,6 @@
 // What a study says of supports and loads: what is built of it, and what is refused.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,6 +12,7 @@
 namespace isopatch::app {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 const std::string cube = "generate = \"box\"\n";
@@ -119,6 +121,23 @@ TEST(HeldAndLoaded, PartsOfFacesAreHeldAndLoaded) {
       HasSubstr("none of the faces has an area in there; 0:east comes nearest"));
   EXPECT_THAT(refusal(cube, clamp + "[[load]]\nfaces = [\"x_max\"]\npressure = 1\npart = {}\n"),
               HasSubstr("part is empty"));
+}
+
+// A strip along an edge, 0.4 of an element wide: one row of functions of degree 2, whose integral is a third.
+TEST(HeldAndLoaded, APartNarrowerThanAnElementIsHeldWithAWarning) {
+  const std::string fine = cube + "[discretization]\ndegree = 2\nelements_per_direction = 4\n";
+  const auto strip = [](const char* width) {
+    return fmt::format(
+        "[[support]]\nname = \"strip\"\nfaces = [\"z_min\"]\ndisplacement = [0, 0, 0]\n"
+        "part = {{ box = {{ min = [-1, -1, -1], max = [{}, 2, 2] }} }}\n",
+        width);
+  };
+  const BuiltProblem narrow = built(fine, strip("0.1"));
+  ASSERT_FALSE(narrow.warnings.empty());
+  EXPECT_THAT(narrow.warnings.front().text, AllOf(HasSubstr("strip"), HasSubstr("narrower than the elements"),
+                                                  HasSubstr("worth 833.3 cm^2 instead of 1000 cm^2")));
+  for (const Warning& warning : built(fine, strip("0.6")).warnings)
+    EXPECT_THAT(warning.text, testing::Not(HasSubstr("narrower")));
 }
 
 TEST(HeldAndLoaded, SupportsThatHoldNothingOrTooMuchAreRefused) {

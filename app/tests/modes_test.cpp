@@ -73,6 +73,7 @@ TEST_F(Modes, TakeNoMoreThanTheLimitOnMemory) {
   EXPECT_EQ(
       run({"modes", study(), "--set", "solver.memory_limit='1 MB'", "--set", "discretization.refine=0"}), 1);
   EXPECT_THAT(err_, HasSubstr("[solver] memory_limit"));
+  EXPECT_THAT(err_, HasSubstr("natural modes need factors, for which there is no memory"));
   // Ways to solve that modes do not use are no obstacle.
   EXPECT_EQ(
       run({"modes", study(), "-q", "--set", "coupling.method=lagrange", "--set", "solver.method=minres"}), 0)

@@ -89,14 +89,17 @@ std::vector<DiscreteSolution> solve_eliminated(const CoupledProblem& coupled,
     system.costs.matrix_nonzeros = matrix.nonzeros();
     system.costs.bytes += matrix.bytes();
   }
-  solvers::LoadSequence sequence(system, solvers::KrylovMethod::cg);
-  std::vector<DiscreteSolution> result;
+  std::vector<Eigen::VectorXd> prescribed, loads;
   for (const RightSide& side : coupled.right_sides) {
-    const Eigen::VectorXd prescribed = prescribed_rows(level, side.prescribed);
-    solvers::LinearSolution solved =
-        sequence.solve(free_load(level, stiffness, side.load, prescribed), options, progress);
-    const Eigen::VectorXd of_rows = prescribed + level.free.to_space(std::move(solved.x));
-    result.push_back({whole_at_nodes(level, level.rows.whole(of_rows)), {}, std::move(solved.report)});
+    prescribed.push_back(prescribed_rows(level, side.prescribed));
+    loads.push_back(free_load(level, stiffness, side.load, prescribed.back()));
+  }
+  solvers::LoadSequence sequence(system, solvers::KrylovMethod::cg);
+  std::vector<solvers::LinearSolution> solved = sequence.solve_all(loads, options, progress);
+  std::vector<DiscreteSolution> result;
+  for (std::size_t i = 0; i < solved.size(); ++i) {
+    const Eigen::VectorXd of_rows = prescribed[i] + level.free.to_space(std::move(solved[i].x));
+    result.push_back({whole_at_nodes(level, level.rows.whole(of_rows)), {}, std::move(solved[i].report)});
   }
   return result;
 }

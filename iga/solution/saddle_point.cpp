@@ -41,12 +41,6 @@ solvers::SharedRows saddle_rows(const CoupledProblem& coupled, const Level& leve
   return solvers::SharedRows(of_row, coupled.processes);
 }
 
-Eigen::Vector3d mean_of(const std::vector<Index>& nodes, const VectorXd& z) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const Index node : nodes) sum += z.segment<3>(3 * node);
-  return sum / static_cast<double>(nodes.size());
-}
-
 }  // namespace
 
 SaddlePoint::SaddlePoint(const CoupledProblem& coupled, const Level& level,
@@ -57,10 +51,9 @@ SaddlePoint::SaddlePoint(const CoupledProblem& coupled, const Level& level,
       stiffness_(level.spaces, level.parts, coupled.problem->materials, coupled.points),
       surfaces_(surface_stiffness(level.spaces, level.parts, surface_terms(*coupled.problem))),
       rows_(saddle_rows(coupled, level)) {
-  // Jumps cost some hundred times what they cost in a node's own stiffness: what is continuous hardly feels
-  // them, and all eigenvalues of jumps and multipliers are near (1 +- sqrt 5) / 2. More would save
-  // iterations, but the error that round-off leaves grows with the square root.
-  constexpr double weight = 100;
+  // Jumps cost a million times what they cost in a node's own stiffness: what is continuous does not feel
+  // them, and all eigenvalues of jumps and multipliers are near (1 +- sqrt 5) / 2.
+  constexpr double weight = 1e6;
   const GlobalNodes& global = coupled.global;
   const auto nodes = static_cast<int>(global.global_of.size());
   int ties = nodes;
@@ -87,12 +80,18 @@ SaddlePoint::SaddlePoint(const CoupledProblem& coupled, const Level& level,
   for (int node = 0; node < nodes; ++node) {
     if (local[static_cast<std::size_t>(node)] < 0) continue;
     const auto c = static_cast<std::size_t>(global.global_of[static_cast<std::size_t>(node)]);
-    nodes_.push_back({node, row_of_global[c], &coupled.frames[c]});
+    nodes_.push_back(
+        {node, row_of_global[c], global.nodes_of(static_cast<int>(c)).front() == node, &coupled.frames[c]});
   }
 }
 
-// Sums over processes the forces that each has at its nodes.
-VectorXd SaddlePoint::along_axes(const Eigen::Matrix3Xd& forces) const {
+// The value of the first of tied nodes moves them all: the sum of their forces acts on it.
+void SaddlePoint::move_all_by_first(VectorXd& forces) const {
+  for (const TiedNodes& tied : tied_) forces.segment<3>(3 * tied.nodes[0]) += sum_of_jumps(tied, forces);
+}
+
+// What forces at the nodes do along the unknowns, summed over processes.
+VectorXd SaddlePoint::on_unknowns(const Eigen::Matrix3Xd& forces) const {
   VectorXd result = VectorXd::Zero(3 * static_cast<Index>(rows_.local_rows()));
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const SupportFrame& f = *nodes_[i].frame;
@@ -100,7 +99,16 @@ VectorXd SaddlePoint::along_axes(const Eigen::Matrix3Xd& forces) const {
         f.axes.leftCols(f.free).transpose() * forces.col(nodes_[i].node);
   }
   rows_.sum(result);
+  move_all_by_first(result);
   return result;
+}
+
+// The values of nodes, in place of the jumps of tied ones.
+VectorXd SaddlePoint::values_of(VectorXd z) const {
+  for (const TiedNodes& tied : tied_)
+    for (std::size_t i = 1; i < tied.nodes.size(); ++i)
+      z.segment<3>(3 * tied.nodes[i]) += z.segment<3>(3 * tied.nodes[0]);
+  return z;
 }
 
 Eigen::Matrix3Xd SaddlePoint::forces_of(const Eigen::Matrix3Xd& displacement) const {
@@ -110,46 +118,54 @@ Eigen::Matrix3Xd SaddlePoint::forces_of(const Eigen::Matrix3Xd& displacement) co
 }
 
 VectorXd SaddlePoint::product(const VectorXd& z) const {
+  const VectorXd values = values_of(z);
   Eigen::Matrix3Xd u = Eigen::Matrix3Xd::Zero(3, static_cast<Index>(coupled_->global.global_of.size()));
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const SupportFrame& f = *nodes_[i].frame;
-    u.col(nodes_[i].node) = f.axes.leftCols(f.free) * z.segment(3 * static_cast<Index>(i), f.free);
+    u.col(nodes_[i].node) = f.axes.leftCols(f.free) * values.segment(3 * static_cast<Index>(i), f.free);
   }
-  VectorXd result = along_axes(forces_of(u));
+  VectorXd result = on_unknowns(forces_of(u));
   for (const TiedNodes& tied : tied_) {
-    const double g = tied.jump_stiffness;
-    const Eigen::Vector3d mean = mean_of(tied.nodes, z);
-    const Index first = 3 * tied.nodes[0];
-    for (std::size_t i = 0; i < tied.nodes.size(); ++i) {
+    const Eigen::Vector3d share = sum_of_jumps(tied, z) / static_cast<double>(tied.nodes.size());
+    for (std::size_t i = 1; i < tied.nodes.size(); ++i) {
       const Index row = 3 * tied.nodes[i];
-      result.segment(row, tied.free) += g * (z.segment(row, tied.free) - mean.head(tied.free));
-      if (i == 0) continue;
       const Index tie = 3 * (tied.first_tie + static_cast<Index>(i) - 1);
-      result.segment(tie, tied.free) = z.segment(first, tied.free) - z.segment(row, tied.free);
-      result.segment(first, tied.free) += z.segment(tie, tied.free);
-      result.segment(row, tied.free) -= z.segment(tie, tied.free);
+      result.segment(row, tied.free) +=
+          tied.jump_stiffness * (z.segment(row, tied.free) - share.head(tied.free)) -
+          z.segment(tie, tied.free);
+      result.segment(tie, tied.free) = -z.segment(row, tied.free);
     }
   }
   return result;
 }
 
 VectorXd SaddlePoint::preconditioned(const VectorXd& r) const {
-  VectorXd sum = VectorXd::Zero(3 * static_cast<Index>(level_->rows.local_rows()));
+  VectorXd of_rows = VectorXd::Zero(3 * static_cast<Index>(level_->rows.local_rows()));
   for (std::size_t i = 0; i < nodes_.size(); ++i)
-    sum.segment<3>(3 * static_cast<Index>(nodes_[i].row_of_global)) +=
-        r.segment<3>(3 * static_cast<Index>(i));
-  const VectorXd continuous = multigrid_->apply(sum);
+    if (nodes_[i].is_first)
+      of_rows.segment<3>(3 * static_cast<Index>(nodes_[i].row_of_global)) =
+          r.segment<3>(3 * static_cast<Index>(i));
+  const VectorXd continuous = multigrid_->apply(of_rows);
   VectorXd result = VectorXd::Zero(r.size());
   for (std::size_t i = 0; i < nodes_.size(); ++i)
-    result.segment<3>(3 * static_cast<Index>(i)) =
-        continuous.segment<3>(3 * static_cast<Index>(nodes_[i].row_of_global));
+    if (nodes_[i].is_first)
+      result.segment<3>(3 * static_cast<Index>(i)) =
+          continuous.segment<3>(3 * static_cast<Index>(nodes_[i].row_of_global));
   for (const TiedNodes& tied : tied_) {
-    const Eigen::Vector3d mean = mean_of(tied.nodes, r);
-    for (const Index node : tied.nodes)
-      result.segment<3>(3 * node) += (r.segment<3>(3 * node) - mean) / tied.jump_stiffness;
+    // The jumps' (I - 1 1^T / nodes)^-1 = I + 1 1^T.
+    const Eigen::Vector3d sum = sum_of_jumps(tied, r);
+    for (std::size_t i = 1; i < tied.nodes.size(); ++i)
+      result.segment<3>(3 * tied.nodes[i]) = (r.segment<3>(3 * tied.nodes[i]) + sum) / tied.jump_stiffness;
     add_tie_inverse(tied, r, result);
   }
   return result;
+}
+
+// Of all tied nodes but the first, whose jump is none.
+Eigen::Vector3d SaddlePoint::sum_of_jumps(const TiedNodes& tied, const VectorXd& z) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t i = 1; i < tied.nodes.size(); ++i) sum += z.segment<3>(3 * tied.nodes[i]);
+  return sum;
 }
 
 // out += g (B B^T)^-1 in on the ties of one global node: (I + 1 1^T)^-1 = I - 1 1^T / nodes.
@@ -167,17 +183,18 @@ VectorXd SaddlePoint::load(const RightSide& side) const {
   VectorXd result = VectorXd::Zero(3 * static_cast<Index>(rows_.local_rows()));
   Eigen::Matrix3Xd prescribed = Eigen::Matrix3Xd::Zero(3, side.load.cols());
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    const auto& [node, row, frame] = nodes_[i];
+    const auto& [node, row, is_first, frame] = nodes_[i];
     prescribed.col(node) = side.prescribed.col(coupled_->global.global_of[static_cast<std::size_t>(node)]);
     // Every process has the loads of all nodes.
     result.segment(3 * static_cast<Index>(i), frame->free) =
         frame->axes.leftCols(frame->free).transpose() * side.load.col(node);
   }
-  return result - along_axes(forces_of(prescribed));
+  move_all_by_first(result);
+  return result - on_unknowns(forces_of(prescribed));
 }
 
 Eigen::Matrix3Xd SaddlePoint::displacement(const VectorXd& z, const RightSide& side) const {
-  const VectorXd whole = rows_.whole(z);
+  const VectorXd whole = rows_.whole(values_of(z));
   Eigen::Matrix3Xd u(3, static_cast<Index>(coupled_->global.global_of.size()));
   for (Index node = 0; node < u.cols(); ++node) {
     const SupportFrame& f = coupled_->frame_of(static_cast<int>(node));
@@ -192,8 +209,7 @@ VectorXd SaddlePoint::multipliers(const VectorXd& z) const {
   VectorXd jumps = VectorXd::Zero(z.size());
   for (const TiedNodes& tied : tied_) {
     for (std::size_t i = 1; i < tied.nodes.size(); ++i)
-      jumps.segment<3>(3 * (tied.first_tie + static_cast<Index>(i) - 1)) =
-          z.segment<3>(3 * tied.nodes[0]) - z.segment<3>(3 * tied.nodes[i]);
+      jumps.segment<3>(3 * (tied.first_tie + static_cast<Index>(i) - 1)) = -z.segment<3>(3 * tied.nodes[i]);
     add_tie_inverse(tied, jumps, forces);
   }
   const VectorXd whole = rows_.whole(forces);

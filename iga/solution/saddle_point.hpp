@@ -13,9 +13,10 @@ namespace isopatch::iga {
 /// The saddle point of patches that multipliers tie, without a matrix, spread over processes.
 ///
 /// Block rows: the nodes, three components each along the frame of its global node; then one for every node
-/// but the first of each global node, the forces that tie it to the first, along the same frame. A process
-/// keeps all nodes and ties of every global node of which it has one: whatever couples patches is local then,
-/// and only the forces of elements are summed over processes.
+/// but the first of each global node, the forces that tie it to the first, along the same frame. The unknowns
+/// of such a node are its jump, the displacement less that of the first: jumps fade, and as unknowns keep all
+/// digits however much they cost. A process keeps all nodes and ties of every global node of which it has
+/// one: whatever couples patches is local then, and only the forces of elements are summed over processes.
 ///
 /// K + g Q stands for K, with Q the projection onto jumps and g a stiffness per global node: it is positive
 /// definite where K is singular on floating patches, and the solution is the same.
@@ -56,10 +57,14 @@ class SaddlePoint {
   struct Node {
     int node = 0;           // of all patches
     int row_of_global = 0;  // of the level
+    bool is_first = true;   // of its global node, and not a jump
     const SupportFrame* frame = nullptr;
   };
+  static Eigen::Vector3d sum_of_jumps(const TiedNodes& tied, const Eigen::VectorXd& z);
+  void move_all_by_first(Eigen::VectorXd& forces) const;
+  Eigen::VectorXd values_of(Eigen::VectorXd z) const;
   void add_tie_inverse(const TiedNodes& tied, const Eigen::VectorXd& in, Eigen::VectorXd& out) const;
-  Eigen::VectorXd along_axes(const Eigen::Matrix3Xd& forces) const;
+  Eigen::VectorXd on_unknowns(const Eigen::Matrix3Xd& forces) const;
   Eigen::Matrix3Xd forces_of(const Eigen::Matrix3Xd& displacement) const;
 
   const CoupledProblem* coupled_;

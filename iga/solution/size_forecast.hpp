@@ -21,6 +21,7 @@ struct SizeForecast {
   int degree = 0;             ///< highest
   Coupling coupling = Coupling::elimination;
   int processes = 1;
+  int right_sides = 1;                    ///< load cases that one set-up serves
   bool is_nearly_incompressible = false;  ///< one of the materials: iterations grow
   solvers::FactorForecast factor;         ///< of the whole system
   double geometry_bytes = 0;              ///< control points of the solution space, while they are made

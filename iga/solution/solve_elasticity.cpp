@@ -73,8 +73,9 @@ ElasticField field_of(const ElasticityProblem& problem, const Eigen::Matrix3Xd& 
 
 PlannedSolution solved(const CoupledProblem& coupled, const solvers::SolverOptions& options,
                        const Progress& progress) {
-  const SizeForecast size = forecast_size(coupled.discretization(), coupled.problem->materials,
-                                          coupled.coupling, coupled.processes.count());
+  SizeForecast size = forecast_size(coupled.discretization(), coupled.problem->materials, coupled.coupling,
+                                    coupled.processes.count());
+  size.right_sides = static_cast<int>(coupled.right_sides.size());
   const std::vector<SolverPlan> plans =
       solver_plans(size, options, available_bytes(options, coupled.processes));
   return solve_as_planned(coupled, plans, options, progress);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "geometry/base/error.hpp"
 
 namespace isopatch::iga {
@@ -16,6 +18,13 @@ constexpr double permuted_triangle = 9 * 12 / 76.0;
 constexpr double entries_of_mumps = 9 * 16 / 76.0;
 constexpr double whole_and_ordering = 24;
 
+// Vectors of several load cases: three of every direction, and seven while it iterates with others.
+double bytes_of_cases(const SizeForecast& size) {
+  if (size.right_sides == 1) return 0;
+  const double vectors = 3.0 * size.right_sides + 7.0 * std::min(10, size.right_sides);
+  return sizeof(double) * vectors * static_cast<double>(size.unknowns) / size.processes;
+}
+
 }  // namespace
 
 double fixed_bytes(Method method) {
@@ -23,6 +32,7 @@ double fixed_bytes(Method method) {
 }
 
 std::string gigabytes(double bytes) {
+  if (bytes < 5e7) return fmt::format("{:.2g} MB", bytes / 1e6);
   return bytes < 1e11 ? fmt::format("{:.2g} GB", bytes / 1e9) : fmt::format("{:.0f} GB", bytes / 1e9);
 }
 
@@ -46,7 +56,7 @@ double jacobi_bytes(const SizeForecast& size) {
 }
 
 double multigrid_bytes(const SizeForecast& size, solvers::Operator form) {
-  return fixed_bytes(Method::cg) + size.multigrid_bytes +
+  return fixed_bytes(Method::cg) + size.multigrid_bytes + bytes_of_cases(size) +
          (form == solvers::Operator::assembled ? size.matrix_bytes : 0);
 }
 

@@ -17,7 +17,7 @@ double multigrid_bytes(const SizeForecast& size, solvers::Operator form);
 /// Bytes that do not depend on the size: those of libraries that start.
 double fixed_bytes(solvers::Method method);
 
-/// Two digits or more, and no power of ten: "0.82 GB", "203 GB".
+/// Two digits or more, and no power of ten: "3.2 MB", "0.82 GB", "203 GB".
 std::string gigabytes(double bytes);
 
 }  // namespace isopatch::iga

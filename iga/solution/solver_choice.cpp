@@ -149,7 +149,9 @@ std::vector<SolverPlan> automatic_plans(const SizeForecast& size, const solvers:
   const bool jacobi = options.preconditioner == Preconditioner::block_jacobi;
   const double unknowns = std::max(1.0, static_cast<double>(size.unknowns));
   const double per_unknown = size.factor.flops / unknowns;
+  // Every right side costs its iterations, and next to nothing where there are factors.
   const bool is_cheap = size.factor.flops <= std::max(few_flops, most_flops_per_unknown * unknowns) *
+                                                 size.right_sides *
                                                  (size.is_nearly_incompressible ? more_if_incompressible : 1);
   std::vector<SolverPlan> direct, iterative;
   if (options.form != Operator::matrix_free) direct.push_back(direct_plan(size, direct_method(size)));
@@ -159,7 +161,10 @@ std::vector<SolverPlan> automatic_plans(const SizeForecast& size, const solvers:
   if (direct.empty() && iterative.empty()) refuse("operator 'matrix_free' and these options leave no method");
   const std::string factor = fmt::format("factors take about {}, {} an unknown",
                                          flops_text(size.factor.flops), flops_text(per_unknown));
-  for (SolverPlan& plan : direct) plan.reason = is_cheap ? factor + ", which is little" : factor;
+  const std::string little = size.right_sides == 1
+                                 ? ", which is little"
+                                 : fmt::format(", which is little for {} load cases", size.right_sides);
+  for (SolverPlan& plan : direct) plan.reason = is_cheap ? factor + little : factor;
   for (SolverPlan& plan : iterative) {
     const bool fits = direct.empty() || direct.front().predicted_bytes <= available;
     plan.reason = (!fits ? fmt::format("factors would take about {} of the {} available: ",

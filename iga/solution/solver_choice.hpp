@@ -26,8 +26,8 @@ double available_bytes(const solvers::SolverOptions& options, const solvers::Pro
 /// Chooses what the options leave open: the first plan is to be followed, the others if those before it fail.
 /// A method asked for by name has one plan.
 ///
-/// `auto` factorizes where the forecast of the factor costs less than iterations would (solvers/README.md,
-/// "Factors or iterations"), and iterates with a multigrid elsewhere and where the factor does not fit. Plans
+/// `auto` factorizes where the forecast of the factor costs less than iterations would for all load cases
+/// (solvers/README.md, "Factors or iterations"), and iterates with a multigrid elsewhere and where the factor does not fit. Plans
 /// that do not fit are left out, so the limit on memory holds for each of them.
 ///
 /// @throws Error invalid_argument  method, preconditioner, operator and coupling that cannot go together

@@ -276,7 +276,7 @@ TEST(Multigrid, NeedsAsManyIterationsForEveryDegreeOnCurvedThinPatches) {
 TEST(Multigrid, NeedsHardlyMoreIterationsForMultipliers) {
   const auto [fewest, most] = iterations_on_the_link(Coupling::lagrange, solvers::Method::minres);
   EXPECT_GT(fewest, 2);
-  EXPECT_LE(most, 25);
+  EXPECT_LE(most, 16);  // 25 with jumps that are differences of unknowns, and a hundredth as stiff
   EXPECT_LE(most, 2 * fewest);
 }
 

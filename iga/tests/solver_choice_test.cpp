@@ -15,6 +15,7 @@
 #include "iga/assembly/stiffness_pattern.hpp"
 #include "iga/coupling/global_nodes.hpp"
 #include "iga/solution/solve_elasticity.hpp"
+#include "iga/solution/solver_bytes.hpp"
 #include "iga/spaces/solution_knots.hpp"
 #include "iga/tests/small_models.hpp"
 #include "iga/tests/solver_options_table.hpp"
@@ -153,6 +154,21 @@ TEST(SolverPlans, FollowTheOperationsAndNotTheNumberOfUnknowns) {
   EXPECT_EQ(solver_plans(beam, {}, plenty).front().method, Method::cholmod);
   EXPECT_EQ(solver_plans(cube, {}, plenty).front().method, Method::cg);
   EXPECT_THAT(solver_plans(cube, {}, plenty).front().reason, HasSubstr("Gflop"));
+}
+
+TEST(SolverPlans, GiveMemoryInUnitsThatAreNotZero) {
+  EXPECT_EQ(gigabytes(2.7e6), "2.7 MB");
+  EXPECT_EQ(gigabytes(4.9e7), "49 MB");
+  EXPECT_EQ(gigabytes(8.2e8), "0.82 GB");
+  EXPECT_EQ(gigabytes(2.03e11), "203 GB");
+}
+
+TEST(SolverPlans, FactorizeForManyLoadCasesWhereTheyIterateForOne) {
+  SizeForecast cube = size_of(box({1, 1, 1}), {.degree = {3, 3, 3}, .elements_per_direction = {12, 12, 12}});
+  ASSERT_EQ(solver_plans(cube, {}, plenty).front().method, Method::cg);
+  cube.right_sides = 10;
+  EXPECT_EQ(solver_plans(cube, {}, plenty).front().method, Method::cholmod);
+  EXPECT_THAT(solver_plans(cube, {}, plenty).front().reason, HasSubstr("10 load cases"));
 }
 
 TEST(SolverPlans, FactorizeMoreWhereTheMaterialIsNearlyIncompressible) {

@@ -33,6 +33,21 @@ TEST(PrincipalStresses, AreThoseThatWereTurned) {
   }
 }
 
+// Against those with axes, by QR iterations; rounding the matrix alone changes them by 1e-16 of the largest.
+TEST(PrincipalValues, KeepAllDigitsWhereTwoOrThreeAreNearlyEqual) {
+  std::mt19937 random(5);
+  for (const double gap : {1.0, 1e-3, 1e-8, 1e-15, 0.0})
+    for (const double third : {-3.0, 0.0, 1.0, 1 + gap, 1 + 1e-12}) {
+      const Eigen::Matrix3d axes = rotation(random);
+      Eigen::Matrix3d stress = axes * Eigen::Vector3d(1, 1 + gap, third).asDiagonal() * axes.transpose();
+      stress = (1e8 * 0.5 * (stress + stress.transpose())).eval();
+      const Eigen::Vector3d found = principal_values(stress), expected = principal_stresses(stress).values;
+      EXPECT_LT((found - expected).norm(), 4e-15 * 3e8) << gap << " " << third;
+    }
+  EXPECT_EQ(principal_values(Eigen::Matrix3d::Zero()), Eigen::Vector3d::Zero());
+  EXPECT_TRUE(principal_values(Eigen::Matrix3d::Constant(std::nan(""))).array().isNaN().all());
+}
+
 // By hand: tension, pure shear, hydrostatic pressure.
 TEST(StressMeasures, OfSimpleStates) {
   Eigen::Matrix3d tension = Eigen::Matrix3d::Zero(), shear = Eigen::Matrix3d::Zero();
