@@ -117,6 +117,12 @@ std::string with_separators(std::int64_t count) {
   return result;
 }
 
+std::string counted(std::int64_t count, std::string_view singular, std::string_view plural) {
+  const bool regular = count == 1 || plural.empty();
+  return fmt::format("{} {}{}", with_separators(count), regular ? singular : plural,
+                     regular && count != 1 ? "s" : "");
+}
+
 std::string bytes_text(std::int64_t bytes) {
   const auto value = static_cast<double>(bytes);
   if (value >= 1e9) return fmt::format("{:.3g} GB", value / 1e9);
