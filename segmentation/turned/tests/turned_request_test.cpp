@@ -81,11 +81,5 @@ TEST(TurnedRequest, IsForWholeTurnsAndQuartersWhereTheAxisIsReached) {
                "divided in quarters");
 }
 
-TEST(TurnedRequest, TakesNoHalfProfileWithAHole) {
-  EXPECT_ERROR(
-      turned_cells(geometry::test::made_brep("hollow_ball"), TurnedRequest{.towards = Vector3d(1, 0, 0)}, {}),
-      ErrorCode::unsupported, "nothing is drawn");
-}
-
 }  // namespace
 }  // namespace isopatch::segmentation
