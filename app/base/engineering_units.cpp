@@ -14,7 +14,7 @@ namespace {
 
 struct Prefix {
   double factor = 1;
-  std::string_view symbol = "";
+  std::string_view symbol = {};
 };
 
 /// What four digits round up to 1 is printed as 1 of the larger unit: areas and volumes that were integrated

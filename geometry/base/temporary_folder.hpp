@@ -4,7 +4,7 @@
 
 namespace isopatch {
 
-/// A new folder among the system's temporary files, which goes with all in it when the object does.
+/// A new folder among the system's temporary files; removed with all in it when the object is destroyed.
 class TemporaryFolder {
  public:
   /// @throws Error io  the system makes none

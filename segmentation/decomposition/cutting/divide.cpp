@@ -92,7 +92,7 @@ DividedCell divide_cell(CellComplex& complex, CellId id, const std::vector<EdgeU
   const std::vector<CellFaceUse> whole = complex.cell(id).faces;
   std::set<EdgeId> across;
   for (const EdgeUse& use : walk) across.insert(use.edge);
-  // Faces that hang together without crossing the walk.
+  // Faces that are connected without crossing the walk.
   std::map<EdgeId, int> face_at;
   UnionFind parts(static_cast<int>(whole.size()));
   std::set<int> left, right;
