@@ -268,4 +268,15 @@ std::vector<SharedCell> common_refinement(const DividedSurface& first, const Div
   return cells;
 }
 
+double shared_area(const NurbsSurface& first, const NurbsSurface& second, double same_point) {
+  const auto divided = [](const NurbsSurface& surface) {
+    return DividedSurface{&surface, {surface.knots(0).breaks(), surface.knots(1).breaks()}};
+  };
+  const int points = 3 + std::max({first.degree(0), first.degree(1), second.degree(0), second.degree(1)});
+  double area = 0;
+  for (const SharedCell& cell : common_refinement(divided(first), divided(second), points, same_point))
+    for (const SharedPoint& point : cell.points) area += point.weight;
+  return area;
+}
+
 }  // namespace isopatch::geometry

@@ -40,4 +40,10 @@ struct SharedCell {
 std::vector<SharedCell> common_refinement(const DividedSurface& first, const DividedSurface& second,
                                           int points, double same_point);
 
+/// Area of what two faces share, each in its own elements, model units^2. As exact as the common refinement
+/// is, and as Gauss's rule with three points more than the degree is for the area of an element.
+/// @param same_point  how far the faces may be apart, model units
+/// @cost  that of the common refinement
+double shared_area(const NurbsSurface& first, const NurbsSurface& second, double same_point);
+
 }  // namespace isopatch::geometry

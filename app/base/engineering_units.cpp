@@ -14,7 +14,7 @@ namespace {
 
 struct Prefix {
   double factor = 1;
-  std::string_view symbol = "";
+  std::string_view symbol = {};
 };
 
 /// What four digits round up to 1 is printed as 1 of the larger unit: areas and volumes that were integrated
@@ -115,6 +115,12 @@ std::string with_separators(std::int64_t count) {
     result += digits[i];
   }
   return result;
+}
+
+std::string counted(std::int64_t count, std::string_view singular, std::string_view plural) {
+  const bool regular = count == 1 || plural.empty();
+  return fmt::format("{} {}{}", with_separators(count), regular ? singular : plural,
+                     regular && count != 1 ? "s" : "");
 }
 
 std::string bytes_text(std::int64_t bytes) {

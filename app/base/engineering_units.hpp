@@ -40,6 +40,16 @@ Eigen::Vector3d without_round_off(const Eigen::Vector3d& vector, double scale);
 /// 73746 as "73,746".
 std::string with_separators(std::int64_t count);
 
+/// "1 face", "73,746 faces".
+/// @param plural  where it is not the singular with an s
+std::string counted(std::int64_t count, std::string_view singular, std::string_view plural = {});
+inline std::string counted(std::size_t count, std::string_view singular, std::string_view plural = {}) {
+  return counted(static_cast<std::int64_t>(count), singular, plural);
+}
+inline std::string counted(int count, std::string_view singular, std::string_view plural = {}) {
+  return counted(static_cast<std::int64_t>(count), singular, plural);
+}
+
 /// "1.4 GB".
 std::string bytes_text(std::int64_t bytes);
 

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "app/base/engineering_units.hpp"
 #include "app/problem/read_model_file.hpp"
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/io/write_gismo_xml.hpp"
@@ -22,8 +23,8 @@ ExitCode convert_command(const ConvertCommand& command, const Console& console) 
   const geometry::MultiPatch model = geometry::connect(read_model_file(command.input, false));
   write_file(command.output, geometry::to_gismo_xml(model));
   if (!console.quiet)
-    console.out << fmt::format("{} patches, {} interfaces written to {}\n", model.patch_count(),
-                               model.interfaces().size(), command.output.string());
+    console.out << fmt::format("{}, {} written to {}\n", counted(model.patch_count(), "patch", "patches"),
+                               counted(model.interfaces().size(), "interface"), command.output.string());
   return ExitCode::ok;
 }
 

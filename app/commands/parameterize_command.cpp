@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "app/base/engineering_units.hpp"
 #include "app/commands/input_options.hpp"
 #include "app/problem/parameterized_model.hpp"
 #include "app/reports/parameterization_scene.hpp"
@@ -64,10 +65,9 @@ ExitCode parameterize_command(const ParameterizeCommand& command, const Console&
   for (const std::string& complaint : made.report.complaints()) console.warn(complaint);
   if (!console.quiet)
     console.out << parameterization_text(made.report)
-                << fmt::format("  {} patch{}, {} interface{}, lengths in m, written to {}\n",
-                               model.patch_count(), model.patch_count() == 1 ? "" : "es",
-                               model.interfaces().size(), model.interfaces().size() == 1 ? "" : "s",
-                               command.output.string());
+                << fmt::format("  {}, {}, lengths in m, written to {}\n",
+                               counted(model.patch_count(), "patch", "patches"),
+                               counted(model.interfaces().size(), "interface"), command.output.string());
   return made.report.usable() ? ExitCode::ok : ExitCode::failed;
 }
 

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "app/base/engineering_units.hpp"
 #include "app/commands/input_options.hpp"
 #include "app/pictures/draw.hpp"
 #include "app/render/part_picture.hpp"
@@ -52,8 +53,8 @@ std::vector<SolidReport> chosen_solids(const RenderCommand& command, const std::
   const int count = static_cast<int>(solids.size()), wanted = *command.solid;
   if (wanted < 0 || wanted >= count)
     throw Error(ErrorCode::invalid_argument,
-                fmt::format("--solid {}: {} holds {} solid{}, counted from 0", wanted,
-                            command.input.path.string(), count, count == 1 ? "" : "s"));
+                fmt::format("--solid {}: {} holds {}, counted from 0", wanted, command.input.path.string(),
+                            counted(count, "solid")));
   return {solids[static_cast<std::size_t>(wanted)]};
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/base/engineering_units.hpp"
 #include "app/commands/input_options.hpp"
 #include "app/problem/block_file.hpp"
 #include "app/problem/cut_solids.hpp"
@@ -58,7 +59,7 @@ BlocksInput input_of(const SegmentCommand& command) {
 std::string title_of(const SegmentCommand& command) {
   const std::string first = command.solids.front().filename().string();
   const std::size_t others = command.solids.size() - 1;
-  return others == 0 ? first : fmt::format("{} and {} other{}", first, others, others == 1 ? "" : "s");
+  return others == 0 ? first : fmt::format("{} and {}", first, counted(others, "other"));
 }
 
 /// The bodies cut as far as they can be; a file without sound bodies is shown in failure.html.

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "app/base/engineering_units.hpp"
 #include "solvers/blas_threads.hpp"
 #include "solvers/cores.hpp"
 
@@ -17,7 +18,7 @@ namespace {
 std::string crowd_warning(const solvers::Crowd& crowd) {
   if (!crowd.is_too_large()) return "";
   const int fair = std::max(1, crowd.cores / crowd.processes);
-  const std::string cores = fmt::format("{} core{}", crowd.cores, crowd.cores == 1 ? "" : "s");
+  const std::string cores = counted(crowd.cores, "core");
   if (crowd.processes == 1)
     return fmt::format("{} threads on {}: they take turns, which is slower than --threads {}", crowd.threads,
                        cores, fair);

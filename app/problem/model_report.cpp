@@ -6,6 +6,7 @@
 
 #include "app/base/engineering_units.hpp"
 #include "app/base/place_text.hpp"
+#include "geometry/common_refinement.hpp"
 #include "geometry/part_box.hpp"
 
 namespace isopatch::app {
@@ -46,6 +47,23 @@ BoundaryFaceReport report_face(const MultiPatch& model, const geometry::PatchFac
           geometry::outward_normal(patch, face.side, middle)};
 }
 
+// What two faces share is taken off the areas of those that are boundary besides.
+void add_non_matching(const MultiPatch& model, ModelReport& result) {
+  const double same_point = model.tolerance().same_point * model.size();
+  for (const auto& interface : model.non_matching()) {
+    const auto surface = [&](const geometry::PatchFace& face) {
+      return geometry::face_surface(model.patch(face.patch), face.side);
+    };
+    const double area =
+        geometry::shared_area(surface(interface.first), surface(interface.second), same_point);
+    result.non_matching.push_back(
+        {model.label(interface.first), model.label(interface.second), area, interface.gap});
+    result.largest_gap = std::max(result.largest_gap, interface.gap);
+    for (BoundaryFaceReport& face : result.boundary_faces)
+      if (face.face == interface.first || face.face == interface.second) face.area -= area;
+  }
+}
+
 }  // namespace
 
 bool ModelReport::certified() const {
@@ -63,18 +81,24 @@ ModelReport report(const MultiPatch& model, const Progress& progress) {
     result.control_points += model.patch(PatchId(i)).size();
     result.elements += static_cast<std::int64_t>(patch.elements[0]) * patch.elements[1] * patch.elements[2];
   }
-  for (const auto& face : model.boundary_faces()) {
-    result.boundary_faces.push_back(report_face(model, face));
-    result.boundary_area += result.boundary_faces.back().area;
-  }
+  for (const auto& face : model.boundary_faces()) result.boundary_faces.push_back(report_face(model, face));
   for (const auto& interface : model.interfaces())
     result.largest_gap = std::max(result.largest_gap, interface.gap);
-  for (const auto& interface : model.non_matching())
-    result.largest_gap = std::max(result.largest_gap, interface.gap);
+  add_non_matching(model, result);
+  for (const BoundaryFaceReport& face : result.boundary_faces) result.boundary_area += face.area;
   result.bodies = model.bodies();
   result.box = geometry::part_box(model);
   progress("checking the patches", 1);
   return result;
+}
+
+std::string contents_text(const MultiPatch& model, const ModelReport& report) {
+  const std::size_t apart = report.non_matching.size();
+  return fmt::format("{}, {}, {}{}, {}", counted(model.patch_count(), "patch", "patches"),
+                     counted(model.interfaces().size(), "interface"),
+                     apart == 0 ? "" : fmt::format("{} that do{} not match, ", apart, apart == 1 ? "es" : ""),
+                     counted(model.boundary_faces().size(), "boundary face"),
+                     report.bodies.size() == 1 ? "one body" : fmt::format("{} bodies", report.bodies.size()));
 }
 
 std::vector<Warning> certificate_warnings(const MultiPatch& model, const ModelReport& report) {

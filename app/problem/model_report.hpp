@@ -28,19 +28,27 @@ struct PatchReport {
 struct BoundaryFaceReport {
   geometry::PatchFace face;
   std::string label;       ///< "3:north", in the input's naming
-  double area = 0;         ///< m^2
+  double area = 0;         ///< of what no other patch covers, m^2
   Eigen::Vector3d centre;  ///< point at the middle parameter, m
   Eigen::Vector3d normal;  ///< outward, there
+};
+
+/// Two faces that share a part and do not match there.
+struct NonMatchingReport {
+  std::string first, second;  ///< "3:north", in the input's naming
+  double area = 0;            ///< of what they share, m^2
+  double gap = 0;             ///< m
 };
 
 /// A model seen as a whole: what `isopatch info` shows.
 struct ModelReport {
   std::vector<PatchReport> patches;
   std::vector<BoundaryFaceReport> boundary_faces;
+  std::vector<NonMatchingReport> non_matching;
   std::vector<std::vector<PatchId>> bodies;
   Eigen::AlignedBox3d box;   ///< of the part, m
   double volume = 0;         ///< m^3
-  double boundary_area = 0;  ///< m^2
+  double boundary_area = 0;  ///< of what no other patch covers, m^2
   double largest_gap = 0;    ///< between the two sides of an interface, m
   std::int64_t control_points = 0;
   std::int64_t elements = 0;
@@ -51,6 +59,9 @@ struct ModelReport {
 /// @param model  in m
 /// @cost  the certificate's, a few ms per simple patch
 ModelReport report(const geometry::MultiPatch& model, const Progress& progress = {});
+
+/// "11 patches, 12 interfaces, 42 boundary faces, one body".
+std::string contents_text(const geometry::MultiPatch& model, const ModelReport& report);
 
 /// One warning for every patch whose certificate was not accepted, naming patch, parameter and place as the
 /// input does.

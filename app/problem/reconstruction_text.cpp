@@ -4,7 +4,8 @@
 
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
+
+#include "app/problem/internal/reconstruction_json.hpp"
 
 #include "app/base/engineering_units.hpp"
 
@@ -13,11 +14,6 @@ namespace {
 
 using geometry::SurfaceKind;
 using segmentation::Region;
-using Json = nlohmann::ordered_json;
-
-Json json_of(const Eigen::Vector3d& v) {
-  return Json::array({v.x(), v.y(), v.z()});
-}
 
 std::string figures_of(const Region& region) {
   if (region.spline)
@@ -52,8 +48,8 @@ Json face_json(const std::string& name, const Region& region) {
             {"area", region.area},
             {"triangles", region.triangles.size()},
             {"largest_deviation", region.deviation},
-            {"origin", json_of(c.origin)},
-            {"axis", json_of(c.axis)}};
+            {"origin", to_json(c.origin)},
+            {"axis", to_json(c.axis)}};
   if (c.kind != SurfaceKind::plane) face["radius"] = c.radius;
   if (c.kind == SurfaceKind::torus) face["second_radius"] = c.second_radius;
   if (c.kind == SurfaceKind::cone) face["half_angle"] = c.half_angle.degrees();
@@ -81,23 +77,26 @@ std::string reconstruction_text(const segmentation::Reconstruction& made) {
   return text;
 }
 
-std::string reconstruction_json_text(const segmentation::Reconstruction& made) {
+Json reconstruction_json(const segmentation::Reconstruction& made) {
   const auto& report = made.report;
   Json faces = Json::array();
   for (std::size_t f = 0; f < made.regions.regions.size(); ++f)
     faces.push_back(face_json(made.brep.faces()[f].name, made.regions.regions[f]));
-  const Json whole{{"triangles", made.mesh.triangles.cols()},
-                   {"vertices", made.mesh.vertices.cols()},
-                   {"edges", made.brep.edges().size()},
-                   {"tolerance", report.tolerance},
-                   {"largest_deviation", report.largest_deviation},
-                   {"mean_deviation", report.mean_deviation},
-                   {"mesh_volume", report.mesh_volume},
-                   {"volume", report.volume},
-                   {"seconds", report.seconds},
-                   {"remarks", report.remarks},
-                   {"faces", faces}};
-  return whole.dump(2) + "\n";
+  return {{"triangles", made.mesh.triangles.cols()},
+          {"vertices", made.mesh.vertices.cols()},
+          {"edges", made.brep.edges().size()},
+          {"tolerance", report.tolerance},
+          {"largest_deviation", report.largest_deviation},
+          {"mean_deviation", report.mean_deviation},
+          {"mesh_volume", report.mesh_volume},
+          {"volume", report.volume},
+          {"seconds", report.seconds},
+          {"remarks", report.remarks},
+          {"faces", faces}};
+}
+
+std::string reconstruction_json_text(const segmentation::Reconstruction& made) {
+  return file_text(reconstruction_json(made));
 }
 
 }  // namespace isopatch::app

@@ -91,6 +91,19 @@ std::string bodies_text(const ModelReport& report) {
   return text;
 }
 
+std::string non_matching_text(const ModelReport& report, bool all) {
+  const std::size_t total = report.non_matching.size();
+  if (total == 0) return "";
+  const std::size_t shown = all ? total : std::min(short_list, total);
+  std::string text = "\nfaces that meet without matching\n";
+  for (std::size_t i = 0; i < shown; ++i) {
+    const NonMatchingReport& pair = report.non_matching[i];
+    text += fmt::format("  {:<10} {:<10} {:>12}  gap {}\n", pair.first, pair.second,
+                        with_unit(pair.area, "m^2"), with_unit(pair.gap, "m"));
+  }
+  return text + cut(shown, total, "pairs");
+}
+
 Json face_json(const BoundaryFaceReport& face) {
   return {{"face", face.label},
           {"area", face.area},
@@ -119,6 +132,14 @@ Json patch_json(const MultiPatch& model, const PatchReport& patch, int index) {
             {"point", to_json(patch.certificate.place)}}}};
 }
 
+Json non_matching_json(const ModelReport& report) {
+  Json result = Json::array();
+  for (const NonMatchingReport& pair : report.non_matching)
+    result.push_back(
+        {{"first", pair.first}, {"second", pair.second}, {"area", pair.area}, {"gap", pair.gap}});
+  return result;
+}
+
 Json probes_json(const BuiltProblem& problem) {
   const MultiPatch& model = problem.problem.discretization.model;
   Json result = Json::array();
@@ -135,12 +156,10 @@ Json probes_json(const BuiltProblem& problem) {
 
 std::string model_text(const MultiPatch& model, const ModelReport& report, bool all) {
   std::string text =
-      fmt::format("{} patches, {} interfaces, {} boundary faces, {}{}\n", model.patch_count(),
-                  model.interfaces().size(), model.boundary_faces().size(),
-                  report.bodies.size() == 1 ? "one body" : fmt::format("{} bodies", report.bodies.size()),
-                  model.degenerate_faces().empty()
-                      ? ""
-                      : fmt::format(", {} collapsed faces", model.degenerate_faces().size()));
+      contents_text(model, report) +
+      (model.degenerate_faces().empty() ? ""
+                                        : ", " + counted(model.degenerate_faces().size(), "collapsed face")) +
+      "\n";
   text += fmt::format("{} control points, {} elements\n", with_separators(report.control_points),
                       with_separators(report.elements));
   text += fmt::format("volume {}, surface {}\n", with_unit(report.volume, "m^3"),
@@ -149,7 +168,7 @@ std::string model_text(const MultiPatch& model, const ModelReport& report, bool 
                       place_with_unit(report.box.max(), model.size()));
   text += fmt::format("largest gap at an interface {}\n", with_unit(report.largest_gap, "m"));
   text += patches_text(report, all) + bodies_text(report) + boundaries_text(model, report) +
-          faces_text(model, report, all);
+          non_matching_text(report, all) + faces_text(model, report, all);
   return text;
 }
 
@@ -186,6 +205,7 @@ std::string model_json_text(const MultiPatch& model, const ModelReport& report, 
                {"elements", report.elements},
                {"patches", patches},
                {"interfaces", interfaces},
+               {"non_matching", non_matching_json(report)},
                {"boundary_faces", faces},
                {"boundaries", boundaries},
                {"bodies", bodies}};

@@ -31,9 +31,13 @@ Json model_json(const StudyRun& run) {
     if (report.patches[i].was_left_handed) reversed.push_back(i);
     if (!report.patches[i].certificate.accepted()) refused.push_back(i);
   }
+  Json apart = Json::array();
+  for (const NonMatchingReport& pair : report.non_matching)
+    apart.push_back({{"first", pair.first}, {"second", pair.second}, {"area", pair.area}});
   return {{"patches", model.patch_count()},
           {"interfaces", model.interfaces().size()},
           {"non_matching_interfaces", model.non_matching().size()},
+          {"non_matching", apart},
           {"boundary_faces", model.boundary_faces().size()},
           {"bodies", report.bodies.size()},
           {"control_points", report.control_points},

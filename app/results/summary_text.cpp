@@ -161,6 +161,18 @@ std::string case_text(const Study& study, const StudyRun& run, const CaseView& o
          moments_text(study, one, size) + probes_text(one.probes, results);
 }
 
+// The first of the faces that meet without matching.
+std::string non_matching_text(const ModelReport& report) {
+  constexpr std::size_t shown = 4;
+  std::string text;
+  for (std::size_t i = 0; i < report.non_matching.size() && i < shown; ++i)
+    text += fmt::format("{}{} and {}", i == 0 ? "  not matching      " : ", ", report.non_matching[i].first,
+                        report.non_matching[i].second);
+  if (report.non_matching.size() > shown)
+    text += fmt::format(" and {} more: isopatch info", report.non_matching.size() - shown);
+  return text.empty() ? "" : text + "\n";
+}
+
 }  // namespace
 
 std::string summary_text(const Study& study, const StudyRun& run) {
@@ -169,13 +181,9 @@ std::string summary_text(const Study& study, const StudyRun& run) {
   double total = 0;
   for (const iga::PhaseTime& time : run.timings) total += time.seconds;
   std::string text = study.title.empty() ? "" : study.title + "\n";
-  const std::size_t bodies = run.built.report.bodies.size();
-  const std::string apart =
-      model.non_matching().empty() ? "" : fmt::format("{} that do not match, ", model.non_matching().size());
-  text += fmt::format("  model             {} patches, {} interfaces, {}{} boundary faces, {}, volume {}\n",
-                      model.patch_count(), model.interfaces().size(), apart, model.boundary_faces().size(),
-                      bodies == 1 ? "one body" : fmt::format("{} bodies", bodies),
+  text += fmt::format("  model             {}, volume {}\n", contents_text(model, run.built.report),
                       with_unit(run.built.report.volume, "m^3"));
+  text += non_matching_text(run.built.report);
   if (!run.built.stages.empty())
     text += fmt::format("  stages            {}\n", stages_text(run.built.stages));
   if (run.built.mass)

@@ -7,6 +7,7 @@
 #include "app/base/engineering_units.hpp"
 #include "app/base/internal/json_values.hpp"
 #include "app/problem/cut_solids.hpp"
+#include "app/problem/internal/reconstruction_json.hpp"
 #include "app/problem/reconstructed_solids.hpp"
 #include "app/problem/reconstruction_text.hpp"
 #include "app/solids/describe_solid.hpp"
@@ -83,7 +84,7 @@ std::string triangles_json_text(const TriangleReport& report) {
                {"area", report.area},
                {"closed", report.volume.has_value()},
                {"volume", report.volume ? Json(*report.volume) : Json()},
-               {"reconstruction", report.made ? Json::parse(reconstruction_json_text(*report.made)) : Json()},
+               {"reconstruction", report.made ? reconstruction_json(*report.made) : Json()},
                {"segmentation", report.made ? Json(outlook_text(report.prospect)) : Json()},
                {"failure", report.failure ? Json(report.failure->what()) : Json()}};
   return file_text(json);

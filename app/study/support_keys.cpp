@@ -57,6 +57,26 @@ HeldDisplacement& displacement_of(SupportInput& support, const ConfigValue& valu
       fmt::format("[[support]] has both a displacement and {}; write two supports", kind_name(support)));
 }
 
+/// A displacement at places instead of faces.
+HeldDisplacement& held_at(SupportInput& support, const ConfigValue& value, const char* key,
+                          const char* place) {
+  return condition_of<HeldDisplacement>(
+      support, value,
+      fmt::format(
+          "[[support]] has {}: all but displacement needs whole faces, because {} has no normal; give "
+          "displacement components",
+          key, place));
+}
+
+template <class Places>
+Key<SupportInput> places_key(const char* key, Places HeldDisplacement::*places, const char* place,
+                             std::string meaning) {
+  return custom_key<SupportInput>(key, "array of points, each 3 of length (m)", std::move(meaning),
+                                  [=](SupportInput& target, const ConfigValue& value) {
+                                    held_at(target, value, key, place).*places = read_places(value, key);
+                                  });
+}
+
 template <class Condition>
 Key<SupportInput> support_table_key(const std::string& name, const Keys<Condition>& keys,
                                     std::string meaning) {
@@ -142,36 +162,18 @@ const Keys<SupportInput>& support_keys() {
           "Holds, instead of the faces, those of their patches' edges that lie there: lines. Displacements "
           "and energy then grow without limit as elements become small; stresses elsewhere do not.",
           [](S& target, const ConfigValue& value) {
-            condition_of<HeldDisplacement>(
-                target, value,
-                "[[support]] has edges: symmetry and roller need whole faces, because an edge has no normal; "
-                "give displacement components")
-                .edges =
+            held_at(target, value, "edges", "an edge").edges =
                 read_table<FaceConditions>(read_subtable(value, "edges"), value.place, "edges", edges_keys());
           }),
-      custom_key<S>(
-          "points", "array of points, each 3 of length (m)",
-          "Holds, instead of faces, these places of the part: corners of patches exactly, others by springs "
-          "ten thousand times as stiff as the part, which hold at 0 alone. Where a point takes a force, "
-          "displacements and stresses grow without limit as elements become small.",
-          [](S& target, const ConfigValue& value) {
-            condition_of<HeldDisplacement>(
-                target, value,
-                "[[support]] has points: all but displacement needs faces, because a point has no "
-                "normal; give displacement components")
-                .points = read_places(value, "points");
-          }),
-      custom_key<S>(
-          "line", "array of points, each 3 of length (m)",
-          "Holds, instead of faces, what lies on straight lines from each of these points to the next, which "
-          "must lie in the part, by springs as `points` does; at 0 alone.",
-          [](S& target, const ConfigValue& value) {
-            condition_of<HeldDisplacement>(
-                target, value,
-                "[[support]] has a line: all but displacement needs faces, because a line has no "
-                "normal; give displacement components")
-                .line = read_places(value, "line");
-          }),
+      places_key(
+          "points", &HeldDisplacement::points, "a point",
+          "Holds, instead of faces, these places of the part: corners of patches exactly, others by "
+          "springs ten thousand times as stiff as the part, which hold at 0 alone. Where a point takes a "
+          "force, displacements and stresses grow without limit as elements become small."),
+      places_key(
+          "line", &HeldDisplacement::line, "a line",
+          "Holds, instead of faces, what lies on straight lines from each of these points to the next, "
+          "which must lie in the part, by springs as `points` does; at 0 alone."),
       custom_key<S>("displacement", "3 of length (m) or \"free\"",
                     "Prescribed displacement; \"free\" leaves a component free.",
                     [](S& target, const ConfigValue& value) {

@@ -71,11 +71,11 @@ displacement = [0, 0, 0]
   EXPECT_THAT(err_, HasSubstr("weights of faces 0:east and 1:west are not proportional"));
   EXPECT_EQ(run({"info", study()}), 2);
   EXPECT_THAT(err_, HasSubstr("weights of faces 0:east and 1:west are not proportional"));
-  EXPECT_THAT(out_, HasSubstr("2 patches, 1 interfaces"));
+  EXPECT_THAT(out_, HasSubstr("2 patches, 1 interface,"));
   write_file(file, head + plain + head + weighted(1 + 2e-7));
   EXPECT_EQ(run({"info", file}), 2);
   EXPECT_THAT(err_, HasSubstr("not proportional"));
-  EXPECT_THAT(out_, HasSubstr("2 patches, 1 interfaces"));
+  EXPECT_THAT(out_, HasSubstr("2 patches, 1 interface,"));
   write_file(file, head + plain + head + weighted(1));
   EXPECT_EQ(run({"info", file}), 0) << err_;
 }

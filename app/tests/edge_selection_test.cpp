@@ -95,7 +95,7 @@ TEST(EdgeSelection, IsRefusedForPlanesAndWithoutAPlace) {
     return "accepted";
   };
   EXPECT_THAT(refusal(held_on_lines, "displacement = [0, 0, \"free\"]", "symmetry = true"),
-              HasSubstr("symmetry and roller need whole faces"));
+              HasSubstr("needs whole faces"));
   EXPECT_THAT(refusal(held_on_lines, "normal = \"z\"", "point = [0, 0, 0.5], normal = \"z\""),
               HasSubstr("study.toml:5:"));
   EXPECT_THAT(refusal(held_on_lines, "plane = { normal = \"z\" }", "normal = \"z\""),

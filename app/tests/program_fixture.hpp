@@ -12,6 +12,7 @@
 
 #include "app/commands/program.hpp"
 #include "geometry/base/atomic_file.hpp"
+#include "geometry/base/temporary_folder.hpp"
 
 namespace isopatch::app {
 
@@ -53,14 +54,7 @@ inline std::string replaced(std::string text, const std::string& from, const std
 /// Runs the program in a folder of its own with a study in it.
 class Program : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "isopatch-test-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-    write_file(study(), bar);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
+  void SetUp() override { write_file(study(), bar); }
   std::string study() const { return (folder_ / "study.toml").string(); }
   fs::path results() const { return folder_ / "results"; }
 
@@ -80,7 +74,8 @@ class Program : public testing::Test {
     return run(arguments);
   }
 
-  fs::path folder_;
+  TemporaryFolder temporary_;
+  fs::path folder_ = temporary_.path();
   std::string out_;
   std::string err_;
 };

@@ -192,7 +192,7 @@ TEST_F(Program, CompareSolvesBothWays) {
 
 TEST_F(Program, InfoDescribesStudiesAndResults) {
   ASSERT_EQ(run({"info", study()}), 0) << err_;
-  EXPECT_THAT(out_, HasSubstr("2 patches, 1 interfaces, 10 boundary faces, one body"));
+  EXPECT_THAT(out_, HasSubstr("2 patches, 1 interface, 10 boundary faces, one body"));
   EXPECT_THAT(out_, HasSubstr("x_min"));
   ASSERT_EQ(run({"info", study(), "--json", "-q"}), 0);
   EXPECT_NEAR(json::parse(out_)["volume"], 2, 1e-13);

@@ -114,5 +114,13 @@ TEST(Units, RefuseWhatIsNoQuantity) {
   EXPECT_THAT(unit_refusal("1 " + std::string(1000, '(')), HasSubstr("too many brackets"));
 }
 
+TEST(EngineeringUnits, CountInTheSingularAndThePlural) {
+  EXPECT_EQ(counted(1, "interface"), "1 interface");
+  EXPECT_EQ(counted(0, "interface"), "0 interfaces");
+  EXPECT_EQ(counted(std::size_t{73746}, "interface"), "73,746 interfaces");
+  EXPECT_EQ(counted(1, "patch", "patches"), "1 patch");
+  EXPECT_EQ(counted(2, "patch", "patches"), "2 patches");
+}
+
 }  // namespace
 }  // namespace isopatch::app

@@ -15,6 +15,7 @@
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/error.hpp"
 #include "geometry/base/nearest_name.hpp"
+#include "geometry/base/temporary_folder.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -92,27 +93,6 @@ std::string filter(const std::vector<std::string>& of_level, const std::vector<s
       patterns.push_back(name + ".*");
   return fmt::format("{}", fmt::join(patterns, ":"));
 }
-
-// A folder that the destructor removes.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string pattern = (fs::temp_directory_path() / "isopatch-verify-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr)
-      throw Error(ErrorCode::io, "cannot make a folder in " + fs::temp_directory_path().string());
-    path_ = pattern;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 }  // namespace
 

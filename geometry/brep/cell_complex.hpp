@@ -90,6 +90,16 @@ struct CellComplex {
   const Cell& cell(CellId id) const { return cells[static_cast<std::size_t>(id.value)]; }
   VertexId from(EdgeUse use) const { return use.reversed ? edge(use.edge).end : edge(use.edge).start; }
   VertexId to(EdgeUse use) const { return use.reversed ? edge(use.edge).start : edge(use.edge).end; }
+
+  VertexId add_vertex(const Eigen::Vector3d& place);
+  CurveId add_curve(CellCurve curve);
+  SurfaceId add_surface(CellSurface surface);
+  FaceId add_face(CellFace face);
+  /// The whole of a new curve.
+  EdgeId add_edge(CellCurve curve, VertexId from, VertexId to);
+  EdgeId add_straight_edge(VertexId from, VertexId to);
+  /// @param domain  where the edge's curve is on the surface, run through as the edge is used
+  void add_trace(EdgeUse use, SurfaceId surface, NurbsCurve domain);
 };
 
 }  // namespace isopatch::geometry

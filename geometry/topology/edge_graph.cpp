@@ -19,7 +19,7 @@ std::size_t index(EdgeId id) {
   return static_cast<std::size_t>(id.value);
 }
 
-// Faces that hang together along edges.
+// Faces that are connected by edges.
 UnionFind shells(const EdgeGraph& graph, const std::vector<std::vector<EdgeGraph::Place>>& used) {
   UnionFind faces(static_cast<int>(graph.faces.size()));
   for (const auto& at : used)

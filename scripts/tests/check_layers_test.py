@@ -145,6 +145,11 @@ class CheckLayers(unittest.TestCase):
                       "iga/b.cpp": '#include "iga/a.hpp"\n'},
                      "iga/a:1", "headers and their sources include each other in a circle: iga/a -> iga/b -> iga/a")
 
+    def test_takes_headers_in_internal_with_their_sources(self):
+        self.rejects({"iga/internal/a.hpp": '#include "iga/internal/b.hpp"\n', "iga/internal/b.hpp": "",
+                      "iga/b.cpp": '#include "iga/internal/b.hpp"\n#include "iga/internal/a.hpp"\n'},
+                     "iga/a:1", "headers and their sources include each other in a circle: iga/a -> iga/b -> iga/a")
+
     def test_rejects_a_circle_of_folders(self):
         self.rejects({"iga/x/a.hpp": '#include "iga/y/a.hpp"\n', "iga/y/a.hpp": "", "iga/y/b.hpp":
                       '#include "iga/x/b.hpp"\n', "iga/x/b.hpp": ""}, "iga/x:1", "iga/x -> iga/y -> iga/x")

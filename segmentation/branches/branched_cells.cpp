@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "geometry/base/error.hpp"
-#include "geometry/brep/cell_solids.hpp"
 #include "geometry/brep/cut_by_plane.hpp"
 #include "geometry/brep/require_solid.hpp"
 #include "geometry/brep/without_faces.hpp"
@@ -18,6 +17,7 @@
 #include "segmentation/branches/internal/inserted_branch.hpp"
 #include "segmentation/branches/internal/main_body.hpp"
 #include "segmentation/pieces/joined_complex.hpp"
+#include "segmentation/sweeps/require_all_of.hpp"
 #include "segmentation/sweeps/stack.hpp"
 #include "segmentation/turned/turned_cells.hpp"
 
@@ -49,7 +49,7 @@ class BodyDivider {
     }
     BranchedCells result{joined(std::move(complex), std::move(tops)), body_.axis,
                          static_cast<int>(body_.branches.size())};
-    require_all(result.complex);
+    require_all_of(solid_, result.complex);
     return result;
   }
 
@@ -187,14 +187,6 @@ class BodyDivider {
     origin.emplace_back();
     tops.insert(tops.begin(), {std::move(body), std::move(origin)});
     return joined_complex(tops, 1e-6 * solid_.size());
-  }
-
-  void require_all(const CellComplex& complex) const {
-    double volume = 0;
-    for (const Brep& cell : geometry::cell_solids(solid_, complex)) volume += cell.volume();
-    if (!(std::abs(volume - solid_.volume()) <= 1e-5 * solid_.volume()))
-      throw Error(ErrorCode::unsupported, fmt::format("{:.3g} of {:.3g} m^3 are not among its hexahedra",
-                                                      solid_.volume() - volume, solid_.volume()));
   }
 
   const Brep& solid_;

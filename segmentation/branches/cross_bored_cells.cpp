@@ -3,17 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <utility>
 #include <vector>
 
 #include "geometry/base/error.hpp"
-#include "geometry/brep/cell_solids.hpp"
 #include "geometry/brep/require_solid.hpp"
 #include "geometry/brep/without_faces.hpp"
 #include "segmentation/branches/internal/bore_room.hpp"
 #include "segmentation/branches/internal/cross_bores.hpp"
+#include "segmentation/sweeps/require_all_of.hpp"
 #include "segmentation/sweeps/swept_cells.hpp"
 
 namespace isopatch::segmentation {
@@ -37,7 +36,7 @@ class BoredStack {
     const FaceId no_cut(static_cast<int>(solid_.faces().size()));
     for (std::size_t b = 0; b < bores_.size(); ++b)
       complex = inserted_branch(solid_, complex, bores_[b].branch, places[b], no_cut);
-    require_all_of(complex);
+    require_all_of(solid_, complex);
     const auto slots =
         std::count_if(bores_.begin(), bores_.end(), [](const CrossBore& bore) { return bore.is_slot; });
     return {std::move(complex), frame_.along, static_cast<int>(bores_.size()), static_cast<int>(slots)};
@@ -103,14 +102,6 @@ class BoredStack {
       throw Error(ErrorCode::unsupported, "its faces go on in others where its bores are filled");
     for (geometry::CellFace& face : complex.faces)
       if (face.origin) face.origin = names[static_cast<std::size_t>(face.origin->value)];
-  }
-
-  void require_all_of(const CellComplex& complex) const {
-    double volume = 0;
-    for (const Brep& cell : geometry::cell_solids(solid_, complex)) volume += cell.volume();
-    if (!(std::abs(volume - solid_.volume()) <= 1e-5 * solid_.volume()))
-      throw Error(ErrorCode::unsupported, fmt::format("{:.3g} of {:.3g} m^3 are not among its hexahedra",
-                                                      solid_.volume() - volume, solid_.volume()));
   }
 
   /// Beside a bore, as a share of its radius: less would make thin hexahedra.

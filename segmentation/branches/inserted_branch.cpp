@@ -92,12 +92,6 @@ class Insertion {
     return found->second;
   }
 
-  EdgeId add_edge(NurbsCurve shape, VertexId from, VertexId to) {
-    complex_.curves.push_back({std::move(shape)});
-    complex_.edges.push_back({CurveId(static_cast<int>(complex_.curves.size()) - 1), 0, 1, from, to});
-    return EdgeId(static_cast<int>(complex_.edges.size()) - 1);
-  }
-
   NurbsCurve shape(EdgeUse use) const {
     const auto& made = std::get<NurbsCurve>(complex_.curve(complex_.edge(use.edge).curve).shape);
     return use.reversed ? reversed(made, 0) : made;
@@ -114,7 +108,7 @@ class Insertion {
     const auto known = edges_.find({number, level});
     if (known != edges_.end()) return {known->second, false};
     const VertexId from = vertex(drawn(number).start, level), to = vertex(drawn(number).end, level);
-    return {edges_[{number, level}] = add_edge(level_curve(number, level), from, to), false};
+    return {edges_[{number, level}] = complex_.add_edge({level_curve(number, level)}, from, to), false};
   }
 
   NurbsCurve level_curve(int number, std::size_t level) {
@@ -141,28 +135,13 @@ class Insertion {
     const auto known = uprights_.find({node, level});
     if (known != uprights_.end()) return {known->second, false};
     const VertexId low = vertex(node, level + 1), high = vertex(node, level);
-    const EdgeId made = add_edge(geometry::segment(complex_.vertex(low), complex_.vertex(high)), low, high);
+    const EdgeId made = complex_.add_straight_edge(low, high);
     return {uprights_[{node, level}] = made, false};
-  }
-
-  SurfaceId add_surface(geometry::CellSurface surface) {
-    complex_.surfaces.push_back(std::move(surface));
-    return SurfaceId(static_cast<int>(complex_.surfaces.size()) - 1);
-  }
-
-  void trace(EdgeUse use, SurfaceId surface, NurbsCurve domain) {
-    complex_.curves[index(complex_.edge(use.edge).curve.value)].traces.push_back(
-        {surface, use.reversed ? reversed(domain, 0) : std::move(domain)});
   }
 
   static void turn(std::vector<EdgeUse>& loop) {
     std::reverse(loop.begin(), loop.end());
     for (EdgeUse& use : loop) use.reversed = !use.reversed;
-  }
-
-  FaceId add_face(geometry::CellFace face) {
-    complex_.faces.push_back(std::move(face));
-    return FaceId(static_cast<int>(complex_.faces.size()) - 1);
   }
 
   /// The face of the solid that a place is on.
@@ -214,20 +193,22 @@ class Insertion {
                         ? cut_face_
                         : origin_at(view_.point(middle, levels_.height(level, middle, on_floor)));
     }
-    return level_faces_[{quad, level}] = add_face(std::move(face));
+    return level_faces_[{quad, level}] = complex_.add_face(std::move(face));
   }
 
   SurfaceId level_surface(const std::vector<EdgeUse>& loop, const BranchLevel& at, bool on_floor,
                           bool looks_up) {
     if (on_floor || at.shape->is_flat()) {
       const double height = on_floor ? *at.flat : at.shape->height({0, 0});
-      return add_surface(PlaneSurface{view_.point({0, 0}, height), view_.x, looks_up ? view_.y : -view_.y});
+      return complex_.add_surface(
+          PlaneSurface{view_.point({0, 0}, height), view_.x, looks_up ? view_.y : -view_.y});
     }
     if (at.flat) return blended(loop);
-    const SurfaceId made = add_surface(looks_up ? at.shape->surface() : reversed(at.shape->surface(), 1));
+    const SurfaceId made =
+        complex_.add_surface(looks_up ? at.shape->surface() : reversed(at.shape->surface(), 1));
     for (const EdgeUse& use : loop) {
       const NurbsCurve domain = at.shape->trace(shape({use.edge, false}));
-      trace({use.edge, false}, made, looks_up ? domain : mirrored(domain));
+      complex_.add_trace({use.edge, false}, made, looks_up ? domain : mirrored(domain));
     }
     return made;
   }
@@ -243,7 +224,7 @@ class Insertion {
   SurfaceId blended(const std::vector<EdgeUse>& loop) {
     const std::array<NurbsCurve, 4> sides = {shape(loop[0]), shape(loop[1]), shape(loop[2]), shape(loop[3])};
     const auto at = [&](std::size_t side, double t) { return sides[side].point(Parameter<1>(t)); };
-    const SurfaceId made = add_surface(interpolated([&](double u, double v) -> Eigen::Vector3d {
+    const SurfaceId made = complex_.add_surface(interpolated([&](double u, double v) -> Eigen::Vector3d {
       const Eigen::Vector3d corners =
           (1 - u) * (1 - v) * at(0, 0) + u * (1 - v) * at(1, 0) + u * v * at(2, 0) + (1 - u) * v * at(3, 0);
       return (1 - v) * at(0, u) + v * at(2, 1 - u) + (1 - u) * at(3, 1 - v) + u * at(1, v) - corners;
@@ -257,7 +238,7 @@ class Insertion {
     const std::array<Eigen::Vector3d, 4> corners = {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 0, 0),
                                                     Eigen::Vector3d(1, 1, 0), Eigen::Vector3d(0, 1, 0)};
     for (std::size_t i = 0; i < 4; ++i)
-      trace(loop[i], surface, geometry::segment(corners[i], corners[(i + 1) % 4]));
+      complex_.add_trace(loop[i], surface, geometry::segment(corners[i], corners[(i + 1) % 4]));
   }
 
   /// Below a level, over an edge of the drawing: looks to its right, or out of the solid.
@@ -276,14 +257,14 @@ class Insertion {
     const NurbsCurve below = shape(loop[0]), above = shape({loop[2].edge, !loop[2].reversed});
     geometry::CellFace face{SurfaceId(0), loop, {}};
     if (const auto plane = plane_through(below, above)) {
-      face.surface = add_surface(*plane);
+      face.surface = complex_.add_surface(*plane);
     } else {
-      face.surface = add_surface(geometry::ruled(below, above));
+      face.surface = complex_.add_surface(geometry::ruled(below, above));
       trace_sides(loop, face.surface);
     }
     if (is_outer)
       face.origin = origin_at((below.point(Parameter<1>(0.5)) + above.point(Parameter<1>(0.5))) / 2);
-    const FaceId made = add_face(std::move(face));
+    const FaceId made = complex_.add_face(std::move(face));
     return {walls_made_[{number, level}] = made, !is_outer && side.reversed, 0};
   }
 

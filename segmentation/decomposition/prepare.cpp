@@ -108,12 +108,7 @@ class StraightEdges {
     if (!is_straight(first) || !is_straight(second) || from == to ||
         !(a.cross(b).norm() < 1e-7 * a.norm() * b.norm() && a.dot(b) > 0))
       return;
-    const EdgeId joined(static_cast<int>(complex_.edges.size()));
-    const geometry::CurveId curve(static_cast<int>(complex_.curves.size()));
-    Eigen::Matrix3Xd ends(3, 2);
-    ends << complex_.vertex(from), complex_.vertex(to);
-    complex_.curves.push_back({geometry::NurbsCurve({geometry::KnotVector()}, ends)});
-    complex_.edges.push_back({curve, 0, 1, from, to});
+    const EdgeId joined = complex_.add_straight_edge(from, to);
     for (CellFace& face : complex_.faces) replace(face, first, second, joined, from);
     for (const VertexId end : {from, to}) {
       at[end].erase(first);

@@ -36,21 +36,10 @@ class StarMaker {
   }
 
  private:
-  VertexId add_vertex(const Eigen::Vector3d& at) {
-    complex_.vertices.push_back(at);
-    return VertexId(static_cast<int>(complex_.vertices.size()) - 1);
-  }
-
   EdgeUse edge_between(VertexId from, VertexId to) {
     const auto [found, fresh] =
         edges_.try_emplace(std::minmax(from, to), EdgeId(static_cast<int>(complex_.edges.size())));
-    if (fresh) {
-      Eigen::Matrix3Xd ends(3, 2);
-      ends << complex_.vertex(from), complex_.vertex(to);
-      const geometry::CurveId curve(static_cast<int>(complex_.curves.size()));
-      complex_.curves.push_back({geometry::NurbsCurve({geometry::KnotVector()}, ends)});
-      complex_.edges.push_back({curve, 0, 1, from, to});
-    }
+    if (fresh) complex_.add_straight_edge(from, to);
     return {found->second, complex_.edge(found->second).start != from};
   }
 
@@ -68,9 +57,7 @@ class StarMaker {
       plane.origin = a;
       plane.x = (b - a).normalized();
       plane.y = (b - a).cross(c - a).normalized().cross(plane.x);
-      complex_.surfaces.emplace_back(plane);
-      complex_.faces.push_back(
-          {geometry::SurfaceId(static_cast<int>(complex_.surfaces.size()) - 1), {base, up, down}});
+      complex_.add_face({complex_.add_surface(plane), {base, up, down}});
     }
     const EdgeUse first = complex_.face(found->second).loop.front();
     return {found->second, first.reversed != base.reversed, side};
@@ -85,12 +72,11 @@ class StarMaker {
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     for (const EdgeUse& use : whole.loop)
       middle += complex_.vertex(complex_.from(use)) / double(whole.loop.size());
-    const VertexId centre = add_vertex(middle);
+    const VertexId centre = complex_.add_vertex(middle);
     for (const EdgeUse& use : whole.loop) {
       CellFace part = whole;
       part.loop = {use, edge_between(complex_.to(use), centre), edge_between(centre, complex_.from(use))};
-      found->second[use.edge] = FaceId(static_cast<int>(complex_.faces.size()));
-      complex_.faces.push_back(std::move(part));
+      found->second[use.edge] = complex_.add_face(std::move(part));
     }
     return found->second;
   }
@@ -105,7 +91,7 @@ class StarMaker {
     }
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     for (const VertexId corner : corners) middle += complex_.vertex(corner) / double(corners.size());
-    const VertexId apex = add_vertex(middle);
+    const VertexId apex = complex_.add_vertex(middle);
     for (const CellFaceUse& use : cell.faces) {
       const std::map<EdgeId, FaceId> pieces = parts(use.face);
       if (pieces.empty()) {

@@ -154,9 +154,8 @@ class Templates {
       if (!curve) curve = bent_curve(shapes(), id, middle_.at(split[0]), middle_.at(split[1]), tolerance_);
       if (!curve)
         throw Error(ErrorCode::unsupported, "the middles of a side's edges cannot be joined inside it");
-      complex_.curves.push_back(curve->curve);
-      const EdgeId chord =
-          segmentation::divide_face(complex_, id, middle_.at(split[0]), middle_.at(split[1]), last_curve());
+      const EdgeId chord = segmentation::divide_face(complex_, id, middle_.at(split[0]), middle_.at(split[1]),
+                                                     complex_.add_curve(curve->curve));
       chords_[id] = chord;
       const FaceId added = last_face();
       assign_part(id, face, id);
@@ -168,9 +167,6 @@ class Templates {
     }
   }
 
-  geometry::CurveId last_curve() const {
-    return geometry::CurveId(static_cast<int>(complex_.curves.size()) - 1);
-  }
   FaceId last_face() const { return FaceId(static_cast<int>(complex_.faces.size()) - 1); }
 
   /// Remembers which old corners a part of a face has.
@@ -185,18 +181,17 @@ class Templates {
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();
     for (const EdgeUse& use : whole.loop)
       centre += shapes().domain_point(id, use.edge, use.reversed ? 1 : 0) / double(whole.loop.size());
-    const VertexId middle(static_cast<int>(complex_.vertices.size()));
-    complex_.vertices.push_back(shapes().point(whole.surface, centre));
+    const VertexId middle = complex_.add_vertex(shapes().point(whole.surface, centre));
     centres_[id] = middle;
     // From the middle of each edge to the centre.
     std::map<VertexId, EdgeId> spokes;
     for (const EdgeId edge : face.edges) {
       const VertexId from = middle_.at(edge);
       const Eigen::Vector2d uv = domain_point(id, whole.loop, from);
-      complex_.curves.push_back(curve_in_domain(shapes(), whole.surface, {uv, complex_.vertex(from)},
-                                                {centre, complex_.vertex(middle)}, tolerance_));
-      const EdgeId spoke(static_cast<int>(complex_.edges.size()));
-      complex_.edges.push_back({last_curve(), 0, 1, from, middle});
+      const EdgeId spoke =
+          complex_.add_edge(curve_in_domain(shapes(), whole.surface, {uv, complex_.vertex(from)},
+                                            {centre, complex_.vertex(middle)}, tolerance_),
+                            from, middle);
       spokes[from] = spoke;
       spokes_[{id, edge}] = spoke;
     }
@@ -215,8 +210,7 @@ class Templates {
         complex_.faces[static_cast<std::size_t>(id.value)] = std::move(part);
         made.push_back(id);
       } else {
-        complex_.faces.push_back(std::move(part));
-        made.push_back(last_face());
+        made.push_back(complex_.add_face(std::move(part)));
       }
     }
     for (const FaceId part : made) assign_part(id, face, part);
@@ -237,14 +231,6 @@ class Templates {
   };
 
   EdgeUse use_from(EdgeId edge, VertexId from) const { return {edge, complex_.edge(edge).start != from}; }
-
-  EdgeId straight_edge(VertexId from, VertexId to) {
-    Eigen::Matrix3Xd ends(3, 2);
-    ends << complex_.vertex(from), complex_.vertex(to);
-    complex_.curves.push_back({geometry::NurbsCurve({geometry::KnotVector()}, ends)});
-    complex_.edges.push_back({last_curve(), 0, 1, from, to});
-    return EdgeId(static_cast<int>(complex_.edges.size()) - 1);
-  }
 
   void divide_cell(const OldCell& cell, std::vector<Cell>& result) {
     std::set<EdgeId> edges;
@@ -281,15 +267,14 @@ class Templates {
   std::map<VertexId, EdgeId> inner_edges(const OldCell& cell, const std::vector<VertexId>& centres) {
     std::map<VertexId, EdgeId> result;
     if (centres.size() == 2) {
-      const EdgeId edge = straight_edge(centres[0], centres[1]);
+      const EdgeId edge = complex_.add_straight_edge(centres[0], centres[1]);
       result = {{centres[0], edge}, {centres[1], edge}};
     } else if (!centres.empty()) {
       Eigen::Vector3d middle = Eigen::Vector3d::Zero();
       for (const VertexId corner : cell.corners)
         middle += complex_.vertex(corner) / double(cell.corners.size());
-      const VertexId inside(static_cast<int>(complex_.vertices.size()));
-      complex_.vertices.push_back(middle);
-      for (const VertexId centre : centres) result[centre] = straight_edge(centre, inside);
+      const VertexId inside = complex_.add_vertex(middle);
+      for (const VertexId centre : centres) result[centre] = complex_.add_straight_edge(centre, inside);
     }
     return result;
   }
@@ -326,11 +311,9 @@ class Templates {
     const auto surface = cutting_surface(shapes(), steps, tolerance_, true);
     if (!surface)
       throw Error(ErrorCode::unsupported, "no surface is known through the middles of a cell's sides");
-    const geometry::SurfaceId id(static_cast<int>(complex_.surfaces.size()));
-    complex_.surfaces.push_back(surface->surface);
+    const geometry::SurfaceId id = complex_.add_surface(surface->surface);
     for (std::size_t i = 0; i < surface->traces.size(); ++i)
-      complex_.curves[static_cast<std::size_t>(complex_.edge(walk[i].edge).curve.value)].traces.push_back(
-          {id, surface->traces[i]});
+      complex_.add_trace({walk[i].edge, false}, id, surface->traces[i]);
     complex_.faces.push_back({id, walk});
     const auto [start_corner, end_corner] = ends_[static_cast<std::size_t>(first.value)];
     for (const VertexId corner : {start_corner, end_corner}) add_to(made.at(part_of.at(corner)), last_face());

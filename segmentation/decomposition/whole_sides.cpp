@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/base/error.hpp"
+#include "geometry/splines/arc.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -70,8 +71,7 @@ class WholeSides {
           throw Error(ErrorCode::unsupported,
                       "a side that meets others in parts lies on several surfaces, which are no planes");
     const Eigen::Vector3d x = normal.unitOrthogonal();
-    complex_.surfaces.emplace_back(geometry::PlaneSurface{at, x, normal.cross(x)});
-    return geometry::SurfaceId(static_cast<int>(complex_.surfaces.size()) - 1);
+    return complex_.add_surface(geometry::PlaneSurface{at, x, normal.cross(x)});
   }
 
   /// The outline of some faces, to the left of which they lie, seen from the front of one with `reversed`.
@@ -148,11 +148,8 @@ class WholeSides {
       if (!shapes.is_straight(use.edge) || along.cross(d).norm() > 1e-7)
         throw Error(ErrorCode::unsupported, "an edge of a side that meets others in parts is several curves");
     }
-    Eigen::Matrix3Xd ends(3, 2);
-    ends << from, to;
-    complex_.curves.push_back({geometry::NurbsCurve({geometry::KnotVector()}, ends)});
-    return {geometry::CurveId(static_cast<int>(complex_.curves.size()) - 1), 0, 1,
-            complex_.from(chain.front()), complex_.to(chain.back())};
+    return {complex_.add_curve({geometry::segment(from, to)}), 0, 1, complex_.from(chain.front()),
+            complex_.to(chain.back())};
   }
 
   const Brep& source_;

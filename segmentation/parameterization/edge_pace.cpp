@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/splines/refine.hpp"
+#include "segmentation/parameterization/internal/best_face_map.hpp"
 #include "segmentation/parameterization/internal/edge_samples.hpp"
 
 namespace isopatch::segmentation {
@@ -177,7 +178,7 @@ std::vector<SidePace> settled(const HexComplex& complex, const HexEdge& edge, Ed
 
 }  // namespace
 
-void settle_paces(HexComplex& complex) {
+void choose_paces(HexComplex& complex) {
   std::vector<std::array<SidePace, 12>> paces(complex.blocks.size());
   for (std::size_t e = 0; e < complex.edges.size(); ++e) {
     const HexEdge& edge = complex.topology.edges[e];
@@ -194,7 +195,7 @@ void settle_paces(HexComplex& complex) {
       for (std::size_t k = 0; k < 4; ++k) of_face[k] = paces[b][static_cast<std::size_t>(edges[k])];
       FaceMap& map = complex.maps[b][static_cast<std::size_t>(side)];
       if (std::any_of(of_face.begin(), of_face.end(), [](const SidePace& pace) { return bool(pace); }))
-        map = face_map(map.face(), of_face);
+        map = best_face_map(map.face(), of_face);
     }
 }
 
@@ -209,8 +210,8 @@ HexComplex without_paces(HexComplex complex) {
     edge.exact.reset();
   }
   for (auto& maps : complex.maps)
-    for (FaceMap& map : maps) map = face_map(map.face());
-  settle_edges(complex);
+    for (FaceMap& map : maps) map = best_face_map(map.face());
+  locate_vertices(complex);
   return complex;
 }
 

@@ -156,7 +156,7 @@ EdgeSamples sample_edge(const HexComplex& complex, std::size_t edge, const std::
   return result;
 }
 
-void settle_edges(HexComplex& complex) {
+void locate_vertices(HexComplex& complex) {
   std::vector<std::vector<NearSurface>> around(complex.vertices.size());
   for (std::size_t b = 0; b < complex.blocks.size(); ++b)
     for (const Side side : geometry::all_sides)

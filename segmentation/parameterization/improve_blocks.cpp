@@ -221,7 +221,7 @@ SlidingProblem sliding_problem(const HexComplex& complex, const ComplexFit& fit,
 double slide(FaceMap& map, const SlidingFace& face, const Eigen::VectorXd& variables) {
   const double before = smallest_sine(map);
   for (double factor = 1; factor > 0.1; factor /= 2) {
-    const FaceMap candidate = map.moved(displacement(face, variables, factor));
+    const FaceMap candidate = map.moved(displacement(face, variables, factor), map.kind());
     if (smallest_sine(candidate) < std::min(0.05, before)) continue;
     map = candidate;
     return factor;

@@ -16,6 +16,7 @@
 #include "segmentation/parameterization/internal/edge_pace.hpp"
 #include "segmentation/parameterization/internal/hex_complex.hpp"
 #include "segmentation/parameterization/internal/improve_blocks.hpp"
+#include "segmentation/parameterization/internal/model_complex.hpp"
 #include "segmentation/parameterization/internal/paper_method.hpp"
 #include "segmentation/parameterization/internal/patch_set.hpp"
 
@@ -237,7 +238,7 @@ Parameterization parameterize(const HexModel& model, const ParameterizationOptio
   validate(model);
   if (!options.keep_t_joints) refuse_t_joints(model);
   const Stopwatch watch;
-  const HexComplex complex = hex_complex(model);
+  const HexComplex complex = model_complex(model);
   Parameterization result = options.method == ParameterizationMethod::paper
                                 ? paper_method(model, complex)
                                 : shared_method(model, complex, options, progress);

@@ -61,12 +61,9 @@ class Assembler {
     const auto known = edges_.find(key);
     if (known != edges_.end()) return {known->second, made_.edge(known->second).start.value != from};
     const auto given = curves_.find(key);
-    made_.curves.push_back({given != curves_.end() ? given->second
-                                                   : geometry::segment(made_.vertex(VertexId(key.first)),
-                                                                       made_.vertex(VertexId(key.second)))});
-    const EdgeId id(static_cast<int>(made_.edges.size()));
-    made_.edges.push_back({geometry::CurveId(static_cast<int>(made_.curves.size()) - 1), 0, 1,
-                           VertexId(key.first), VertexId(key.second)});
+    const VertexId low(key.first), high(key.second);
+    const EdgeId id = given != curves_.end() ? made_.add_edge({given->second}, low, high)
+                                             : made_.add_straight_edge(low, high);
     edges_[key] = id;
     return {id, key.first != from};
   }
@@ -81,21 +78,13 @@ class Assembler {
     for (std::size_t k = 0; k < 4; ++k) loop.push_back(edge(at[k], at[(k + 1) % 4]));
     const std::array<NurbsCurve, 4> sides = {use_curve(loop[0]), use_curve(loop[1]), use_curve(loop[2]),
                                              use_curve(loop[3])};
-    if (const auto plane = plane_through(sides)) {
-      made_.surfaces.emplace_back(*plane);
-    } else {
-      made_.surfaces.emplace_back(geometry::coons_surface(sides));
-      const std::array<Eigen::Vector3d, 4> corners = {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 0, 0),
-                                                      Eigen::Vector3d(1, 1, 0), Eigen::Vector3d(0, 1, 0)};
-      const geometry::SurfaceId surface(static_cast<int>(made_.surfaces.size()) - 1);
-      for (std::size_t k = 0; k < 4; ++k) {
-        const NurbsCurve domain = geometry::segment(corners[k], corners[(k + 1) % 4]);
-        made_.curves[static_cast<std::size_t>(made_.edge(loop[k].edge).curve.value)].traces.push_back(
-            {surface, loop[k].reversed ? reversed(domain, 0) : domain});
-      }
-    }
-    made_.faces.push_back({geometry::SurfaceId(static_cast<int>(made_.surfaces.size()) - 1), loop, {}});
-    return FaceId(static_cast<int>(made_.faces.size()) - 1);
+    if (const auto plane = plane_through(sides)) return made_.add_face({made_.add_surface(*plane), loop, {}});
+    const geometry::SurfaceId surface = made_.add_surface(geometry::coons_surface(sides));
+    const std::array<Eigen::Vector3d, 4> corners = {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 0, 0),
+                                                    Eigen::Vector3d(1, 1, 0), Eigen::Vector3d(0, 1, 0)};
+    for (std::size_t k = 0; k < 4; ++k)
+      made_.add_trace(loop[k], surface, geometry::segment(corners[k], corners[(k + 1) % 4]));
+    return made_.add_face({surface, loop, {}});
   }
 
   /// Looks as the sides run.

@@ -73,8 +73,7 @@ class Joiner {
   VertexId vertex(const Eigen::Vector3d& place) {
     for (std::size_t v = 0; v < result_.vertices.size(); ++v)
       if ((result_.vertices[v] - place).norm() < tolerance_) return VertexId(static_cast<int>(v));
-    result_.vertices.push_back(place);
-    return VertexId(static_cast<int>(result_.vertices.size()) - 1);
+    return result_.add_vertex(place);
   }
 
   static Eigen::Vector3d middle(const geometry::CellCurve& curve) {
@@ -94,9 +93,7 @@ class Joiner {
       }
       return {id, reversed};
     }
-    result_.curves.push_back(std::move(curve));
-    known.emplace_back(static_cast<int>(result_.edges.size()));
-    result_.edges.push_back({CurveId(static_cast<int>(result_.curves.size()) - 1), 0, 1, start, end});
+    known.push_back(result_.add_edge(std::move(curve), start, end));
     return {known.back(), false};
   }
 
@@ -110,9 +107,9 @@ class Joiner {
       open_.erase(other);
       return {face, true};
     }
-    const FaceId fresh(static_cast<int>(result_.faces.size()));
-    if (outer && !made.origin) open_[key] = fresh;
-    result_.faces.push_back(std::move(made));
+    const bool open = outer && !made.origin;
+    const FaceId fresh = result_.add_face(std::move(made));
+    if (open) open_[key] = fresh;
     return {fresh, false};
   }
 

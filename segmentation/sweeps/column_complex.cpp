@@ -66,17 +66,11 @@ class ColumnComplex {
     return found->second;
   }
 
-  EdgeId add_edge(NurbsCurve shape, VertexId from, VertexId to) {
-    complex_.curves.push_back({std::move(shape)});
-    complex_.edges.push_back({CurveId(static_cast<int>(complex_.curves.size()) - 1), 0, 1, from, to});
-    return EdgeId(static_cast<int>(complex_.edges.size()) - 1);
-  }
-
   EdgeId level_edge(int number, int level) {
     const auto known = level_edges_.find({number, level});
     if (known != level_edges_.end()) return known->second;
     const VertexId from = vertex(drawn(number).start, level), to = vertex(drawn(number).end, level);
-    return level_edges_[{number, level}] = add_edge(level_curve(number, level), from, to);
+    return level_edges_[{number, level}] = complex_.add_edge({level_curve(number, level)}, from, to);
   }
 
   bool is_moved(int vertex, int level) const { return rounding_.vertices.contains({vertex, level}); }
@@ -104,17 +98,7 @@ class ColumnComplex {
     NurbsCurve shape = rounded == rounding_.upright_edges.end()
                            ? geometry::segment(complex_.vertex(from), complex_.vertex(to))
                            : rounded->second;
-    return upright_edges_[{number, low, high}] = add_edge(std::move(shape), from, to);
-  }
-
-  SurfaceId add_surface(geometry::CellSurface surface) {
-    complex_.surfaces.push_back(std::move(surface));
-    return SurfaceId(static_cast<int>(complex_.surfaces.size()) - 1);
-  }
-
-  FaceId add_face(geometry::CellFace face) {
-    complex_.faces.push_back(std::move(face));
-    return FaceId(static_cast<int>(complex_.faces.size()) - 1);
+    return upright_edges_[{number, low, high}] = complex_.add_edge({std::move(shape)}, from, to);
   }
 
   /// Of a quadrilateral in a level; looks up, or out of the solid.
@@ -134,7 +118,7 @@ class ColumnComplex {
     if (rounded != rounding_.floors.end())
       made = add_rounded(rounded->second, std::move(loop));
     else if (is_level)
-      made = add_face({plane_at(level, looks_up), std::move(loop), origin});
+      made = complex_.add_face({plane_at(level, looks_up), std::move(loop), origin});
     else if (origin)
       throw Error(ErrorCode::unsupported, "a floor ends within the width of a round");
     else
@@ -146,8 +130,8 @@ class ColumnComplex {
     const auto [surface, fresh] = planes_.try_emplace({level, looks_up}, SurfaceId(0));
     if (fresh) {
       const Eigen::Vector3d y = looks_up ? frame_.y : Eigen::Vector3d(-frame_.y);
-      surface->second =
-          add_surface(PlaneSurface{frame_.point(Eigen::Vector2d::Zero(), height(level)), frame_.x, y});
+      surface->second = complex_.add_surface(
+          PlaneSurface{frame_.point(Eigen::Vector2d::Zero(), height(level)), frame_.x, y});
     }
     return surface->second;
   }
@@ -160,16 +144,12 @@ class ColumnComplex {
 
   /// @param surface  over the unit square, whose sides from v = 0 on are the loop's
   FaceId add_on(geometry::NurbsSurface surface, std::vector<EdgeUse> loop, std::optional<FaceId> origin) {
-    const SurfaceId made = add_surface(std::move(surface));
-    const std::array<Eigen::Vector3d, 5> corners{Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 0, 0),
-                                                 Eigen::Vector3d(1, 1, 0), Eigen::Vector3d(0, 1, 0),
-                                                 Eigen::Vector3d(0, 0, 0)};
-    for (std::size_t k = 0; k < 4; ++k) {
-      const std::size_t from = loop[k].reversed ? k + 1 : k, to = loop[k].reversed ? k : k + 1;
-      complex_.curves[static_cast<std::size_t>(complex_.edge(loop[k].edge).curve.value)].traces.push_back(
-          {made, geometry::segment(corners[from], corners[to])});
-    }
-    return add_face({made, std::move(loop), origin});
+    const SurfaceId made = complex_.add_surface(std::move(surface));
+    const std::array<Eigen::Vector3d, 4> corners{Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 0, 0),
+                                                 Eigen::Vector3d(1, 1, 0), Eigen::Vector3d(0, 1, 0)};
+    for (std::size_t k = 0; k < 4; ++k)
+      complex_.add_trace(loop[k], made, geometry::segment(corners[k], corners[(k + 1) % 4]));
+    return complex_.add_face({made, std::move(loop), origin});
   }
 
   /// Inside the solid, in no plane.
@@ -224,7 +204,7 @@ class ColumnComplex {
     if (outer && !plane && !ruled) throw Error(ErrorCode::unsupported, "a round ends on a curved wall");
     std::optional<FaceId> origin;
     if (outer) origin = wall_of_solid(sides[0], above);
-    if (plane) return add_face({add_surface(*plane), std::move(loop), origin});
+    if (plane) return complex_.add_face({complex_.add_surface(*plane), std::move(loop), origin});
     return add_on(ruled ? straight_wall(sides[0], above) : geometry::coons_surface(sides), std::move(loop),
                   origin);
   }

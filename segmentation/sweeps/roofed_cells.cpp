@@ -1,21 +1,18 @@
 #include "segmentation/sweeps/internal/roofed_cells.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 #include <vector>
 
 #include "geometry/base/error.hpp"
-#include "geometry/brep/cell_solids.hpp"
 #include "geometry/splines/coons.hpp"
 #include "geometry/splines/refine.hpp"
 #include "segmentation/sweeps/internal/column_complex.hpp"
 #include "segmentation/sweeps/internal/divided_drawing.hpp"
 #include "segmentation/sweeps/internal/roof.hpp"
 #include "segmentation/sweeps/interpolate.hpp"
+#include "segmentation/sweeps/require_all_of.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -81,7 +78,7 @@ class RoofedStack {
     SweptCells result{column_complex(solid_, frame_, divided_.quads, moving_, layers_, rounding_),
                       frame_.along, static_cast<int>(divided_.quads.quads.size()),
                       static_cast<int>(layers_.levels.size())};
-    require_all_of(result.complex);
+    require_all_of(solid_, result.complex);
     return result;
   }
 
@@ -127,14 +124,6 @@ class RoofedStack {
   void move_to(int vertex, int level, const Eigen::Vector3d& place) {
     if ((place - moving_.place(vertex, height(level))).norm() > 1e-9 * solid_.size())
       rounding_.vertices[{vertex, level}] = place;
-  }
-
-  void require_all_of(const geometry::CellComplex& complex) const {
-    double volume = 0;
-    for (const Brep& cell : geometry::cell_solids(solid_, complex)) volume += cell.volume();
-    if (!(std::abs(volume - solid_.volume()) <= 1e-5 * solid_.volume()))
-      throw Error(ErrorCode::unsupported, fmt::format("{:.3g} of {:.3g} m^3 are not among its hexahedra",
-                                                      solid_.volume() - volume, solid_.volume()));
   }
 
   const Brep& solid_;

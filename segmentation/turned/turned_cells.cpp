@@ -1,25 +1,15 @@
 #include "segmentation/turned/turned_cells.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <numbers>
 #include <utility>
 
 #include "geometry/base/error.hpp"
-#include "geometry/brep/cell_solids.hpp"
+#include "segmentation/sweeps/require_all_of.hpp"
 #include "segmentation/turned/internal/turned_complex.hpp"
 
 namespace isopatch::segmentation {
 namespace {
-
-void require_all_of(const geometry::Brep& solid, const geometry::CellComplex& complex) {
-  double volume = 0;
-  for (const geometry::Brep& cell : cell_solids(solid, complex)) volume += cell.volume();
-  if (!(std::abs(volume - solid.volume()) <= 1e-5 * solid.volume()))
-    throw Error(ErrorCode::unsupported, fmt::format("{:.3g} of {:.3g} m^3 are not among its hexahedra",
-                                                    solid.volume() - volume, solid.volume()));
-}
 
 /// Quarters of a whole turn. Of less, as many as have 90 degrees or less; where they meet at the axis, pairs
 /// of them, each around one hexahedron with 120 degrees or less at the axis.

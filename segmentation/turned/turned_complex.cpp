@@ -60,7 +60,7 @@ class TurnedComplex {
         if (frame_.is_whole()) add_column_cell(column[i], i == 0);
         for (int s = 0; s < sectors_ && !frame_.is_whole(); s += 2) add_corner_cell(column[i], i == 0, s);
       }
-    return std::move(edges_.complex);
+    return std::move(complex_);
   }
 
  private:
@@ -70,22 +70,6 @@ class TurnedComplex {
   double tolerance() const { return 1e-9 * solid_.size(); }
   bool is_outer(EdgeId edge) const { return beside_[static_cast<std::size_t>(edge.value)] == 1; }
   bool is_last(int meridian) const { return !frame_.is_whole() && meridian == sectors_; }
-
-  SurfaceId add_surface(geometry::CellSurface surface) {
-    edges_.complex.surfaces.push_back(std::move(surface));
-    return SurfaceId(static_cast<int>(edges_.complex.surfaces.size()) - 1);
-  }
-
-  FaceId add_face(CellFace face) {
-    edges_.complex.faces.push_back(std::move(face));
-    return FaceId(static_cast<int>(edges_.complex.faces.size()) - 1);
-  }
-
-  void trace(EdgeId edge, SurfaceId surface, NurbsCurve domain) {
-    CellComplex& complex = edges_.complex;
-    complex.curves[static_cast<std::size_t>(complex.edge(edge).curve.value)].traces.push_back(
-        {surface, std::move(domain)});
-  }
 
   /// The face of the solid at a place, of some.
   FaceId origin_at(const std::vector<FaceId>& faces, const Eigen::Vector3d& place) const {
@@ -103,8 +87,9 @@ class TurnedComplex {
     const auto [plane, fresh] = planes_.try_emplace(meridian, SurfaceId(0));
     if (fresh) {
       const Eigen::Vector3d out = frame_.point({1, 0}, edges_.angle(meridian)) - frame_.origin;
-      plane->second = add_surface(is_last(meridian) ? PlaneSurface{frame_.origin, frame_.along, out}
-                                                    : PlaneSurface{frame_.origin, out, frame_.along});
+      plane->second =
+          complex_.add_surface(is_last(meridian) ? PlaneSurface{frame_.origin, frame_.along, out}
+                                                 : PlaneSurface{frame_.origin, out, frame_.along});
     }
     return plane->second;
   }
@@ -130,7 +115,7 @@ class TurnedComplex {
       middle += frame_.flat(curve(side.edge.value).point(geometry::Parameter<1>(0.5))) / 2;
       middle -= flat(side.reversed ? drawn(side.edge.value).end : drawn(side.edge.value).start) / 4;
     }
-    return sections_[{quad, meridian}] = add_face(meridian_face(meridian, std::move(loop), middle));
+    return sections_[{quad, meridian}] = complex_.add_face(meridian_face(meridian, std::move(loop), middle));
   }
 
   /// Between the axis and an edge of the column's side.
@@ -140,12 +125,12 @@ class TurnedComplex {
     const int low = drawn(edge).start, high = drawn(edge).end;
     const Eigen::Vector2d middle = (flat(low) + flat(high)) / 2;
     return axis_sections_[{edge, meridian}] =
-               add_face(meridian_face(meridian,
-                                      {{edges_.radial(low, meridian), false},
-                                       {edges_.meridian(edge, meridian), false},
-                                       {edges_.radial(high, meridian), true},
-                                       {edges_.axis(edge), true}},
-                                      {middle[0] / 2, middle[1]}));
+               complex_.add_face(meridian_face(meridian,
+                                               {{edges_.radial(low, meridian), false},
+                                                {edges_.meridian(edge, meridian), false},
+                                                {edges_.radial(high, meridian), true},
+                                                {edges_.axis(edge), true}},
+                                               {middle[0] / 2, middle[1]}));
   }
 
   /// Over an edge of the drawing in a sector; looks to its right, or out of the solid.
@@ -169,7 +154,7 @@ class TurnedComplex {
           origin_at(faces, frame_.point(frame_.flat(middle), (sector + 0.5) * frame_.sweep / sectors_));
     }
     face.surface = wall_surface(along, {from, to}, {low, high, here, there}, turned, outer, sector);
-    return walls_[{number, sector}] = add_face(std::move(face));
+    return walls_[{number, sector}] = complex_.add_face(std::move(face));
   }
 
   struct Around {
@@ -182,7 +167,7 @@ class TurnedComplex {
     const bool beside_core = edges_.is_core(ends[0]) || edges_.is_core(ends[1]);
     if (straight && std::abs(flat(ends[0])[1] - flat(ends[1])[1]) < tolerance()) {
       const bool up = flat(ends[0])[0] > flat(ends[1])[0];
-      return add_surface(
+      return complex_.add_surface(
           PlaneSurface{frame_.point({0, flat(ends[0])[1]}, 0), frame_.x, up ? frame_.y : -frame_.y});
     }
     if (outer && beside_core)
@@ -190,17 +175,17 @@ class TurnedComplex {
                             {edges.low, edges.high, edges.here, edges.there});
     SurfaceId made(0);
     if (!beside_core) {
-      made = add_surface(turned_surface(frame_.turned(along, edges_.angle(sector)), frame_.origin,
-                                        frame_.along, frame_.sweep / sectors_));
+      made = complex_.add_surface(turned_surface(frame_.turned(along, edges_.angle(sector)), frame_.origin,
+                                                 frame_.along, frame_.sweep / sectors_));
     } else {
-      if (const auto plane = plane_through(edges)) return add_surface(*plane);
-      made = add_surface(geometry::ruled(edges_.shape(edges.low), edges_.shape(edges.high)));
+      if (const auto plane = plane_through(edges)) return complex_.add_surface(*plane);
+      made = complex_.add_surface(geometry::ruled(edges_.shape(edges.low), edges_.shape(edges.high)));
     }
     const double start = turned ? 1 : 0;
-    trace(edges.low, made, geometry::segment({0, 0, 0}, {1, 0, 0}));
-    trace(edges.high, made, geometry::segment({0, 1, 0}, {1, 1, 0}));
-    trace(edges.here, made, geometry::segment({0, start, 0}, {0, 1 - start, 0}));
-    trace(edges.there, made, geometry::segment({1, start, 0}, {1, 1 - start, 0}));
+    complex_.add_trace({edges.low, false}, made, geometry::segment({0, 0, 0}, {1, 0, 0}));
+    complex_.add_trace({edges.high, false}, made, geometry::segment({0, 1, 0}, {1, 1, 0}));
+    complex_.add_trace({edges.here, false}, made, geometry::segment({0, start, 0}, {0, 1 - start, 0}));
+    complex_.add_trace({edges.there, false}, made, geometry::segment({1, start, 0}, {1, 1 - start, 0}));
     return made;
   }
 
@@ -240,8 +225,9 @@ class TurnedComplex {
       traces.push_back(patch.trace(edges_.shape(edge)));
       reach = std::max(reach, traces.back().control_points().cwiseAbs().maxCoeff());
     }
-    const SurfaceId made = add_surface(patch.surface(1.25 * reach));
-    for (std::size_t i = 0; i < edges.size(); ++i) trace(edges[i], made, std::move(traces[i]));
+    const SurfaceId made = complex_.add_surface(patch.surface(1.25 * reach));
+    for (std::size_t i = 0; i < edges.size(); ++i)
+      complex_.add_trace({edges[i], false}, made, std::move(traces[i]));
     return made;
   }
 
@@ -256,8 +242,8 @@ class TurnedComplex {
     if (end && end->sphere)
       face.surface = sphere_surface(corner, edges);
     else
-      face.surface = add_surface(PlaneSurface{frame_.point({0, flat(corner)[1]}, 0), frame_.x,
-                                              lowest ? Eigen::Vector3d(-frame_.y) : frame_.y});
+      face.surface = complex_.add_surface(PlaneSurface{frame_.point({0, flat(corner)[1]}, 0), frame_.x,
+                                                       lowest ? Eigen::Vector3d(-frame_.y) : frame_.y});
     if (end) face.origin = origin_at(end->faces, inside(*end, edges));
     return face;
   }
@@ -275,18 +261,19 @@ class TurnedComplex {
     if (known != squares_.end()) return known->second;
     std::vector<EdgeUse> loop;
     for (int s = 0; s < sectors_; ++s) loop.push_back({edges_.around(corner, s), false});
-    return squares_[{corner, 0}] = add_face(across(corner, lowest, loop));
+    return squares_[{corner, 0}] = complex_.add_face(across(corner, lowest, loop));
   }
 
   /// Beside the axis in two sectors.
   FaceId corner_square(int corner, bool lowest, int sector) {
     const auto known = squares_.find({corner, sector});
     if (known != squares_.end()) return known->second;
-    return squares_[{corner, sector}] = add_face(across(corner, lowest,
-                                                        {{edges_.radial(corner, sector), false},
-                                                         {edges_.around(corner, sector), false},
-                                                         {edges_.around(corner, sector + 1), false},
-                                                         {edges_.radial(corner, sector + 2), true}}));
+    return squares_[{corner, sector}] =
+               complex_.add_face(across(corner, lowest,
+                                        {{edges_.radial(corner, sector), false},
+                                         {edges_.around(corner, sector), false},
+                                         {edges_.around(corner, sector + 1), false},
+                                         {edges_.radial(corner, sector + 2), true}}));
   }
 
   static void add(geometry::Cell& cell, FaceId face, bool reversed) {
@@ -300,7 +287,7 @@ class TurnedComplex {
     add(cell, section(quad, next), !is_last(next));
     for (const EdgeUse& side : drawing_.quads.quads[static_cast<std::size_t>(quad)].sides)
       add(cell, wall(side, sector), !is_outer(side.edge) && side.reversed);
-    edges_.complex.cells.push_back(std::move(cell));
+    complex_.cells.push_back(std::move(cell));
   }
 
   /// Beside an edge of the column's side, which runs up, so that its right is outside of the column.
@@ -309,7 +296,7 @@ class TurnedComplex {
     add(cell, square(drawn(edge).start, lowest), !lowest);
     add(cell, square(drawn(edge).end, false), false);
     for (int s = 0; s < sectors_; ++s) add(cell, wall({EdgeId(edge), false}, s), false);
-    edges_.complex.cells.push_back(std::move(cell));
+    complex_.cells.push_back(std::move(cell));
   }
 
   /// The same where the axis is an edge of it.
@@ -320,7 +307,7 @@ class TurnedComplex {
     for (int s = sector; s < sector + 2; ++s) add(cell, wall({EdgeId(edge), false}, s), false);
     add(cell, axis_section(edge, sector), false);
     add(cell, axis_section(edge, sector + 2), !is_last(sector + 2));
-    edges_.complex.cells.push_back(std::move(cell));
+    complex_.cells.push_back(std::move(cell));
   }
 
   const Brep& solid_;
@@ -328,6 +315,7 @@ class TurnedComplex {
   const TurnedDrawing& drawing_;
   int sectors_;
   TurnedEdges edges_;
+  CellComplex& complex_ = edges_.complex;
   std::vector<int> beside_;  // cells at edges of the drawing
   std::map<Turned, FaceId> sections_, axis_sections_, walls_, squares_;
   std::map<int, SurfaceId> planes_;

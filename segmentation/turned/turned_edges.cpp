@@ -51,9 +51,7 @@ VertexId TurnedEdges::axis_vertex(int number) {
 }
 
 EdgeId TurnedEdges::add(NurbsCurve shape, VertexId from, VertexId to) {
-  complex.curves.push_back({std::move(shape)});
-  complex.edges.push_back({CurveId(static_cast<int>(complex.curves.size()) - 1), 0, 1, from, to});
-  return EdgeId(static_cast<int>(complex.edges.size()) - 1);
+  return complex.add_edge({std::move(shape)}, from, to);
 }
 
 EdgeId TurnedEdges::meridian(int edge, int meridian) {

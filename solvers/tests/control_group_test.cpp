@@ -7,6 +7,8 @@
 #include <fstream>
 #include <string>
 
+#include "geometry/base/temporary_folder.hpp"
+
 namespace isopatch::solvers {
 namespace {
 
@@ -15,13 +17,6 @@ namespace fs = std::filesystem;
 /// A folder that stands for "/", with what the system would say there.
 class ControlGroup : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "isopatch-groups-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    root_ = pattern;
-  }
-  void TearDown() override { fs::remove_all(root_); }
-
   void write(const fs::path& path, const std::string& text) {
     fs::create_directories((root_ / path).parent_path());
     std::ofstream(root_ / path) << text;
@@ -37,7 +32,8 @@ class ControlGroup : public testing::Test {
   }
   std::int64_t left() const { return control_group_memory(root_).value_or(-1); }
 
-  fs::path root_;
+  TemporaryFolder temporary_;
+  fs::path root_ = temporary_.path();
 };
 
 const std::string version_2 =

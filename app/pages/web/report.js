@@ -17,6 +17,8 @@ globalThis.isopatch = globalThis.isopatch || {};
     const {box} = model;
     const rows = [["patches", `${counts(model.patches)}, ${many(model.interfaces, "interface")}, ${many(model.boundary_faces, "boundary face")}`],
                   ["volume, surface", `${isopatch.withUnit(model.volume, "m^3")}, ${isopatch.withUnit(model.boundary_area, "m^2")}`]];
+    const apart = model.non_matching || [];
+    if (apart.length > 0) rows.push(["not matching", apart.map(({first, second}) => `${first} and ${second}`).join(", ")]);
     if (box) rows.push(["box", isopatch.vectorWithUnit(box.max.map((x, i) => x - box.min[i]), "m")]);
     if (mass) rows.push(["mass, centre", [isopatch.withUnit(1e3 * mass.mass, "g"), at(scene, mass.centre)]]);
     rows.push(["smallest scaled Jacobian", isopatch.general(model.min_scaled_jacobian, 4) + " (at the Gauss points)"]);

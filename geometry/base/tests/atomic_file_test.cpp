@@ -145,8 +145,9 @@ TEST_F(AtomicFile, AFullDiskIsAnErrorWithAdviceAndKeepsTheOldFile) {
   EXPECT_THAT(files(), testing::ElementsAre("result.json"));
 }
 
-// Starts a child that rewrites the file for ever, and sends it a signal after it has been busy for a while.
+// Starts a child that writes the file again and again, and sends it a signal some time after the first.
 int interrupted_writer(const fs::path& path, const std::string& bytes, int signal) {
+  fs::remove(path);
   const ::pid_t child = ::fork();
   if (child == 0) {
     ::close(STDERR_FILENO);

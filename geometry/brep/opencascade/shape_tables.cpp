@@ -135,7 +135,7 @@ class TableMaker {
     return loop;
   }
 
-  // The edges of a wire one after the other; as the wire lists them where it does not hang together.
+  // The edges of a wire one after the other; as the wire lists them where it is not connected.
   static std::vector<TopoDS_Edge> walk(const FaceGeometry& geometry, const TopoDS_Wire& wire) {
     std::vector<TopoDS_Edge> walked, listed;
     for (BRepTools_WireExplorer it(wire, geometry.face); it.More(); it.Next()) walked.push_back(it.Current());

@@ -5,6 +5,7 @@
 
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/error.hpp"
+#include "geometry/base/temporary_folder.hpp"
 #include "geometry/base/tests/expect_error.hpp"
 #include "geometry/brep/check_brep.hpp"
 #include "geometry/brep/make_brep.hpp"
@@ -31,12 +32,6 @@ Polyhedron moved(Polyhedron polyhedron, double x, double y = 0, double z = 0) {
 
 class CadFile : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "isopatch-cad-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
   fs::path file(const std::string& name, const std::string& text) const {
     write_file(folder_ / name, text);
     return folder_ / name;
@@ -44,7 +39,8 @@ class CadFile : public testing::Test {
   BrepSet read(const StepAssembly& step, const ReadBrepOptions& options = {}) const {
     return read_breps(file("part.step", step.text()), options);
   }
-  fs::path folder_;
+  TemporaryFolder temporary_;
+  fs::path folder_ = temporary_.path();
 };
 
 std::vector<std::string> names(const BrepSet& set) {

@@ -26,17 +26,13 @@ CellComplex hexahedron(const Eigen::Matrix<double, 3, 8>& corners) {
     for (std::size_t e = 0; e < complex.edges.size(); ++e)
       if (complex.edges[e].start == low && complex.edges[e].end == high)
         return EdgeUse{EdgeId(static_cast<int>(e)), from > to};
-    complex.curves.push_back({segment(complex.vertex(low), complex.vertex(high))});
-    complex.edges.push_back({CurveId(static_cast<int>(complex.curves.size()) - 1), 0, 1, low, high});
-    return EdgeUse{EdgeId(static_cast<int>(complex.edges.size()) - 1), from > to};
+    return EdgeUse{complex.add_straight_edge(low, high), from > to};
   };
   Cell cell;
   for (const auto& corner : loops) {
     CellFace face{SurfaceId(0), {}, {}};
     for (std::size_t i = 0; i < 4; ++i) face.loop.push_back(use_between(corner[i], corner[(i + 1) % 4]));
-    cell.faces.push_back(
-        {FaceId(static_cast<int>(complex.faces.size())), false, static_cast<int>(cell.faces.size())});
-    complex.faces.push_back(std::move(face));
+    cell.faces.push_back({complex.add_face(std::move(face)), false, static_cast<int>(cell.faces.size())});
   }
   complex.cells.push_back(std::move(cell));
   return complex;

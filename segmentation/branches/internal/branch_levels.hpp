@@ -8,8 +8,8 @@
 
 #include "geometry/brep/brep.hpp"
 #include "geometry/brep/cell_complex.hpp"
+#include "segmentation/branches/internal/branch_place.hpp"
 #include "segmentation/branches/internal/column.hpp"
-#include "segmentation/branches/internal/inserted_branch.hpp"
 #include "segmentation/branches/internal/layer_shape.hpp"
 #include "segmentation/branches/internal/main_body.hpp"
 #include "segmentation/branches/internal/plan_drawing.hpp"

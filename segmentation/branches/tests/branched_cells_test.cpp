@@ -6,33 +6,60 @@
 #include <string>
 
 #include "geometry/base/tests/expect_error.hpp"
+#include "geometry/brep/hexahedra_quality.hpp"
 #include "geometry/brep/tests/made_solids.hpp"
+#include "segmentation/branches/cross_bored_cells.hpp"
 #include "segmentation/sweeps/tests/sound_cells.hpp"
 
 namespace isopatch::segmentation {
 namespace {
 
+struct Made {
+  geometry::CellComplex complex;
+  int branches = 0;
+  int slots = 0;  ///< among them
+};
+
+/// Cells of a body with what branches off from it.
+std::optional<Made> branched(const geometry::Brep& solid) {
+  const auto made = branched_cells(solid);
+  return made ? std::optional(Made{made->complex, made->branches, 0}) : std::nullopt;
+}
+
+/// Cells of a stack with bores across it.
+std::optional<Made> cross_bored(const geometry::Brep& solid) {
+  const auto made = cross_bored_cells(solid);
+  return made ? std::optional(Made{made->complex, made->bores, made->slots}) : std::nullopt;
+}
+
 struct Sample {
   const char* name;
   std::size_t hexahedra;  ///< at most
   int branches;
+  std::optional<Made> (*cells)(const geometry::Brep&) = branched;
+  double least_quality = 0;
+  int slots = 0;
 };
 
-class BranchedSolids : public testing::TestWithParam<Sample> {};
+class SolidsWithBranches : public testing::TestWithParam<Sample> {};
 
 /// Where cylinders cross, CAD programs have splines in their place, to 1e-7.
-constexpr double off = 1e-6;
+constexpr double off_where_crossed = 1e-6;
 
-TEST_P(BranchedSolids, FillTheSolidAndMeetSideToSide) {
+TEST_P(SolidsWithBranches, AreFilledWithCellsThatMeetSideToSide) {
   const geometry::Brep solid = geometry::test::made_brep(GetParam().name);
-  const auto made = branched_cells(solid);
+  const auto made = GetParam().cells(solid);
   ASSERT_TRUE(made);
   EXPECT_LE(made->complex.cells.size(), GetParam().hexahedra);
   EXPECT_EQ(made->branches, GetParam().branches);
-  test::expect_sound(solid, made->complex, off);
+  EXPECT_EQ(made->slots, GetParam().slots);
+  EXPECT_GT(geometry::least_quality(made->complex), GetParam().least_quality);
+  test::expect_sound(solid, made->complex, off_where_crossed);
 }
 
-INSTANTIATE_TEST_SUITE_P(Solids, BranchedSolids,
+const auto name_of_sample = [](const auto& info) { return std::string(info.param.name); };
+
+INSTANTIATE_TEST_SUITE_P(Branched, SolidsWithBranches,
                          testing::Values(Sample{"bossed_bar", 44, 1}, Sample{"bossed_oblique", 44, 1},
                                          Sample{"tapped_boss", 73, 1}, Sample{"two_bosses", 83, 2},
                                          Sample{"cross_bored", 24, 1}, Sample{"beside_the_axis", 24, 1},
@@ -40,7 +67,21 @@ INSTANTIATE_TEST_SUITE_P(Solids, BranchedSolids,
                                          Sample{"sunk_bar", 62, 1}, Sample{"keyed_bar", 116, 1},
                                          Sample{"tee", 20, 1}, Sample{"boss_near_the_end", 39, 1},
                                          Sample{"oil_bores_at_120", 30, 3}, Sample{"bolted_cap", 30, 2}),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         name_of_sample);
+
+INSTANTIATE_TEST_SUITE_P(CrossBored, SolidsWithBranches,
+                         testing::Values(Sample{"port", 21, 1, cross_bored, 0.2},
+                                         Sample{"ports", 24, 2, cross_bored, 0.2},
+                                         Sample{"three_bores", 60, 4, cross_bored, 0.2},
+                                         Sample{"sunk_port", 60, 1, cross_bored, 0.2},
+                                         Sample{"blind_bore", 70, 1, cross_bored, 0.2},
+                                         Sample{"slotted_bar", 14, 2, cross_bored, 0.2, 1},
+                                         Sample{"slotted_wing", 9, 1, cross_bored, 0.2, 1},
+                                         Sample{"pocketed_wing", 21, 1, cross_bored, 0.2, 1},
+                                         Sample{"slotted_lens", 14, 1, cross_bored, 0.2, 1},
+                                         Sample{"bored_lens", 9, 1, cross_bored, 0.2},
+                                         Sample{"flatted_pin", 160, 1, cross_bored, 0.2}),
+                         name_of_sample);
 
 TEST(BranchedCells, AreNoneOfSolidsWithoutATurnedBody) {
   for (const char* name : {"block", "cylinder", "drilled", "fork"})
@@ -56,6 +97,15 @@ TEST(BranchedCells, SayForWhichBranchThereIsNoRoom) {
 TEST(BranchedCells, SayWhatTheBodyIsTurnedAbout) {
   const auto made = branched_cells(geometry::test::made_brep("bossed_oblique"));
   EXPECT_NEAR(std::abs(made->about.dot(Eigen::Vector3d(2, 3, 6) / 7)), 1, 1e-12);
+}
+
+TEST(CrossBoredCells, AreNoneOfSolidsWithoutBoresAcross) {
+  for (const char* name : {"block", "shaft", "bossed_bar"})
+    EXPECT_FALSE(cross_bored_cells(geometry::test::made_brep(name))) << name;
+}
+
+TEST(CrossBoredCells, SayWhichBoreIsWiderThanTheOneItEndsIn) {
+  EXPECT_ERROR(cross_bored_cells(geometry::test::made_brep("wide_port")), ErrorCode::unsupported, "wide");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geometry/base/error.hpp"
+#include "geometry/splines/arc.hpp"
 #include "segmentation/decomposition/cutting/inside.hpp"
 #include "segmentation/decomposition/cutting/spline_curve.hpp"
 
@@ -164,9 +165,8 @@ geometry::CellCurve curve_in_domain(const CellShapes& shapes, geometry::SurfaceI
   if (const auto plane = plane_of_path(shapes, surface, from, to, tolerance))
     if (auto arc = arc_on_surface(shapes, surface, *plane, from, (from.uv + to.uv) / 2, to, tolerance))
       return std::move(*arc);
-  Eigen::Matrix3Xd ends = Eigen::Matrix3Xd::Zero(3, 2);
-  ends.topRows<2>() << from.uv, to.uv;
-  return curve_along(shapes, surface, NurbsCurve({geometry::KnotVector()}, ends), from, to, tolerance);
+  const NurbsCurve path = geometry::segment({from.uv[0], from.uv[1], 0}, {to.uv[0], to.uv[1], 0});
+  return curve_along(shapes, surface, path, from, to, tolerance);
 }
 
 std::optional<AuxiliaryCurve> auxiliary_curve(const CellShapes& shapes, FaceId id, VertexId from, VertexId to,

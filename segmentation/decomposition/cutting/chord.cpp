@@ -238,9 +238,7 @@ class ChordMaker {
   std::optional<EdgeUse> put(FaceId face, VertexId from, VertexId to,
                              const std::optional<AuxiliaryCurve>& curve) {
     if (!curve || curve->smallest_angle.degrees() < options_.smallest.degrees()) return std::nullopt;
-    complex_.curves.push_back(curve->curve);
-    const EdgeId edge =
-        divide_face(complex_, face, from, to, CurveId(static_cast<int>(complex_.curves.size()) - 1));
+    const EdgeId edge = divide_face(complex_, face, from, to, complex_.add_curve(curve->curve));
     side_.emplace_back(static_cast<int>(complex_.faces.size()) - 1);
     return EdgeUse{edge, false};
   }

@@ -52,8 +52,7 @@ class Cutter {
     if (options_.keep_plane && polyhedral_ &&
         !std::holds_alternative<geometry::PlaneSurface>(surface->surface))
       throw Refused{"the loop lies in no plane, though all sides of the cell do"};
-    const geometry::SurfaceId id(static_cast<int>(complex_.surfaces.size()));
-    complex_.surfaces.push_back(surface->surface);
+    const geometry::SurfaceId id = complex_.add_surface(surface->surface);
     const std::vector<EdgeUse> edges = joined(steps);
     for (std::size_t i = 0; i < surface->traces.size(); ++i) add_trace(edges[i].edge, id, surface->traces[i]);
     const DividedCell divided = divide_cell(complex_, cell_, edges, id);

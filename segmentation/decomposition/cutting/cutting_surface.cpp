@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geometry/loop_surface.hpp"
+#include "geometry/splines/arc.hpp"
 #include "segmentation/decomposition/cutting/spline_curve.hpp"
 
 namespace isopatch::segmentation {
@@ -59,9 +60,7 @@ NurbsCurve trace_of(const geometry::CellEdge& edge, bool reversed, std::size_t s
   Eigen::Vector3d from = start + stretch[0] * whole, to = start + stretch[1] * whole;
   if (reversed) std::swap(from, to);
   const Eigen::Vector3d pace = (to - from) / (edge.high - edge.low);
-  Eigen::Matrix3Xd ends(3, 2);
-  ends << from - edge.low * pace, from + (1 - edge.low) * pace;
-  return NurbsCurve({KnotVector()}, ends);
+  return geometry::segment(from - edge.low * pace, from + (1 - edge.low) * pace);
 }
 
 std::optional<CuttingSurface> coons_patch(const CellShapes& shapes, const StepWalk& steps, double tolerance) {

@@ -21,8 +21,7 @@ using geometry::EdgeUse;
 VertexId divide_edge(CellComplex& complex, EdgeId id, double t, const Eigen::Vector3d& point) {
   if (!(t > 0 && t < 1))
     throw Error(ErrorCode::invalid_argument, fmt::format("an edge is divided at {}; the range is (0, 1)", t));
-  const VertexId vertex(static_cast<int>(complex.vertices.size()));
-  complex.vertices.push_back(point);
+  const VertexId vertex = complex.add_vertex(point);
   geometry::CellEdge& first = complex.edges[static_cast<std::size_t>(id.value)];
   geometry::CellEdge second = first;
   first.high = second.low = first.low + t * (first.high - first.low);
@@ -75,9 +74,8 @@ EdgeId divide_face(CellComplex& complex, FaceId id, VertexId from, VertexId to, 
   left.loop.push_back({edge, false});
   right.loop = stretch(whole.loop, start, end);
   right.loop.push_back({edge, true});
-  const FaceId added(static_cast<int>(complex.faces.size()));
   complex.faces[static_cast<std::size_t>(id.value)] = std::move(left);
-  complex.faces.push_back(std::move(right));
+  const FaceId added = complex.add_face(std::move(right));
   for (Cell& cell : complex.cells)
     for (std::size_t i = 0; i < cell.faces.size(); ++i) {
       if (cell.faces[i].face != id) continue;
@@ -94,7 +92,7 @@ DividedCell divide_cell(CellComplex& complex, CellId id, const std::vector<EdgeU
   const std::vector<CellFaceUse> whole = complex.cell(id).faces;
   std::set<EdgeId> across;
   for (const EdgeUse& use : walk) across.insert(use.edge);
-  // Faces that hang together without crossing the walk.
+  // Faces that are connected without crossing the walk.
   std::map<EdgeId, int> face_at;
   UnionFind parts(static_cast<int>(whole.size()));
   std::set<int> left, right;
@@ -128,8 +126,7 @@ DividedCell divide_cell(CellComplex& complex, CellId id, const std::vector<EdgeU
   }
   // The cell that is kept walks its other faces along the walk, so the new one against it: its front looks
   // into that cell.
-  const FaceId face(static_cast<int>(complex.faces.size()));
-  complex.faces.push_back({surface, walk});
+  const FaceId face = complex.add_face({surface, walk});
   one.faces.push_back({face, true, side});
   two.faces.push_back({face, false, side});
   const CellId other(static_cast<int>(complex.cells.size()));

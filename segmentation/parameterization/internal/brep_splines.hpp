@@ -1,12 +1,18 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
 #include "geometry/brep/brep.hpp"
-#include "segmentation/parameterization/internal/hexahedron.hpp"
+#include "geometry/splines/knot_vector.hpp"
 
 namespace isopatch::segmentation {
+
+/// A surface that is a polynomial spline in its domain's own parameters.
+struct SplineSurfaceKnots {
+  std::array<geometry::KnotVector, 2> along;  ///< by direction of the domain
+};
 
 /// Knots over [0, 1] of an edge whose curve is a polynomial spline in the edge's own parameter; nothing for
 /// lines, arcs and rational curves.

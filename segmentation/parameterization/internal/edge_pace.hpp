@@ -12,7 +12,7 @@ namespace isopatch::segmentation {
 /// curve's own; along an arc, that of its rational form (`EdgeShape::exact`). Only if all blocks around the
 /// edge agree with it in space, and if it nowhere slows down so much that patches would be poor. The knots
 /// that belong to it are noted in `EdgeShape::knots`.
-void settle_paces(HexComplex& complex);
+void choose_paces(HexComplex& complex);
 
 /// Whether any edge of a complex is run through at another pace than that of arc length.
 bool has_paces(const HexComplex& complex);

@@ -38,6 +38,6 @@ struct EdgeSamples {
 EdgeSamples sample_edge(const HexComplex& complex, std::size_t edge, const std::vector<double>& shares);
 
 /// Puts the vertices of a complex on all surfaces around them and finds out along which edges surfaces meet.
-void settle_edges(HexComplex& complex);
+void locate_vertices(HexComplex& complex);
 
 }  // namespace isopatch::segmentation

@@ -51,10 +51,10 @@ class FaceMap {
 
   /// The same map with its inside moved by a spline displacement of the domain, whose outer control points
   /// are zero.
-  FaceMap moved(const geometry::NurbsSurface& displacement) const;
+  /// @param kind  what that makes of it
+  FaceMap moved(const geometry::NurbsSurface& displacement, FaceMapKind kind) const;
 
  private:
-  friend FaceMap face_map(const QuadFace& face, const std::array<SidePace, 4>& paces);
   QuadFace face_;
   std::array<SidePace, 4> paces_;
   std::vector<ArcLength> arcs_;
@@ -67,12 +67,5 @@ class FaceMap {
 /// the map folds over in the domain. If it is positive, the piecewise linear map through the grid is
 /// bijective onto the outline's polygon.
 double smallest_sine(const FaceMap& map);
-
-/// A map of the unit square to a face: the blend of its sides, or, where that folds, leaves the domain or
-/// gets narrow angles, the mean-value map if it is better. Bijective if `smallest_sine` is positive, which no
-/// smooth map is for a face with a corner of more than 180 degrees.
-///
-/// @source Coons 1967; Floater 2003
-FaceMap face_map(const QuadFace& face, const std::array<SidePace, 4>& paces = {});
 
 }  // namespace isopatch::segmentation

@@ -58,10 +58,6 @@ struct HexComplex {
   }
 };
 
-/// Curves, surfaces and maps of the blocks of a model; edges run at the paces of the input's splines where
-/// that makes patches exact.
-HexComplex hex_complex(const HexModel& model);
-
 /// The blocks of a model by themselves.
 std::vector<Hexahedron> hexahedra(const HexModel& model);
 /// Maps of all faces, by arc length.

@@ -10,6 +10,7 @@
 #include "geometry/brep/read_brep.hpp"
 #include "geometry/hex/cube.hpp"
 #include "geometry/splines/knot_vector.hpp"
+#include "segmentation/parameterization/internal/brep_splines.hpp"
 #include "segmentation/parameterization/internal/domain_curve.hpp"
 #include "segmentation/parameterization/internal/domain_mesh.hpp"
 #include "segmentation/parameterization/internal/exact_curve.hpp"
@@ -24,11 +25,6 @@ struct SolidEdge {
   /// Knots over [0, 1], where the curve is a polynomial spline.
   std::optional<geometry::KnotVector> knots = {};
   std::optional<ExactCurve> exact = {};  ///< where it is rational
-};
-
-/// A surface that is a polynomial spline in its domain's own parameters.
-struct SplineSurfaceKnots {
-  std::array<geometry::KnotVector, 2> along;  ///< by direction of the domain
 };
 
 /// A four-sided face in the frame (s, t) of the unit square.

@@ -15,6 +15,7 @@
 #include "geometry/measures.hpp"
 #include "geometry/topology/tests/sample_solids.hpp"
 #include "segmentation/parameterization/assemble_model.hpp"
+#include "segmentation/parameterization/internal/best_face_map.hpp"
 #include "segmentation/parameterization/internal/hex_complex.hpp"
 #include "segmentation/parameterization/internal/mean_value_map.hpp"
 #include "segmentation/parameterization/parameterize.hpp"
@@ -65,7 +66,7 @@ TEST(Solids, ATrimmedFaceWhoseBlendFoldsTakesTheMeanValueMap) {
   for (const QuadFace& face : block.faces) {
     if (smallest_sine(FaceMap(face)) >= 0) continue;
     ++folded;
-    const FaceMap map = face_map(face);
+    const FaceMap map = best_face_map(face);
     EXPECT_EQ(map.kind(), FaceMapKind::mean_value);
     EXPECT_GT(smallest_sine(map), 0);
     // The triangles that it stands on fill the face and lose nothing.

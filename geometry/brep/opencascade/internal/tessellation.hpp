@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/brep/opencascade/internal/shape_kernel.hpp"
+#include "geometry/brep/opencascade/internal/shape_input.hpp"
 
 namespace isopatch::geometry {
 

@@ -20,7 +20,7 @@ struct PlanarMap {
 PlanarMap planar_map(const CellGraph& graph);
 CellGraph cell_graph(const PlanarMap& map);
 
-/// How the sides of faces hang together. Dart d is the side that starts at corner d of the list.
+/// How the sides of faces are connected. Dart d is the side that starts at corner d of the list.
 struct Darts {
   std::vector<int> next, previous;  ///< around the face
   std::vector<int> twin;            ///< the same edge from the other side, -1 if there is none

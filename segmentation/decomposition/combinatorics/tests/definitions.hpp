@@ -6,7 +6,7 @@
 
 namespace isopatch::segmentation::test {
 
-/// Whether the vertices apart from two of them hang together by edges.
+/// Whether the vertices apart from two of them are connected by edges.
 inline bool hangs_together_without(const CellGraph& graph, int a, int b) {
   std::vector<std::vector<int>> near(graph.vertex_count);
   for (const CellGraph::Edge& edge : graph.edges) {

@@ -33,9 +33,7 @@ TEST(Divide, CutsAnLIntoTwoBlocks) {
   const auto add = [&](FaceId face, VertexId from, VertexId to) {
     const auto curve = auxiliary_curve(CellShapes(source, complex), face, from, to, tolerance);
     EXPECT_TRUE(curve.has_value());
-    complex.curves.push_back(curve->curve);
-    return divide_face(complex, face, from, to,
-                       geometry::CurveId(static_cast<int>(complex.curves.size()) - 1));
+    return divide_face(complex, face, from, to, complex.add_curve(curve->curve));
   };
   const EdgeId below = add(FaceId(0), VertexId(3), VertexId(0));
   const EdgeId above = add(FaceId(1), VertexId(6), VertexId(9));
@@ -49,9 +47,7 @@ TEST(Divide, CutsAnLIntoTwoBlocks) {
   const auto surface = cutting_surface(CellShapes(source, complex),
                                        {{walk[0]}, {walk[1]}, {walk[2]}, {walk[3]}}, tolerance, false);
   ASSERT_TRUE(surface.has_value());
-  complex.surfaces.push_back(surface->surface);
-  const DividedCell divided = divide_cell(complex, CellId(0), walk,
-                                          geometry::SurfaceId(static_cast<int>(complex.surfaces.size()) - 1));
+  const DividedCell divided = divide_cell(complex, CellId(0), walk, complex.add_surface(surface->surface));
   const auto solids = cell_solids(source, complex, {CellId(0), divided.other});
   ASSERT_EQ(solids.size(), 2U);
   for (const auto& solid : solids) {

@@ -1,0 +1,75 @@
+#include <fmt/format.h>
+
+#include "app/tests/program_fixture.hpp"
+
+namespace isopatch::app {
+namespace {
+
+/// A box as a patch of degree 1 in a .g2 file.
+std::string box_text(double x0, double x1, double z0, double z1) {
+  std::string text = "700 1 0 0\n3 0\n2 2\n0 0 1 1\n2 2\n0 0 1 1\n2 2\n0 0 1 1\n";
+  for (const double z : {z0, z1})
+    for (const double y : {0.0, 1.0})
+      for (const double x : {x0, x1}) text += fmt::format("{} {} {}\n", x, y, z);
+  return text;
+}
+
+/// A box of 2 m x 1 m x 1 m with two smaller ones on its top, of which they leave a quarter free.
+class NonMatching : public Program {
+ protected:
+  void SetUp() override {
+    write_file(folder_ / "part.g2", box_text(0, 2, 0, 1) + box_text(0, 0.7, 1, 2) + box_text(0.7, 1.5, 1, 2));
+    write_file(study(), R"([model]
+file = "part.g2"
+[[material]]
+name = "steel"
+[[support]]
+faces = ["0:front"]
+displacement = [0, 0, 0]
+[[load]]
+faces = ["1:back", "2:back"]
+pressure = "1 MPa"
+[coupling]
+non_matching = "nitsche"
+)");
+  }
+};
+
+TEST_F(NonMatching, FacesAreNamedInPairsWithTheAreaThatTheyShare) {
+  ASSERT_EQ(run({"info", study()}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("3 patches, 1 interface, 2 that do not match, 14 boundary faces, one body"));
+  EXPECT_THAT(out_, HasSubstr("faces that meet without matching\n  0:back"));
+  ASSERT_EQ(run({"info", study(), "--json"}), 0) << err_;
+  const json pairs = json::parse(out_)["non_matching"];
+  ASSERT_EQ(pairs.size(), 2u);
+  EXPECT_EQ(pairs[0]["first"], "0:back");
+  EXPECT_EQ(pairs[0]["second"], "1:front");
+  EXPECT_EQ(pairs[1]["second"], "2:front");
+  EXPECT_NEAR(pairs[0]["area"].get<double>(), 0.7, 1e-13);
+  EXPECT_NEAR(pairs[1]["area"].get<double>(), 0.8, 1e-13);
+}
+
+TEST_F(NonMatching, BoundaryIsWhatNoOtherPatchCovers) {
+  constexpr double surface = 2 + 6 + 0.5 + 1.5 + 5;  // below, around, and on top of both layers
+  const auto area = [](const json& model) {
+    double sum = 0;
+    for (const json& face : model["boundary_faces"]) {
+      sum += face["area"].get<double>();
+      if (face["face"] == "0:back") EXPECT_NEAR(face["area"].get<double>(), 0.5, 1e-13);
+    }
+    EXPECT_NEAR(model["boundary_area"].get<double>(), sum, 1e-12);
+    return sum;
+  };
+  ASSERT_EQ(run({"info", study(), "--json"}), 0) << err_;
+  EXPECT_NEAR(area(json::parse(out_)), surface, 1e-12);
+  ASSERT_EQ(run({"run", study()}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("not matching      0:back and 1:front, 0:back and 2:front\n"));
+  const json summary = json::parse(read_file(results() / "summary.json"));
+  EXPECT_NEAR(summary["model"]["boundary_area"].get<double>(), surface, 1e-12);
+  EXPECT_EQ(summary["model"]["non_matching"].size(), 2u);
+  ASSERT_EQ(run({"info", (results() / "results.h5").string(), "--json"}), 0) << err_;
+  EXPECT_NEAR(area(json::parse(out_)), surface, 1e-12);
+}
+
+}  // namespace
+}  // namespace isopatch::app
