@@ -10,10 +10,12 @@ namespace isopatch::segmentation {
 namespace {
 
 double largest_distance(const geometry::NurbsCurve& made, const auto& curve) {
-  double result = 0;
-  for (int i = 0; i <= 1000; ++i)
-    result = std::max(result, (made.point(geometry::Parameter<1>(i / 1000.0)) - curve(i / 1000.0)).norm());
-  return result;
+  Eigen::VectorXd distances(1001);
+  for (Eigen::Index i = 0; i < distances.size(); ++i) {
+    const double t = static_cast<double>(i) / 1000;
+    distances[i] = (made.point(geometry::Parameter<1>(t)) - curve(t)).norm();
+  }
+  return distances.maxCoeff<Eigen::PropagateNaN>();
 }
 
 /// Its third derivative jumps, as that of a cubic spline does at a knot.
