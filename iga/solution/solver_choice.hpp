@@ -27,8 +27,8 @@ double available_bytes(const solvers::SolverOptions& options, const solvers::Pro
 /// A method asked for by name has one plan.
 ///
 /// `auto` factorizes where the forecast of the factor costs less than iterations would for all load cases
-/// (solvers/README.md, "Factors or iterations"), and iterates with a multigrid elsewhere and where the factor does not fit. Plans
-/// that do not fit are left out, so the limit on memory holds for each of them.
+/// (solvers/README.md, "Factors or iterations"), and iterates with a multigrid elsewhere and where the factor
+/// does not fit. Plans that do not fit are left out, so the limit on memory holds for each of them.
 ///
 /// @throws Error invalid_argument  method, preconditioner, operator and coupling that cannot go together
 /// @throws Error out_of_memory     if none fits: what the most sparing one needs, and how many unknowns would
