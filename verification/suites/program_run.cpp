@@ -14,6 +14,7 @@
 
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/larger.hpp"
+#include "geometry/base/temporary_folder.hpp"
 #include "iga/output/result_file.hpp"
 
 namespace isopatch::verification {
@@ -70,25 +71,6 @@ std::string in_one_line(std::string text) {
     if (result.empty() || (c != ' ' && c != '-') || c != result.back()) result += c;
   return result;
 }
-
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string pattern = (fs::temp_directory_path() / "isopatch-parallel-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("cannot make " + pattern);
-    path_ = pattern;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 }  // namespace
 

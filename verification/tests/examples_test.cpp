@@ -10,6 +10,7 @@
 
 #include "app/commands/program.hpp"
 #include "geometry/base/atomic_file.hpp"
+#include "geometry/base/temporary_folder.hpp"
 #include "verification/tests/reference_data.hpp"
 
 namespace isopatch::verification {
@@ -21,13 +22,6 @@ namespace fs = std::filesystem;
 /// Runs examples in a folder that goes with the test.
 class Examples : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "isopatch-examples-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   /// The summary of an example, which must run; {} if it does not.
   json summary_of(const std::string& name, const std::vector<std::string>& more = {}) const {
     const fs::path study = fs::path(ISOPATCH_SOURCE_DIR) / "examples" / name / "study.toml";
@@ -42,7 +36,8 @@ class Examples : public testing::Test {
     return code == 0 ? json::parse(read_file(folder_ / "summary.json")) : json::object();
   }
 
-  fs::path folder_;
+  TemporaryFolder temporary_;
+  fs::path folder_ = temporary_.path();
 };
 
 double at(const json& values, const char* pointer) {
