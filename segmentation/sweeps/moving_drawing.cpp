@@ -273,7 +273,7 @@ Eigen::Vector2d MovingDrawing::outline_place(int number, double share, double he
   const Piece* piece = at_height(pieces_[static_cast<std::size_t>(number)], height);
   if (piece && !piece->track->line)
     return track_place(*piece->track, piece->low + share * (piece->high - piece->low), height);
-  const Eigen::Vector2d still = frame_.flat(sheet_point(drawn, share));
+  Eigen::Vector2d still = frame_.flat(sheet_point(drawn, share));
   if (const auto ring = edge_rings_.find(number); ring != edge_rings_.end())
     return ring->second->centre + growth(*ring->second, height) * (still - ring->second->centre);
   if (!is_segment(curves_[static_cast<std::size_t>(number)])) return still;
