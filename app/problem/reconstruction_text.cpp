@@ -22,11 +22,11 @@ std::string figures_of(const Region& region) {
   switch (c.kind) {
     case SurfaceKind::cylinder:
     case SurfaceKind::sphere:
-      return "radius " + with_unit(c.radius, "m");
+      return fmt::format("radius {:.6g} m", c.radius);
     case SurfaceKind::cone:
       return fmt::format("half angle {:.6g} deg", std::abs(c.half_angle.degrees()));
     case SurfaceKind::torus:
-      return fmt::format("radii {} and {}", with_unit(c.radius, "m"), with_unit(c.second_radius, "m"));
+      return fmt::format("radii {:.6g} and {:.6g} m", c.radius, c.second_radius);
     default:
       return fmt::format("normal ({:.4g}, {:.4g}, {:.4g})", c.axis.x() + 0.0, c.axis.y() + 0.0,
                          c.axis.z() + 0.0);

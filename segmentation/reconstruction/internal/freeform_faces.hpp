@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geometry/base/progress.hpp"
 #include "segmentation/reconstruction/internal/wireframe.hpp"
 
 namespace isopatch::segmentation {

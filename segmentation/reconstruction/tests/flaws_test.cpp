@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "geometry/base/tests/expect_error.hpp"
+#include "geometry/mesh/mend.hpp"
 #include "geometry/mesh/mesh_neighbours.hpp"
 #include "segmentation/reconstruction/internal/chance_planes.hpp"
 #include "segmentation/reconstruction/internal/dented_planes.hpp"
+#include "segmentation/reconstruction/internal/without_rounds.hpp"
 #include "segmentation/reconstruction/reconstruction.hpp"
 
 namespace isopatch::segmentation {
@@ -47,7 +49,7 @@ geometry::TriangleMesh cube(int n, const auto& top) {
 TEST(DentedPlanes, OfOneVertexAreOneFaceAndSaidToBeDented) {
   const double depth = 4e-4;
   const geometry::TriangleMesh mesh =
-      cube(10, [&](double u, double v) { return u == 0.5 && v == 0.5 ? 1 - depth : 1.0; });
+      cube(8, [&](double u, double v) { return u == 0.5 && v == 0.5 ? 1 - depth : 1.0; });
   const Reconstruction made = reconstruct(mesh);
   EXPECT_EQ(kinds_text(made.regions), "6 planes");
   EXPECT_NEAR(made.report.largest_deviation, depth, 0.05 * depth);
@@ -84,16 +86,15 @@ double dome(double u, double v) {
 }
 
 TEST(ChancePlanes, BelongToTheFreeformFaceAround) {
-  const Reconstruction made = reconstruct(cube(8, dome));
-  ASSERT_EQ(kinds_text(made.regions), "1 freeform surface, 5 planes");
-  Regions regions = made.regions;
-  regions.regions[0].spline.reset();
+  const geometry::TriangleMesh mesh = geometry::mended(cube(8, dome), 0).mesh;
+  Regions regions = find_regions(mesh);
+  ASSERT_EQ(kinds_text(regions), "1 freeform surface, 5 planes");
   // A triangle amid the dome as a plane of its own.
   const int alone = regions.regions[0].triangles[60];
   Region plane;
-  const Eigen::Vector3d normal = geometry::area_vector(made.mesh, alone);
+  const Eigen::Vector3d normal = geometry::area_vector(mesh, alone);
   plane.carrier = geometry::Carrier{geometry::SurfaceKind::plane,
-                                    made.mesh.vertices.col(made.mesh.triangles(0, alone)),
+                                    mesh.vertices.col(mesh.triangles(0, alone)),
                                     normal.normalized(),
                                     0,
                                     0,
@@ -104,7 +105,7 @@ TEST(ChancePlanes, BelongToTheFreeformFaceAround) {
   regions.of_triangle[static_cast<std::size_t>(alone)] = static_cast<int>(regions.regions.size());
   regions.regions.push_back(plane);
   const Regions joined =
-      without_chance_planes(made.mesh, geometry::neighbours(made.mesh), regions, Angle::degrees(41), 1e-6);
+      without_chance_planes(mesh, geometry::neighbours(mesh), regions, Angle::degrees(41), 1e-6);
   ASSERT_EQ(joined.regions.size(), 6u);
   EXPECT_EQ(joined.of_triangle[static_cast<std::size_t>(alone)], 0);
   EXPECT_EQ(joined.regions[0].triangles.size(), 128u);
@@ -156,17 +157,24 @@ geometry::TriangleMesh rounded_post() {
 }
 
 TEST(WithoutRounds, WallsReachTheirPlanes) {
-  const Reconstruction made = reconstruct(rounded_post(), {.remove_blends = true});
-  ASSERT_EQ(made.report.remarks.size(), 1u);
-  EXPECT_NE(made.report.remarks.front().find("1 round along freeform walls removed"), std::string::npos);
-  // The integral of radius^2 / 2, and the height; splines through 96 points of the outline are near to 1e-4
-  // of it.
-  const double area = std::numbers::pi * (1 + 0.15 * 0.15 / 2);
-  EXPECT_NEAR(made.brep.volume() / (area * post_height), 1, 1e-4);
-  const auto planes = std::count_if(made.regions.regions.begin(), made.regions.regions.end(),
-                                    [](const Region& region) { return region.carrier.has_value(); });
-  EXPECT_EQ(planes, 2);
-  for (const geometry::BrepEdge& edge : made.brep.edges()) EXPECT_EQ(edge.faces.size(), 2u);
+  const geometry::TriangleMesh mesh = rounded_post();
+  const geometry::MeshNeighbours neighbours = geometry::neighbours(mesh);
+  // So strict that no torus passes for the round where the outline bends most.
+  const Regions regions = find_regions(mesh, {.tolerance = 1e-8, .most_failures = 50});
+  ASSERT_EQ(kinds_text(regions), "1 freeform surface, 2 planes");
+  const WithoutRounds sharp = without_rounds(mesh, neighbours, regions);
+  EXPECT_EQ(sharp.removed, 1);
+  EXPECT_TRUE(sharp.kept.empty());
+  EXPECT_TRUE(geometry::neighbours(sharp.mesh).closed());
+  // The prism over the polygon: upright walls are extended to round-off.
+  double area = 0;
+  for (int i = 0; i < around_post; ++i) {
+    const double step = 2 * std::numbers::pi / around_post;
+    area += post_outline(i * step).cross(post_outline((i + 1) * step)).z() / 2;
+  }
+  EXPECT_NEAR(geometry::volume(sharp.mesh), area * post_height, 1e-12);
+  EXPECT_NEAR(sharp.volume_change, area * post_height - geometry::volume(mesh), 1e-12);
+  EXPECT_EQ(sharp.regions.regions.size(), 3u);
 }
 
 TEST(Reconstruction, EndsWhenItsTimeIsUp) {
