@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <optional>
 #include <utility>
 
@@ -53,9 +54,14 @@ class InclinedWalls {
     if (options.thorough) options.good_jacobian = std::max(options.good_jacobian, at_one_height);
     const double enough = options.thorough ? at_one_height : good;
     for (unsigned again = 0; again < (options.thorough ? most : 1U); ++again, ++options.seed) {
+      // Beside the other, since each takes seconds where it is thorough.
+      std::future<Quadrangulation> half_way =
+          std::async(options.thorough ? std::launch::async : std::launch::deferred,
+                     [&] { return divided_half_way(options); });
       consider([&] { return quadrangulate(drawing_.profile, options); });
+      if (!options.thorough && best_ && least_ >= enough) break;
+      consider([&] { return half_way.get(); });
       if (best_ && least_ >= enough) break;
-      consider([&] { return divided_half_way(options); });
     }
     if (!best_) throw *refusal_;
     return {std::move(drawing_), *std::move(best_)};
