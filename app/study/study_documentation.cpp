@@ -106,6 +106,11 @@ std::vector<SectionText> study_sections() {
       {"discretization", "[discretization]",
        "The solution space: it refines the geometry's, so the geometry stays exact.",
        texts(discretization_keys())},
+      {"discretization.patch", "[[discretization.patch]]",
+       "What some patches have beyond [discretization]. It continues through neighbours as far as faces have "
+       "to match; with "
+       "coupling.non_matching = \"nitsche\" it ends at the patches' faces.",
+       texts(patch_discretization_keys())},
       {"material", "[[material]]",
        "Isotropic and linear elastic: by `lame`, by `young` and `poisson`, or by `name` alone. Every patch "
        "needs exactly one.",
@@ -162,11 +167,6 @@ std::vector<SectionText> study_sections() {
        texts(cylinder_keys())},
       {"where.sphere", "where, edges or part = { sphere = { ... } }", "A sphere.", texts(sphere_keys())},
       {"where.box", "where, edges or part = { box = { ... } }", "A box.", texts(box_keys())},
-      {"discretization.patch", "[[discretization.patch]]",
-       "What some patches have beyond [discretization]. It continues through neighbours as far as faces have "
-       "to match; with "
-       "coupling.non_matching = \"nitsche\" it ends at the patches' faces.",
-       texts(patch_discretization_keys())},
       {"coupling", "[coupling]", "How the patches are held together.", texts(coupling_keys())},
       {"solver", "[solver]", "How the equations are solved.", texts(solver_keys())},
       {"probe", "[[probe]]",
