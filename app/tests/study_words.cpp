@@ -94,9 +94,9 @@ std::string words_of_cutting(const BlocksInput& blocks) {
 std::string words_of(const segmentation::ReconstructionOptions& o) {
   return fmt::format(
       "regions by {}\nvertices within {:g}\nsmooth below {:.4g}\nsharp from {:.4g}, inside from "
-      "{:.4g}\nlarge above {:g}\nsmall below {:g}\n",
+      "{:.4g}\nlarge above {:g}\nsmall below {:g}\nrounds removed {}\nreconstruction within {:g} s\n",
       static_cast<int>(o.method), o.tolerance, o.smooth.degrees(), o.cutoff.degrees(),
-      o.inner_cutoff.degrees(), o.large, o.small);
+      o.inner_cutoff.degrees(), o.large, o.small, o.remove_blends, o.time_limit);
 }
 
 std::string words_of(const BlocksInput& blocks) {
