@@ -41,6 +41,14 @@ class BentBorders {
     return result;
   }
 
+  /// Corners between a region and one other.
+  /// @param triangles  all of the region
+  std::size_t corners_with(int other, const std::vector<int>& triangles, int region) const {
+    const std::vector<Corner> all = corners(triangles, region);
+    return static_cast<std::size_t>(
+        std::count_if(all.begin(), all.end(), [&](const Corner& corner) { return corner.other == other; }));
+  }
+
  private:
   int from(const TriangleSide& s) const { return mesh_.triangles(s.side, s.triangle); }
   int to(const TriangleSide& s) const { return mesh_.triangles((s.side + 1) % 3, s.triangle); }
@@ -59,23 +67,39 @@ class BentBorders {
     return a.dot(b) > least_cosine_ * a.norm() * b.norm();
   }
 
-  void add_moves(int freeform, std::vector<Move>& result) const {
+  /// Sides of a region's border, one after the other along one other region, with a corner between them.
+  struct Corner {
+    TriangleSide side, next;
+    int other = 0;
+  };
+
+  /// Of smooth borders alone.
+  /// @param triangles  all of the region
+  std::vector<Corner> corners(const std::vector<int>& triangles, int region) const {
     std::multimap<int, TriangleSide> begins;
-    for (const int t : regions_.regions[static_cast<std::size_t>(freeform)].triangles)
+    for (const int t : triangles)
       for (int i = 0; i < 3; ++i)
-        if (region_across({t, i}) != freeform) begins.emplace(from({t, i}), TriangleSide{t, i});
+        if (region_across({t, i}) != region) begins.emplace(from({t, i}), TriangleSide{t, i});
+    std::vector<Corner> result;
     for (const auto& entry : begins) {
       const TriangleSide& side = entry.second;
       if (begins.count(to(side)) != 1) continue;
       const TriangleSide next = begins.find(to(side))->second;
       const int other = region_across(side);
-      if (region_across(next) != other || !regions_.regions[static_cast<std::size_t>(other)].carrier ||
-          !is_smooth(side) || !is_smooth(next))
-        continue;
+      if (region_across(next) != other || !is_smooth(side) || !is_smooth(next)) continue;
       if (std::atan2(way(side).cross(way(next)).norm(), way(side).dot(way(next))) < corner_of_border)
         continue;
-      for (const TriangleSide& one : {side, next}) add_strip(across(one).triangle, other, freeform, result);
+      result.push_back({side, next, other});
     }
+    return result;
+  }
+
+  void add_moves(int freeform, std::vector<Move>& result) const {
+    for (const Corner& corner :
+         corners(regions_.regions[static_cast<std::size_t>(freeform)].triangles, freeform))
+      if (regions_.regions[static_cast<std::size_t>(corner.other)].carrier)
+        for (const TriangleSide& one : {corner.side, corner.next})
+          add_strip(across(one).triangle, corner.other, freeform, result);
   }
 
   double turn(int a, int b) const {
@@ -123,10 +147,11 @@ bool is_connected(const std::vector<int>& triangles, const geometry::MeshNeighbo
   return left.empty();
 }
 
-/// Makes a move that leaves the surface most of its area, in one piece.
+/// Makes a move that leaves the surface most of its area, in one piece, and fewer corners: a corner that only
+/// moves on is where the surface ends.
 /// @param least  area of the surface that stays, m^2
 bool make(const Move& move, const geometry::TriangleMesh& mesh, const geometry::MeshNeighbours& neighbours,
-          double least, Regions& regions) {
+          const BentBorders& borders, double least, Regions& regions) {
   Region &carrier = regions.regions[static_cast<std::size_t>(move.from)],
          &freeform = regions.regions[static_cast<std::size_t>(move.to)];
   std::vector<int> kept, given;
@@ -137,7 +162,12 @@ bool make(const Move& move, const geometry::TriangleMesh& mesh, const geometry::
     if (goes) area += geometry::area_vector(mesh, t).norm() / 2;
   }
   if (given.empty() || carrier.area - area < least || !is_connected(kept, neighbours)) return false;
+  const std::size_t corners = borders.corners_with(move.to, carrier.triangles, move.from);
   for (const int t : given) regions.of_triangle[static_cast<std::size_t>(t)] = move.to;
+  if (borders.corners_with(move.to, kept, move.from) >= corners) {
+    for (const int t : given) regions.of_triangle[static_cast<std::size_t>(t)] = move.from;
+    return false;
+  }
   freeform.triangles.insert(freeform.triangles.end(), given.begin(), given.end());
   freeform.area += area;
   carrier.area -= area;
@@ -151,12 +181,14 @@ Regions without_bent_borders(const geometry::TriangleMesh& mesh, const geometry:
                              Regions regions, Angle smooth) {
   std::vector<double> least;
   for (const Region& region : regions.regions) least.push_back((1 - largest_share) * region.area);
+  const BentBorders borders(mesh, neighbours, regions, smooth);
   for (int round = 0; round < most_bent_rounds; ++round) {
     bool changed = false;
-    const std::vector<Move> moves = BentBorders(mesh, neighbours, regions, smooth).moves();
+    const std::vector<Move> moves = borders.moves();
     if (moves.size() > most_bends) break;
     for (const Move& move : moves)
-      changed = make(move, mesh, neighbours, least[static_cast<std::size_t>(move.from)], regions) || changed;
+      changed = make(move, mesh, neighbours, borders, least[static_cast<std::size_t>(move.from)], regions) ||
+                changed;
     if (!changed) break;
   }
   return regions;

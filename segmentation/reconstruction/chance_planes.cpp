@@ -15,6 +15,9 @@ using geometry::TriangleSide;
 constexpr std::size_t few_triangles = 8;
 // One of so many times the area of the triangles beside it is a face, unless its border says otherwise.
 constexpr double face_ratio = 10;
+// One of so many is a face whatever its border is like: tangent rounds around a plane bend its border as
+// well.
+constexpr double largest_ratio = 50;
 // A border that turns by more in a vertex of the mesh has a corner there.
 constexpr double border_corner = 0.8;  // rad, 46 degrees
 
@@ -50,7 +53,7 @@ class ChancePlanes {
         continue;
       const double mean = border.area / double(border.next.size());
       const bool is_small = region.area < face_ratio * mean && 2 * border.length > smooth_length;
-      if (!is_small && !is_bent(border)) continue;
+      if (!is_small && !(region.area < largest_ratio * mean && is_bent(border))) continue;
       best = other;
       longest = border.length;
     }

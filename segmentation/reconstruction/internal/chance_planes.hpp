@@ -8,8 +8,8 @@
 namespace isopatch::segmentation {
 
 /// Regions whose planes of a few triangles that are flat by chance belong to the freeform face around: those
-/// no larger than its triangles, and those whose smooth border with it is bent, as no face of a few triangles
-/// has one.
+/// no larger than its triangles, and those not much larger whose smooth border with it is bent, as no such
+/// face of a few triangles has one.
 ///
 /// @param smooth     largest angle between neighbouring triangles of one curved surface
 /// @param tolerance  of straight borders, m

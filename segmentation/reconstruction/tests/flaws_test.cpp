@@ -9,6 +9,7 @@
 #include "geometry/base/tests/expect_error.hpp"
 #include "geometry/mesh/mend.hpp"
 #include "geometry/mesh/mesh_neighbours.hpp"
+#include "segmentation/reconstruction/internal/bent_borders.hpp"
 #include "segmentation/reconstruction/internal/chance_planes.hpp"
 #include "segmentation/reconstruction/internal/dented_planes.hpp"
 #include "segmentation/reconstruction/internal/without_rounds.hpp"
@@ -112,6 +113,7 @@ TEST(ChancePlanes, BelongToTheFreeformFaceAround) {
 }
 
 constexpr int around_post = 96;
+constexpr int post_rows = 11;  // two of the wall, which the round begins in, and the round's
 constexpr double post_height = 0.5, post_round = 0.05;
 
 /// A closed curve without straight or circular parts, and the way outwards.
@@ -125,35 +127,83 @@ Eigen::Vector3d post_outwards(double turn) {
 }
 
 /// An upright post with a round of nine strips along its top.
-geometry::TriangleMesh rounded_post() {
-  constexpr int rows = 11;  // two of the wall, which the round begins in, and the round's
+geometry::TriangleMesh rounded_post(int around = around_post) {
   geometry::TriangleMesh mesh;
-  mesh.vertices.resize(3, rows * around_post + 2);
-  mesh.triangles.resize(3, 2 * (rows - 1) * around_post + 2 * around_post);
+  mesh.vertices.resize(3, post_rows * around + 2);
+  mesh.triangles.resize(3, 2 * (post_rows - 1) * around + 2 * around);
   Eigen::Index count = 0;
-  for (int row = 0; row < rows; ++row)
-    for (int i = 0; i < around_post; ++i) {
-      const double turn = 2 * std::numbers::pi * i / around_post,
-                   rise = std::max(0, row - 1) * std::numbers::pi / 2 / (rows - 2);
+  for (int row = 0; row < post_rows; ++row)
+    for (int i = 0; i < around; ++i) {
+      const double turn = 2 * std::numbers::pi * i / around,
+                   rise = std::max(0, row - 1) * std::numbers::pi / 2 / (post_rows - 2);
       Eigen::Vector3d at = post_outline(turn) + post_round * (std::cos(rise) - 1) * post_outwards(turn);
       at.z() = row == 0 ? 0 : post_height - post_round + post_round * std::sin(rise);
-      mesh.vertices.col(row * around_post + i) = at;
+      mesh.vertices.col(row * around + i) = at;
     }
-  for (int row = 0; row + 1 < rows; ++row)
-    for (int i = 0; i < around_post; ++i) {
-      const int a = row * around_post + i, b = row * around_post + (i + 1) % around_post;
-      mesh.triangles.col(count++) << a, b, b + around_post;
-      mesh.triangles.col(count++) << a, b + around_post, a + around_post;
+  for (int row = 0; row + 1 < post_rows; ++row)
+    for (int i = 0; i < around; ++i) {
+      const int a = row * around + i, b = row * around + (i + 1) % around;
+      mesh.triangles.col(count++) << a, b, b + around;
+      mesh.triangles.col(count++) << a, b + around, a + around;
     }
-  const int low = rows * around_post, high = low + 1, top = (rows - 1) * around_post;
+  const int low = post_rows * around, high = low + 1, top = (post_rows - 1) * around;
   mesh.vertices.col(low) << 0, 0, 0;
   mesh.vertices.col(high) << 0, 0, post_height;
-  for (int i = 0; i < around_post; ++i) {
-    const int next = (i + 1) % around_post;
+  for (int i = 0; i < around; ++i) {
+    const int next = (i + 1) % around;
     mesh.triangles.col(count++) << next, i, low;
     mesh.triangles.col(count++) << top + i, top + next, high;
   }
   return mesh;
+}
+
+/// Regions of a post: its side is freeform but for some triangles, its ends are planes.
+/// @param on_cylinder  triangles of the side, in ascending order
+Regions regions_of_post(const geometry::TriangleMesh& mesh, int around, const std::vector<int>& on_cylinder) {
+  Regions result;
+  result.regions.resize(4);
+  for (int t = 0; t < static_cast<int>(mesh.triangles.cols()); ++t) {
+    const int end = t - 2 * (post_rows - 1) * around;
+    const bool chosen = std::binary_search(on_cylinder.begin(), on_cylinder.end(), t);
+    result.of_triangle.push_back(end >= 0 ? 1 + end % 2 : chosen ? 3 : 0);
+    Region& region = result.regions[static_cast<std::size_t>(result.of_triangle.back())];
+    region.triangles.push_back(t);
+    region.area += geometry::area_vector(mesh, t).norm() / 2;
+  }
+  for (const std::size_t r : {1, 2, 3}) {
+    geometry::Carrier& carrier = result.regions[r].carrier.emplace();
+    carrier.kind = r == 3 ? geometry::SurfaceKind::cylinder : geometry::SurfaceKind::plane;
+    carrier.axis = {0, 0, r == 1 ? -1.0 : 1.0};
+  }
+  return result;
+}
+
+TEST(ChancePlanes, OfManyTimesTheAreaOfTrianglesAroundAreFaces) {
+  constexpr int around = 8;
+  const geometry::TriangleMesh mesh = rounded_post(around);
+  Regions regions = regions_of_post(mesh, around, {});
+  regions.regions.pop_back();
+  const Regions kept =
+      without_chance_planes(mesh, geometry::neighbours(mesh), regions, Angle::degrees(41), 1e-6);
+  ASSERT_EQ(kept.regions.size(), 3u);
+  EXPECT_EQ(kept.regions[2].triangles.size(), 8u);
+}
+
+TEST(BentBorders, LoseTeethAndNotTheEndsOfASurface) {
+  const geometry::TriangleMesh mesh = rounded_post();
+  const geometry::MeshNeighbours neighbours = geometry::neighbours(mesh);
+  const auto left = [&](const std::vector<int>& on_cylinder) {
+    return without_bent_borders(mesh, neighbours, regions_of_post(mesh, around_post, on_cylinder),
+                                Angle::degrees(41))
+        .regions[3]
+        .triangles;
+  };
+  std::vector<int> wall;
+  for (int t = 20; t < 42; ++t) wall.push_back(t);
+  EXPECT_EQ(left(wall), wall);
+  std::vector<int> with_tooth = wall;
+  for (const int i : {0, 1}) with_tooth.push_back(2 * (around_post + 15) + i);
+  EXPECT_EQ(left(with_tooth), wall);
 }
 
 TEST(WithoutRounds, WallsReachTheirPlanes) {
