@@ -114,8 +114,6 @@ std::vector<ShownSection> sections_of_the_model() {
            "[model]\nfile = \"one.stl\"\n[reconstruction]\n",
            {{"method", "method = \"angles\"", "regions by 1"},
             {"tolerance", "tolerance = 1e-5", "vertices within 1e-05"},
-            {"blends", "blends = \"remove\"", "rounds removed true"},
-            {"time_limit", "time_limit = 20", "reconstruction within 20 s"},
             {"smooth", "smooth = \"30 deg\"", "smooth below 30"},
             {"cutoff", "cutoff = \"12 deg\"", "sharp from 12, inside from 15"},
             {"inner_cutoff", "inner_cutoff = \"20 deg\"", "sharp from 40, inside from 20"},
