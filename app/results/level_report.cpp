@@ -86,7 +86,8 @@ Json accuracy_json(const AccuracyOutcome& accuracy) {
 
 Json convergence_json(const std::vector<RunLevel>& levels) {
   if (!is_even(levels))
-    return {{"extrapolated_energy", nullptr}, {"extrapolation_doubt", nullptr}, {"max_von_mises_grows", false}};
+    return {
+        {"extrapolated_energy", nullptr}, {"extrapolation_doubt", nullptr}, {"max_von_mises_grows", false}};
   const auto energy = extrapolated(values_of(levels, &RunLevel::internal_energy));
   return {{"extrapolated_energy", energy ? Json(energy->limit) : Json(nullptr)},
           {"extrapolation_doubt", energy ? Json(energy->doubt) : Json(nullptr)},
