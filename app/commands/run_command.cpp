@@ -39,7 +39,7 @@ constexpr const char* run_examples = R"(Examples:
   isopatch run study.toml --quiet && jq .results.internal_energy results/summary.json
 Writes report.html (open it in a browser), summary.json, results.vtm and others with fields/ (ParaView) and
 results.h5 (isopatch report, probe, fields, info).
-Files appear whole or not at all, and only after everything has been computed; but for the folder stages, which keeps the
+Files appear whole or not at all, and only after everything has been computed, with --levels and [accuracy] level by level; but for the folder stages, which keeps the
 solid, its hexahedra and its patches as soon as they are made: a further run takes what nothing has changed, so that another
 load is solved alone.)";
 

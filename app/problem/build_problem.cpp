@@ -467,6 +467,12 @@ BuiltProblem build_problem(const Study& study, const LoadedModel& loaded, const 
                      {},
                      {},
                      certificate_warnings(model, seen)};
+  // Patches with functions of their own do not match any more.
+  if (const MultiPatch& solved = built.problem.discretization.model;
+      solved.non_matching().size() != model.non_matching().size()) {
+    built.report.non_matching.clear();
+    add_non_matching(solved, built.report);
+  }
   built.parameterization = loaded.parameterization;
   built.stages = loaded.stages;
   for (const StageReport& stage : built.stages)

@@ -47,7 +47,8 @@ BoundaryFaceReport report_face(const MultiPatch& model, const geometry::PatchFac
           geometry::outward_normal(patch, face.side, middle)};
 }
 
-// What two faces share is taken off the areas of those that are boundary besides.
+}  // namespace
+
 void add_non_matching(const MultiPatch& model, ModelReport& result) {
   const double same_point = model.tolerance().same_point * model.size();
   for (const auto& interface : model.non_matching()) {
@@ -63,8 +64,6 @@ void add_non_matching(const MultiPatch& model, ModelReport& result) {
       if (face.face == interface.first || face.face == interface.second) face.area -= area;
   }
 }
-
-}  // namespace
 
 bool ModelReport::certified() const {
   return std::all_of(patches.begin(), patches.end(),

@@ -56,6 +56,9 @@ struct ModelReport {
   bool certified() const;
 };
 
+/// Adds the pairs that do not match, and takes what they share off the areas of boundary faces.
+void add_non_matching(const geometry::MultiPatch& model, ModelReport& report);
+
 /// @param model  in m
 /// @cost  the certificate's, a few ms per simple patch
 ModelReport report(const geometry::MultiPatch& model, const Progress& progress = {});

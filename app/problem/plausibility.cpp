@@ -153,13 +153,16 @@ std::vector<Warning> input_warnings(const Study& study) {
   return warnings;
 }
 
-std::vector<Warning> result_warnings(const BuiltProblem& built, const iga::ElasticitySolution& solution) {
+std::vector<Warning> result_warnings(const BuiltProblem& built, const iga::ElasticitySolution& solution,
+                                     const std::optional<double>& error) {
+  constexpr double small_error = 0.02;  // 0.04 % of the energy
   std::vector<Warning> warnings;
   add_imbalance(built, solution.results, warnings);
   add_idle_loads(solution.results, warnings);
   add_large_displacement(built, solution.results, warnings);
   add_large_strain(built, solution, warnings);
   add_left_out(built, solution.results, warnings);
+  if (error && *error < small_error) return warnings;
   if (auto warning = resolution_warning(built.problem, solution.results)) warnings.push_back(*warning);
   return warnings;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "app/base/warning.hpp"
@@ -14,7 +15,9 @@ std::vector<Warning> input_warnings(const Study& study);
 
 /// Warnings about what came out: loads that move nothing, displacements larger than the part, strains for
 /// which linear elasticity is wrong, places where stresses say nothing, and elements that cannot represent
-/// the displacements.
-std::vector<Warning> result_warnings(const BuiltProblem& built, const iga::ElasticitySolution& solution);
+/// the displacements, unless the estimated error is small.
+/// @param error  as estimated, relative in the energy norm
+std::vector<Warning> result_warnings(const BuiltProblem& built, const iga::ElasticitySolution& solution,
+                                     const std::optional<double>& error = {});
 
 }  // namespace isopatch::app

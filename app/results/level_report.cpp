@@ -46,8 +46,9 @@ std::string accuracy_text(const AccuracyOutcome& accuracy) {
   if (asked.stress)
     goals.push_back(fmt::format("{:.2g} % of the {}", 100 * *asked.stress,
                                 asked.probe.empty() ? "largest stress" : "stress at " + asked.probe));
-  return fmt::format("{} asked: {}", fmt::join(goals, " and "),
-                     accuracy.missing.empty() ? "reached" : "not reached, since " + accuracy.missing);
+  return fmt::format(
+      "{} asked: {}", fmt::join(goals, " and "),
+      accuracy.missing.empty() ? "reached, as estimated" : "not reached, since " + accuracy.missing);
 }
 
 std::string run_levels_text(const std::vector<RunLevel>& levels) {

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
+#include <variant>
 
 #include "app/run/if_it_fits.hpp"
 #include "iga/estimate/refinement.hpp"
@@ -18,10 +21,16 @@ constexpr double most_growth = 4;
 // Errors of what is yet unresolved shrink less than the estimate promises.
 constexpr double aim = 0.9;
 
+// Of the largest stress of a part: smaller ones elsewhere count as so large.
+constexpr double least_stress = 0.01;
+// Errors that two refinements leave at this share do not become smaller.
+constexpr double no_less = 0.97;
+
 // An error of a case as a share of the goal, and why it cannot become smaller, if it cannot.
 struct Distance {
   double of_goal = 0;
   std::optional<std::string> singular = {};
+  double stress = 0;  // the one that is asked for, Pa
 };
 
 double share(double error, double value) {
@@ -30,20 +39,30 @@ double share(double error, double value) {
 }
 
 Distance stress_distance(const AccuracyInput& asked, const CaseView& of) {
-  if (asked.probe.empty()) {
-    const double value = of.solution.results.max_von_mises.value;
-    return {share(iga::von_mises(of.error->stress_at_max), value) / *asked.stress, of.error->singular};
-  }
+  const double largest = of.solution.results.max_von_mises.value;
+  if (asked.probe.empty())
+    return {share(iga::von_mises(of.error->stress_at_max), largest) / *asked.stress, of.error->singular,
+            largest};
   for (const ProbeValues& probe : of.probes)
     if (probe.name == asked.probe)
-      return {share(iga::von_mises(*probe.stress_error), probe.values.von_mises) / *asked.stress,
-              probe.singular};
+      return {share(iga::von_mises(*probe.stress_error),
+                    std::max(probe.values.von_mises, least_stress * largest)) /
+                  *asked.stress,
+              probe.singular, probe.values.von_mises};
   return {};
 }
 
-Distance distance(const AccuracyInput& asked, const CaseView& of) {
+// A stress is known no better than the last refinement has changed it, which tells of those without a limit
+// too.
+Distance distance(const AccuracyInput& asked, const CaseView& of, std::map<std::string, double>& stresses) {
   Distance result;
-  if (asked.stress) result = stress_distance(asked, of);
+  if (asked.stress) {
+    result = stress_distance(asked, of);
+    if (const auto before = stresses.find(of.name.name); before != stresses.end())
+      result.of_goal = std::max(
+          result.of_goal, share(std::abs(result.stress - before->second), result.stress) / *asked.stress);
+    stresses[of.name.name] = result.stress;
+  }
   if (asked.energy) result.of_goal = std::max(result.of_goal, of.error->relative / *asked.energy);
   return result;
 }
@@ -55,10 +74,11 @@ struct Worst {
   std::string name;
 };
 
-Worst worst_of(const AccuracyInput& asked, const StudyRun& run) {
+// @param stresses  those before, by case; and those now
+Worst worst_of(const AccuracyInput& asked, const StudyRun& run, std::map<std::string, double>& stresses) {
   Worst worst;
   for (const CaseView& one : cases_of(run)) {
-    const Distance here = distance(asked, one);
+    const Distance here = distance(asked, one, stresses);
     if (!worst.field || here.of_goal > worst.distance.of_goal)
       worst = {&one.solution.field, here, one.name.name};
   }
@@ -74,11 +94,27 @@ void check_probe(const Study& study) {
 }
 
 // What ends the work short of the goal.
-std::string no_further(const AccuracyInput& asked, const Worst& worst, int refinements) {
+// @param distances  from the goal so far
+std::string no_further(const AccuracyInput& asked, const Worst& worst, const std::vector<double>& distances) {
+  const std::string of_case = worst.name.empty() ? "" : fmt::format(" of case {}", worst.name);
   if (worst.distance.singular && asked.stress)
-    return fmt::format("the stress there grows with every refinement: {}", *worst.distance.singular);
-  if (refinements >= asked.refinements) return fmt::format("accuracy.refinements is {}", asked.refinements);
+    return fmt::format("the stress there{} grows with every refinement: {}", of_case,
+                       *worst.distance.singular);
+  const std::size_t refinements = distances.size() - 1;
+  if (refinements >= 2 && distances.back() > no_less * distances[refinements - 2])
+    return fmt::format(
+        "two refinements have not made the error{} smaller, as where points or lines are held or loaded",
+        of_case);
+  if (refinements >= static_cast<std::size_t>(asked.refinements))
+    return fmt::format("accuracy.refinements is {}", asked.refinements);
   return "";
+}
+
+// Whether neighbours may have other elements: not yet on several processes, nor with temperatures.
+bool may_be_apart(const Study& study) {
+  return study.options.processes.count() == 1 &&
+         std::none_of(study.loads.begin(), study.loads.end(),
+                      [](const AppliedLoad& load) { return std::holds_alternative<Temperature>(load.load); });
 }
 
 // More knots for the next solution.
@@ -98,13 +134,19 @@ StudyRun run_accuracy(const Study& study, const std::function<void(StudyRun&)>& 
   const bool is_alone = study.options.processes.count() == 1;
   Study refined = study;
   refined.output.error_estimate = true;
+  if (!may_be_apart(study)) refined.discretization.spread = true;
   const ReportedModel model = reported_model(study, progress);
   std::vector<RunLevel> levels;
+  std::vector<double> distances;
+  std::map<std::string, double> stresses;
   std::optional<StudyRun> last;
   const auto ended = [&](const std::string& missing) {
     last->accuracy->missing = missing;
     if (!missing.empty())
       last->built.warnings.push_back({"the accuracy that is asked for is not reached: " + missing});
+    double before = 0;
+    for (std::size_t i = 0; i + 1 < levels.size(); ++i) before += levels[i].seconds;
+    if (before > 0) last->timings.push_back({"coarser solutions", before});
     return std::move(*last);
   };
   for (int refinements = 0;; ++refinements) {
@@ -112,20 +154,22 @@ StudyRun run_accuracy(const Study& study, const std::function<void(StudyRun&)>& 
     const auto solve = [&] { return run_study(refined, model, progress); };
     auto run = last && is_alone ? if_it_fits(solve, reason) : std::optional(solve());
     if (!run) return ended("there is no memory for the next refinement: " + reason);
+    if (last && !run->error_missing.empty())
+      return ended("there would be no estimate after the next refinement: " + run->error_missing);
     last = std::move(run);
     levels.push_back(run_level(*last, refinements));
     levels.back().is_adaptive = true;
     last->levels = levels;
     last->accuracy = AccuracyOutcome{.asked = study.accuracy};
     if (!last->error_missing.empty()) return ended("the error cannot be estimated: " + last->error_missing);
-    const Worst worst = worst_of(study.accuracy, *last);
+    const Worst worst = worst_of(study.accuracy, *last, stresses);
     if (worst.distance.of_goal <= 1) return ended("");
-    if (const std::string why = no_further(study.accuracy, worst, refinements); !why.empty())
-      return ended(why);
+    distances.push_back(worst.distance.of_goal);
+    if (const std::string why = no_further(study.accuracy, worst, distances); !why.empty()) return ended(why);
     const std::vector<iga::KnotPlace> more = next_knots(*last, worst, refined.discretization.spread);
     if (more.empty()) return ended("no elements are left that could be halved");
     refined.discretization.knots.insert(refined.discretization.knots.end(), more.begin(), more.end());
-    last->accuracy->missing = "the next refinement is being computed";
+    last->accuracy->missing = "the refinements that follow were not finished";
     keep(*last);
   }
 }

@@ -104,7 +104,10 @@ StudyRun run_study(const Study& study, const ReportedModel& model, const Progres
   if (study.output.error_estimate) estimate_errors(study, cases, run, progress);
   std::vector<Warning> warnings;
   for (const CaseView& one : cases_of(run))
-    add_warnings(one.name.name, result_warnings(run.built, one.solution), warnings);
+    add_warnings(one.name.name,
+                 result_warnings(run.built, one.solution,
+                                 one.error ? std::optional(one.error->relative) : std::nullopt),
+                 warnings);
   add_warnings("", std::move(warnings), run.built.warnings);
   run.peak_bytes = study.options.processes.sum(peak_memory_bytes());
   return run;

@@ -182,6 +182,26 @@ TEST_F(Accuracy, NeedsAGoalThatMakesSense) {
   EXPECT_THAT(err_, HasSubstr("leave one away"));
 }
 
+// Under a point the energy has no limit, and every refinement shows more of it.
+TEST_F(Accuracy, ThatNoRefinementBringsEndsTheRun) {
+  ASSERT_EQ(run_text(bracket, {"--set", "load=[{ points = [[2, 0.5, 0.5]], force = [0, '1 kN', 0] }]",
+                               "--set", "accuracy.energy='1 %'"}),
+            0)
+      << err_;
+  EXPECT_FALSE(summary()["accuracy"]["reached"]);
+  EXPECT_THAT(err_, HasSubstr("two refinements have not made the error smaller"));
+  EXPECT_LT(summary()["levels"].size(), 6);
+}
+
+// A stress is held against that of the solution before.
+TEST_F(Accuracy, OfAStressIsNoBetterThanItsLastChange) {
+  ASSERT_EQ(run_text(bracket, {"--set", "accuracy={ stress = '3 %', probe = 'leg' }"}), 0) << err_;
+  EXPECT_TRUE(summary()["accuracy"]["reached"]);
+  const json timings = summary()["timings"];
+  EXPECT_GT(timings["coarser solutions"], 0);
+  EXPECT_GT(timings["total"], timings["coarser solutions"]);
+}
+
 // The leg with the support is finer than the others, which follow or are coupled as they are.
 TEST_F(Accuracy, OfPatchesOfTheirOwn) {
   const std::string fine = bracket + "[[discretization.patch]]\npatches = [1]\nrefine = 1\n";
@@ -191,6 +211,7 @@ TEST_F(Accuracy, OfPatchesOfTheirOwn) {
   const json coupled = summary();
   EXPECT_EQ(followed["model"]["non_matching_interfaces"], 0);
   EXPECT_GT(coupled["model"]["non_matching_interfaces"], 0);
+  EXPECT_EQ(coupled["model"]["non_matching"].size(), coupled["model"]["non_matching_interfaces"]);
   EXPECT_LT(coupled["discretization"]["dofs"], followed["discretization"]["dofs"]);
   const double difference = coupled["results"]["internal_energy"].get<double>() /
                                 followed["results"]["internal_energy"].get<double>() -

@@ -55,7 +55,9 @@ TEST_F(NonMatching, BoundaryIsWhatNoOtherPatchCovers) {
     double sum = 0;
     for (const json& face : model["boundary_faces"]) {
       sum += face["area"].get<double>();
-      if (face["face"] == "0:back") EXPECT_NEAR(face["area"].get<double>(), 0.5, 1e-13);
+      if (face["face"] == "0:back") {
+        EXPECT_NEAR(face["area"].get<double>(), 0.5, 1e-13);
+      }
     }
     EXPECT_NEAR(model["boundary_area"].get<double>(), sum, 1e-12);
     return sum;

@@ -142,6 +142,37 @@ class TrimmedFace {
   int region_;
 };
 
+double length_of(const Eigen::Matrix3Xd& points) {
+  return (points.rightCols(points.cols() - 1) - points.leftCols(points.cols() - 1)).colwise().norm().sum();
+}
+
+double length_of(const std::vector<Eigen::Vector3d>& points) {
+  double length = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
+  return length;
+}
+
+/// A smooth edge is hardly longer than the straight pieces between its vertices, by 3 % where these turn by
+/// 45 degrees in each: one that is has waves between them, which no distance of vertices shows.
+void require_steady_edges(const geometry::TriangleMesh& mesh, const Wireframe& wires,
+                          const Regions& regions) {
+  constexpr double longest = 1.05;
+  for (const WireEdge& edge : wires.edges) {
+    if (!edge.curve || edge.points.size() < 2) continue;
+    for (const int r : edge.regions) {
+      const Region& region = regions.regions[static_cast<std::size_t>(r)];
+      if (region.carrier) continue;
+      const double curved = length_of(points_along(edge)), straight = length_of(edge.points);
+      if (curved > longest * straight)
+        refuse_freeform(
+            mesh, region,
+            fmt::format("an edge of it has waves between its vertices: {:.3g} m of curve for "
+                        "{:.3g} m of edges of triangles; more triangles along it would tell its way",
+                        curved, straight));
+    }
+  }
+}
+
 }  // namespace
 
 void add_freeform_faces(const geometry::TriangleMesh& mesh, const geometry::MeshNeighbours& neighbours,
@@ -160,6 +191,7 @@ void add_freeform_faces(const geometry::TriangleMesh& mesh, const geometry::Mesh
       wires.edges[static_cast<std::size_t>(strip->edges[i])].curve = strip->curves[i];
   }
   add_freeform_edges(wires, regions, tolerance, size);
+  require_steady_edges(mesh, wires, regions);
   for (std::size_t r = 0; r < regions.regions.size(); ++r) {
     progress("fitting freeform faces", double(r) / double(regions.regions.size()));
     if (is_open(r)) TrimmedFace(mesh, neighbours, wires, regions, static_cast<int>(r)).make(tolerance, size);
