@@ -178,12 +178,13 @@ std::vector<SectionText> study_sections() {
        texts(section_keys())},
       {"accuracy", "[accuracy]",
        "How accurate `isopatch run` shall be. It solves with the study's discretization, estimates the "
-       "error, halves "
-       "the elements that it comes from, and solves again until the goal is reached; the table of all "
-       "solutions "
-       "says how. Halved elements continue through neighbouring patches. A goal that is not reached is a "
-       "warning and accuracy.reached in summary.json. Estimates are rather too small than too large, by up "
-       "to a fifth or a third. Other commands pass over it.",
+       "error, "
+       "halves the elements that it comes from, and solves again until the goal is reached; the table of all "
+       "solutions says how. Halved elements continue through neighbouring patches. A goal that is not "
+       "reached "
+       "is a warning, and in summary.json. Estimates are rather too small than too large, by up to a fifth, "
+       "at "
+       "sharp edges a third. Other commands pass over it.",
        texts(accuracy_keys())},
       {"modes", "[modes]",
        "Natural frequencies and shapes, by `isopatch modes`; other commands pass over it.",
