@@ -15,6 +15,7 @@
 #include "app/base/place_text.hpp"
 #include "app/problem/attachment.hpp"
 #include "app/problem/corner_selection.hpp"
+#include "app/problem/discretization_of.hpp"
 #include "app/problem/edge_selection.hpp"
 #include "app/problem/face_part.hpp"
 #include "app/problem/held_part_warning.hpp"
@@ -422,21 +423,6 @@ LoadedModel load_model(const ModelInput& input, const Progress& progress) {
   return {geometry::connect(std::move(set), input.tolerance), std::move(found.parameterization),
           std::move(found.stages)};
 }
-
-namespace {
-
-// With the patches that the study names.
-iga::DiscretizationOptions discretization_of(const Study& study, const MultiPatch& model) {
-  iga::DiscretizationOptions options = study.discretization;
-  for (const PatchDiscretizationInput& input : study.patch_discretizations) {
-    options.patches.push_back(input.refinement);
-    for (const PatchId patch : select_patches(model, input.patches))
-      options.patches.back().patches.push_back(patch.value);
-  }
-  return options;
-}
-
-}  // namespace
 
 ReportedModel reported_model(const Study& study, const Progress& progress) {
   progress("reading the model", 0);

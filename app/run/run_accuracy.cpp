@@ -144,9 +144,7 @@ StudyRun run_accuracy(const Study& study, const std::function<void(StudyRun&)>& 
     last->accuracy->missing = missing;
     if (!missing.empty())
       last->built.warnings.push_back({"the accuracy that is asked for is not reached: " + missing});
-    double before = 0;
-    for (std::size_t i = 0; i + 1 < levels.size(); ++i) before += levels[i].seconds;
-    if (before > 0) last->timings.push_back({"coarser solutions", before});
+    add_coarser_levels(*last);
     return std::move(*last);
   };
   for (int refinements = 0;; ++refinements) {

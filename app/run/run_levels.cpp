@@ -32,9 +32,7 @@ StudyRun run_levels(const Study& study, int count, const std::function<void(Stud
     finest = std::move(run);
     if (count > 1) finest->levels = levels;
   }
-  double before = 0;
-  for (std::size_t i = 0; i + 1 < levels.size(); ++i) before += levels[i].seconds;
-  if (before > 0) finest->timings.push_back({"coarser levels", before});
+  add_coarser_levels(*finest);
   return std::move(*finest);
 }
 

@@ -21,4 +21,10 @@ RunLevel run_level(const StudyRun& run, int refine) {
   return level;
 }
 
+void add_coarser_levels(StudyRun& run) {
+  double seconds = 0;
+  for (std::size_t i = 0; i + 1 < run.levels.size(); ++i) seconds += run.levels[i].seconds;
+  if (seconds > 0) run.timings.push_back({"coarser levels", seconds});
+}
+
 }  // namespace isopatch::app

@@ -41,6 +41,9 @@ struct StudyRun {
 /// @param refine  as `RunLevel` has it
 RunLevel run_level(const StudyRun& run, int refine);
 
+/// Adds the time of all levels but the last, which this run is, to its timings: the phases are of all then.
+void add_coarser_levels(StudyRun& run);
+
 /// One case of a run, which must outlive it.
 struct CaseView {
   const CaseName& name;

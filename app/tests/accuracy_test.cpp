@@ -198,8 +198,8 @@ TEST_F(Accuracy, OfAStressIsNoBetterThanItsLastChange) {
   ASSERT_EQ(run_text(bracket, {"--set", "accuracy={ stress = '3 %', probe = 'leg' }"}), 0) << err_;
   EXPECT_TRUE(summary()["accuracy"]["reached"]);
   const json timings = summary()["timings"];
-  EXPECT_GT(timings["coarser solutions"], 0);
-  EXPECT_GT(timings["total"], timings["coarser solutions"]);
+  EXPECT_GT(timings["coarser levels"], 0);
+  EXPECT_GT(timings["total"], timings["coarser levels"]);
 }
 
 // The leg with the support is finer than the others, which follow or are coupled as they are.

@@ -29,7 +29,8 @@ struct Discretization {
 };
 
 /// Builds the solution space. Where neighbours differ in degree or knots, both get the union, and so on from
-/// patch to patch until all traces match.
+/// patch to patch until all traces match; but for what `options` does not let spread, which makes interfaces
+/// non-matching ones of `model`.
 ///
 /// @throws Error invalid_argument  options out of range
 /// @throws Error not_conforming    an interface whose weights are not proportional, or whose knots cannot be

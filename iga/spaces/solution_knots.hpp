@@ -9,7 +9,7 @@ namespace isopatch::iga {
 /// Knots of the solution space, before any of its control points exist: `discretize` refines to these.
 ///
 /// Where neighbours differ in degree or knots, both get the union, and so on from patch to patch until all
-/// traces match.
+/// traces match; but for what `options` does not let spread.
 ///
 /// @throws Error invalid_argument  options out of range
 /// @throws Error not_conforming    an interface whose knots cannot be matched

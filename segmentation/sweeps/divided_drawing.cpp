@@ -56,7 +56,7 @@ class InclinedWalls {
     for (unsigned again = 0; again < (options.thorough ? most : 1U); ++again, ++options.seed) {
       // Beside the other, since each takes seconds where it is thorough.
       std::future<Quadrangulation> half_way =
-          std::async(options.thorough ? std::launch::async : std::launch::deferred,
+          std::async(options.thorough ? std::launch::async | std::launch::deferred : std::launch::deferred,
                      [&] { return divided_half_way(options); });
       consider([&] { return quadrangulate(drawing_.profile, options); });
       if (!options.thorough && best_ && least_ >= enough) break;

@@ -14,36 +14,22 @@
 #include "segmentation/reconstruction/internal/dented_planes.hpp"
 #include "segmentation/reconstruction/internal/without_rounds.hpp"
 #include "segmentation/reconstruction/reconstruction.hpp"
+#include "segmentation/reconstruction/tests/grid_mesh.hpp"
 
 namespace isopatch::segmentation {
 namespace {
 
-/// Squares of a grid, each two triangles, with vertices where a function of the grid's shares says.
-void add_squares(geometry::TriangleMesh& mesh, int n, const auto& point) {
-  const auto first = static_cast<int>(mesh.vertices.cols());
-  const Eigen::Index triangles = mesh.triangles.cols();
-  mesh.vertices.conservativeResize(3, first + (n + 1) * (n + 1));
-  mesh.triangles.conservativeResize(3, triangles + 2 * n * n);
-  for (int j = 0; j <= n; ++j)
-    for (int i = 0; i <= n; ++i)
-      mesh.vertices.col(first + i + (n + 1) * j) = point(double(i) / n, double(j) / n);
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i) {
-      const int a = first + i + (n + 1) * j, b = a + 1, c = b + n + 1, d = c - 1;
-      mesh.triangles.col(triangles + 2 * (i + n * j)) << a, b, c;
-      mesh.triangles.col(triangles + 2 * (i + n * j) + 1) << a, c, d;
-    }
-}
+using test::add_grid;
 
 /// A unit cube whose top is at other heights, which are 1 along its border.
 geometry::TriangleMesh cube(int n, const auto& top) {
   geometry::TriangleMesh mesh;
-  add_squares(mesh, n, [&](double u, double v) { return Eigen::Vector3d(u, v, top(u, v)); });
-  add_squares(mesh, n, [](double u, double v) { return Eigen::Vector3d(v, u, 0); });
-  add_squares(mesh, n, [](double u, double v) { return Eigen::Vector3d(u, 0, v); });
-  add_squares(mesh, n, [](double u, double v) { return Eigen::Vector3d(1 - u, 1, v); });
-  add_squares(mesh, n, [](double u, double v) { return Eigen::Vector3d(0, 1 - u, v); });
-  add_squares(mesh, n, [](double u, double v) { return Eigen::Vector3d(1, u, v); });
+  add_grid(mesh, n, [&](double u, double v) { return Eigen::Vector3d(u, v, top(u, v)); });
+  add_grid(mesh, n, [](double u, double v) { return Eigen::Vector3d(v, u, 0); });
+  add_grid(mesh, n, [](double u, double v) { return Eigen::Vector3d(u, 0, v); });
+  add_grid(mesh, n, [](double u, double v) { return Eigen::Vector3d(1 - u, 1, v); });
+  add_grid(mesh, n, [](double u, double v) { return Eigen::Vector3d(0, 1 - u, v); });
+  add_grid(mesh, n, [](double u, double v) { return Eigen::Vector3d(1, u, v); });
   return mesh;
 }
 

@@ -10,26 +10,12 @@
 #include "segmentation/reconstruction/internal/fit_surface.hpp"
 #include "segmentation/reconstruction/internal/region_map.hpp"
 #include "segmentation/reconstruction/reconstruction.hpp"
+#include "segmentation/reconstruction/tests/grid_mesh.hpp"
 
 namespace isopatch::segmentation {
 namespace {
 
-/// A grid of n x n squares, each two triangles, as points say; vertices n + 1 in a row.
-void add_grid(geometry::TriangleMesh& mesh, int n, const auto& point) {
-  const auto first = static_cast<int>(mesh.vertices.cols());
-  const Eigen::Index triangles = mesh.triangles.cols();
-  mesh.vertices.conservativeResize(3, first + (n + 1) * (n + 1));
-  mesh.triangles.conservativeResize(3, triangles + 2 * n * n);
-  for (int j = 0; j <= n; ++j)
-    for (int i = 0; i <= n; ++i)
-      mesh.vertices.col(first + i + (n + 1) * j) = point(double(i) / n, double(j) / n);
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i) {
-      const int a = first + i + (n + 1) * j, b = a + 1, c = b + n + 1, d = c - 1;
-      mesh.triangles.col(triangles + 2 * (i + n * j)) << a, b, c;
-      mesh.triangles.col(triangles + 2 * (i + n * j) + 1) << a, c, d;
-    }
-}
+using test::add_grid;
 
 double hill(double x, double y) {
   return 0.5 + 0.1 * std::sin(std::numbers::pi * x) * std::cos(2 * y);
