@@ -10,16 +10,16 @@ namespace isopatch::solvers {
 
 using ConstraintMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// K x + B^T y = f, B x = 0. Without constraints (no rows in B): K x = f with K symmetric positive definite.
+/// K x + B^T y = f, B x = g. Without constraints (no rows in B): K x = f with K symmetric positive definite.
 /// With constraints K may be singular, but the whole system is regular: B has full rank and K is positive
 /// definite on its kernel.
 ///
 /// Spread over processes, each has K and B in its local rows, additive: the true matrices are the sums of
-/// all; f, x and y are consistent. Alone, `rows` and `multiplier_rows` may be left as they are.
+/// all; f, x and y are consistent, and g is 0. Alone, `rows` and `multiplier_rows` may be left as they are.
 struct LinearSystem {
   SymmetricBlockMatrix stiffness;             ///< K
   ConstraintMatrix constraints;               ///< B, (multipliers, K rows), entries of the order of 1
-  Eigen::VectorXd load;                       ///< f
+  Eigen::VectorXd load;                       ///< f, (K rows), where g is 0; otherwise f and g
   SharedRows rows = SharedRows();             ///< block rows of K
   SharedRows multiplier_rows = SharedRows();  ///< rows of B, block size 1
   double assembly_seconds = 0;                ///< that it took to make them; for the report

@@ -90,7 +90,7 @@ void add_constraints(const ConstraintMatrix& constraints, double scale, const st
   for (Eigen::Index i = 0; i < constraints.rows(); ++i) {
     const std::size_t multiplier = first + static_cast<std::size_t>(i);
     for (ConstraintMatrix::InnerIterator it(constraints, i); it; ++it) {
-      // Entries of B are 1 and -1, so the products with s are exact.
+      // s is a power of 2, so the products with it are exact.
       const double value = it.value() * scale;
       const auto column = static_cast<std::size_t>(it.col());
       sums[column].add(value, x[multiplier]);

@@ -50,7 +50,8 @@ Extended product(const ScaledSystem& scaled, const Eigen::VectorXd& z, const Ent
 ScaledSystem::ScaledSystem(const LinearSystem& system, const Eigen::VectorXd& load)
     : system_(system), load_(load) {
   const double mean = system.has_constraints() ? mean_diagonal(system.stiffness, system.rows) : 1;
-  if (mean > 0) scale_ = mean;
+  if (mean > 0) scale_ = std::exp2(std::round(std::log2(mean)));
+  if (load_.size() > system.stiffness.rows()) load_.tail(system.constraints.rows()) *= scale_;
 }
 
 int ScaledSystem::rows() const {
@@ -65,7 +66,7 @@ double ScaledSystem::norm(const Eigen::VectorXd& z) const {
 }
 
 double ScaledSystem::load_norm() const {
-  return system_.rows.norm(load_);
+  return load_.size() > system_.stiffness.rows() ? load_.stableNorm() : system_.rows.norm(load_);
 }
 
 Eigen::VectorXd ScaledSystem::right_side() const {

@@ -32,18 +32,20 @@ struct CompressedRows {
 };
 
 /// A linear system with its constraints in the units of the stiffness:
-/// [[K, s B^T], [s B, 0]] (x, y / s) = (f, 0) with s the mean of |diag K|.
+/// [[K, s B^T], [s B, 0]] (x, y / s) = (f, s g) with s the mean of |diag K|, rounded to a power of 2 so that
+/// products with it are exact.
 ///
 /// Without s, K of 1e11 beside B of 1 would leave no correct digit in the residual of the constraints.
 /// Spread over processes, all vectors z are consistent local ones, (local K rows, then local multipliers),
-/// and all processes must call the same functions. Holds references: system and load must outlive it.
+/// and all processes must call the same functions. Holds a reference: the system must outlive it.
 class ScaledSystem {
  public:
   explicit ScaledSystem(const LinearSystem& system) : ScaledSystem(system, system.load) {}
-  /// With another f.
+  /// With another f, or f and g.
   ScaledSystem(const LinearSystem& system, const Eigen::VectorXd& load);
 
   const LinearSystem& system() const { return system_; }
+  /// f, or f and s g.
   const Eigen::VectorXd& load() const { return load_; }
   /// Number of K's scalar rows and multipliers on this process.
   int rows() const;
@@ -53,11 +55,11 @@ class ScaledSystem {
   double norm(const Eigen::VectorXd& z) const;
   double load_norm() const;
 
-  /// The right side (f, 0).
+  /// The right side (f, s g).
   Eigen::VectorXd right_side() const;
   /// Right side minus matrix times z, sums kept in extended precision.
   Eigen::VectorXd residual(const Eigen::VectorXd& z) const;
-  /// ||residual(z)|| / ||f||, and 0 or infinity if f is zero.
+  /// ||residual(z)|| / ||(f, s g)||, and 0 or infinity if both are zero.
   double relative_residual(const Eigen::VectorXd& z) const;
   /// The relative residual that rounding z to double precision alone can cause.
   /// @source  Higham, Accuracy and Stability of Numerical Algorithms, 2002, section 7.1
@@ -70,7 +72,7 @@ class ScaledSystem {
 
  private:
   const LinearSystem& system_;
-  const Eigen::VectorXd& load_;
+  Eigen::VectorXd load_;
   double scale_ = 1;
 };
 

@@ -58,13 +58,18 @@ void check_values(const LinearSystem& system) {
         refuse(fmt::format("the constraints are not a number or infinite in row {}, column {}", i, it.col()));
 }
 
-void check_load(const Eigen::VectorXd& load, const SymmetricBlockMatrix& matrix) {
-  if (load.size() != matrix.rows())
+void check_load(const Eigen::VectorXd& load, const LinearSystem& system) {
+  const SymmetricBlockMatrix& matrix = system.stiffness;
+  const bool has_both =
+      !system.rows.is_distributed() && load.size() == matrix.rows() + system.constraints.rows();
+  if (load.size() != matrix.rows() && !has_both)
     refuse(fmt::format("the load has {} entries, the matrix {} rows", load.size(), matrix.rows()));
   for (Eigen::Index i = 0; i < load.size(); ++i)
     if (!std::isfinite(load[i]))
-      refuse(fmt::format("the load is not a number or infinite at block row {}, component {} of 3",
-                         i / block_size, i % block_size));
+      refuse(i < matrix.rows()
+                 ? fmt::format("the load is not a number or infinite at block row {}, component {} of 3",
+                               i / block_size, i % block_size)
+                 : fmt::format("what constraint {} must be is not a number or infinite", i - matrix.rows()));
 }
 
 void check_method(const LinearSystem& system, const SolverOptions& options) {
@@ -162,19 +167,23 @@ std::vector<LinearSolution> solve_each(const LinearSystem& system, const std::ve
   validate(options);
   check_sizes(system);
   check_columns(system.stiffness);
-  for (const Eigen::VectorXd& load : loads) check_load(load, system.stiffness);
+  for (const Eigen::VectorXd& load : loads) check_load(load, system);
   check_values(system);
   check_method(system, options);
   std::vector<LinearSolution> result;
   ScaledSystems systems;
-  for (const Eigen::VectorXd& load : loads)
-    if (system.rows.norm(load) != 0) systems.emplace_back(system, load);
+  std::vector<bool> is_zero;
+  for (const Eigen::VectorXd& load : loads) {
+    ScaledSystem scaled(system, load);
+    is_zero.push_back(scaled.load_norm() == 0);
+    if (!is_zero.back()) systems.push_back(std::move(scaled));
+  }
   try {
     std::vector<LinearSolution> solved;
     if (!systems.empty()) solved = solve_with(options.method, systems, options, progress);
     std::size_t next = 0;
-    for (const Eigen::VectorXd& load : loads) {
-      if (system.rows.norm(load) == 0) {
+    for (const bool is_nothing : is_zero) {
+      if (is_nothing) {
         result.push_back(zero_solution(system, options.method));
       } else {
         result.push_back(verified(std::move(solved[next]), systems[next], options));

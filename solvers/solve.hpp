@@ -20,8 +20,8 @@ namespace isopatch::solvers {
 LinearSolution solve(const LinearSystem& system, const SolverOptions& options = {},
                      const Progress& progress = {});
 
-/// The same for several right sides in place of the system's own: set up once, solved together where the
-/// method can. Loads that are zero cost nothing.
+/// The same for several right sides, f or f and g, in place of the system's own: set up once, solved together
+/// where the method can. Loads that are zero cost nothing.
 /// @return  one solution for each load, the one that `solve` gives but for round-off; the reports share what
 ///          the set-up took, and each has its part of the time to solve
 /// @cost    one factorization or set-up; a direct method goes through its factors once a step for all loads

@@ -446,7 +446,7 @@ BuiltProblem build_problem(const Study& study, const LoadedModel& loaded, const 
   const iga::DiscretizationOptions discretization = discretization_of(study, model);
   const iga::DirectionKnots knots = iga::solution_knots(model, discretization);
   iga::require_memory(iga::solution_model(model, knots), knots, materials, study.options.coupling,
-                      study.options.solver, study.options.processes);
+                      study.options.non_matching, study.options.solver, study.options.processes);
   BuiltProblem built{{iga::discretize(model, discretization), materials, {}, {}, {}},
                      seen,
                      {},

@@ -53,10 +53,12 @@ void read_options(const StudyKeys& top, Study& study) {
   const auto coupled =
       read_table<CouplingKeys>(coupling.table, coupling.place, "[coupling]", coupling_keys());
   study.options.coupling = coupled.method;
-  study.discretization.spread = !coupled.keeps_non_matching;
-  study.model.tolerance.keep_non_matching = coupled.keeps_non_matching;
+  study.options.non_matching = coupled.non_matching.value_or(iga::NonMatchingCoupling::nitsche);
+  study.options.mortar_side = coupled.mortar_side;
+  study.discretization.spread = !coupled.non_matching;
+  study.model.tolerance.keep_non_matching = coupled.non_matching.has_value();
   if (auto* blocks = std::get_if<BlocksInput>(&study.model.source))
-    blocks->options.keep_t_joints = coupled.keeps_non_matching;
+    blocks->options.keep_t_joints = coupled.non_matching.has_value();
   study.options.quadrature_points = space.points;
   const ConfigSection solver = section(top.solver, "solver", study.source);
   study.options.solver =

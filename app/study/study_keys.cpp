@@ -148,17 +148,25 @@ const Keys<PatchDiscretizationKeys>& patch_discretization_keys() {
 const Keys<CouplingKeys>& coupling_keys() {
   static const Choices<iga::Coupling> methods = {{"elimination", iga::Coupling::elimination},
                                                  {"lagrange", iga::Coupling::lagrange}};
-  static const Choices<bool> non_matching = {{"refuse", false}, {"nitsche", true}};
+  using NonMatching = iga::NonMatchingCoupling;
+  static const Choices<std::optional<NonMatching>> non_matching = {
+      {"refuse", std::nullopt}, {"nitsche", NonMatching::nitsche}, {"mortar", NonMatching::mortar}};
+  static const Choices<iga::MortarSide> mortar_sides = {{"auto", iga::MortarSide::automatic},
+                                                        {"other", iga::MortarSide::other}};
   static const Keys<CouplingKeys> keys = {
       choice_key(
           "method", &CouplingKeys::method, methods,
           "Coincident control points share their unknowns, or multipliers tie them. `isopatch compare` "
           "runs both."),
       choice_key(
-          "non_matching", &CouplingKeys::keeps_non_matching, non_matching,
+          "non_matching", &CouplingKeys::non_matching, non_matching,
           "Faces that lie on one another with other elements, parameters or outlines (T-joints) are an "
-          "error, or are coupled by Nitsche's method, which needs no further choice; not yet with several "
-          "processes, temperatures or natural modes."),
+          "error, or are coupled: by Nitsche's method, which leaves the system positive definite, or by "
+          "mortar multipliers, for which one side must be covered all over. Not yet with several processes, "
+          "temperatures or natural modes."),
+      choice_key("mortar_side", &CouplingKeys::mortar_side, mortar_sides,
+                 "Which side has the mortar multipliers: the softer, of equal ones that with the smaller "
+                 "elements, or the other one, where both can."),
   };
   return keys;
 }

@@ -31,7 +31,9 @@ struct PatchDiscretizationKeys {
 /// [coupling].
 struct CouplingKeys {
   iga::Coupling method = iga::Coupling::elimination;
-  bool keeps_non_matching = false;  ///< coupled by Nitsche's method, otherwise refused
+  /// How faces are coupled that do not match; refused if nothing.
+  std::optional<iga::NonMatchingCoupling> non_matching;
+  iga::MortarSide mortar_side = iga::MortarSide::automatic;
 };
 
 /// The whole file: each section is read with its own keys.

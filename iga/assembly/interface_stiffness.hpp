@@ -2,23 +2,12 @@
 
 #include <vector>
 
-#include "geometry/patch_face.hpp"
 #include "iga/assembly/node_blocks.hpp"
+#include "iga/coupling/interface_roles.hpp"
 #include "iga/material/material.hpp"
 #include "iga/spaces/patch_space.hpp"
 
 namespace isopatch::iga {
-
-/// A non-matching interface with its roles: the traction there is that of one side.
-struct CoupledFaces {
-  geometry::PatchFace traction;  ///< the side whose stresses are taken: the softer, of equal ones the finer
-  geometry::PatchFace other;
-};
-
-/// The roles of the sides of all non-matching interfaces.
-/// @param materials  one per patch
-std::vector<CoupledFaces> coupled_faces(const Discretization& discretization,
-                                        const std::vector<Material>& materials);
 
 /// Nitsche's method on non-matching interfaces, as blocks beside the stiffness: for displacements u, v with
 /// the jump [u] = u_traction - u_other and the outward normal n of the traction's side the integral of

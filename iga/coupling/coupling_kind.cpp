@@ -6,4 +6,8 @@ std::string_view name(Coupling coupling) {
   return coupling == Coupling::elimination ? "elimination" : "lagrange";
 }
 
+std::string_view name(NonMatchingCoupling coupling) {
+  return coupling == NonMatchingCoupling::nitsche ? "nitsche" : "mortar";
+}
+
 }  // namespace isopatch::iga

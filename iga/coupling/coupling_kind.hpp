@@ -12,6 +12,13 @@ enum class Coupling {
 };
 std::string_view name(Coupling coupling);
 
+/// How faces are held together that are one surface but do not match.
+enum class NonMatchingCoupling {
+  nitsche,  ///< tractions and a penalty between the displacements: a positive definite system
+  mortar,   ///< multipliers make the displacements equal in the mean: a saddle point
+};
+std::string_view name(NonMatchingCoupling coupling);
+
 inline constexpr std::array all_couplings = {Coupling::elimination, Coupling::lagrange};
 
 }  // namespace isopatch::iga

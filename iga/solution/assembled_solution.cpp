@@ -13,8 +13,12 @@ DiscreteSolution at_nodes(const CoupledProblem& coupled, const AssembledSystem& 
   const solvers::LinearSystem& system = assembled.system;
   DiscreteSolution result;
   result.report = std::move(linear.report);
+  const Eigen::Index of_mortar = 3 * Eigen::Index{coupled.mortar.functions()};
+  result.mortar = linear.multipliers.tail(of_mortar);
   if (coupled.coupling == Coupling::lagrange)
-    result.multipliers = system.multiplier_rows.whole(linear.multipliers);
+    result.multipliers = of_mortar > 0
+                             ? Eigen::VectorXd(linear.multipliers.head(linear.multipliers.size() - of_mortar))
+                             : system.multiplier_rows.whole(linear.multipliers);
   const Eigen::Matrix3Xd of_rows =
       displacement_of_rows(system.rows.whole(linear.x), assembled.frame_of_row, assembled.prescribed[side]);
   result.displacement.resize(3, coupled.discretization().node_count());

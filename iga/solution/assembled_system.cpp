@@ -50,6 +50,34 @@ Eigen::VectorXd prescribed_of_rows(const Eigen::Matrix3Xd& of_globals, const Cou
   return result.reshaped();
 }
 
+// Both one below the other.
+solvers::ConstraintMatrix stacked(const solvers::ConstraintMatrix& above,
+                                  const solvers::ConstraintMatrix& below) {
+  solvers::ConstraintMatrix result(above.rows() + below.rows(), below.cols());
+  result.reserve(above.nonZeros() + below.nonZeros());
+  if (above.rows() > 0) result.topRows(above.rows()) = above;
+  result.bottomRows(below.rows()) = below;
+  return result;
+}
+
+// The rows of faces that do not match, behind those of nodes that are one.
+void add_mortar(const CoupledProblem& coupled, AssembledSystem& assembled) {
+  solvers::LinearSystem& system = assembled.system;
+  const Eigen::Index ties = system.constraints.rows();
+  system.constraints =
+      stacked(system.constraints, mortar_matrix(coupled.mortar, assembled.numbering, assembled.frame_of_row));
+  for (std::size_t i = 0; i < assembled.loads.size(); ++i) {
+    const Eigen::VectorXd jumps =
+        mortar_right_side(coupled.mortar, assembled.numbering, assembled.prescribed[i]);
+    if (jumps.isZero(0)) continue;
+    Eigen::VectorXd both = Eigen::VectorXd::Zero(assembled.loads[i].size() + ties + jumps.size());
+    both.head(assembled.loads[i].size()) = assembled.loads[i];
+    both.tail(jumps.size()) = jumps;
+    assembled.loads[i] = std::move(both);
+  }
+  system.load = assembled.loads.front();
+}
+
 }  // namespace
 
 AssembledSystem assembled_system(const CoupledProblem& coupled, const Progress& progress) {
@@ -62,7 +90,7 @@ AssembledSystem assembled_system(const CoupledProblem& coupled, const Progress& 
   system.rows = local.rows;
   system.stiffness = assemble_stiffness(coupled.spaces, coupled.parts, coupled.problem->materials,
                                         local.numbering, coupled.points, progress);
-  surface_stiffness(coupled.spaces, coupled.parts, surface_terms(*coupled.problem))
+  surface_stiffness(coupled.spaces, coupled.parts, coupled.surfaces())
       .add_to(system.stiffness, local.numbering);
   std::vector<LoadOfRows> loads;
   for (const RightSide& side : coupled.right_sides) {
@@ -79,6 +107,7 @@ AssembledSystem assembled_system(const CoupledProblem& coupled, const Progress& 
     system.constraints = std::move(multipliers.matrix);
     system.multiplier_rows = std::move(multipliers.rows);
   }
+  if (!coupled.mortar.empty()) add_mortar(coupled, result);
   system.assembly_seconds = watch.lap();
   return result;
 }

@@ -17,7 +17,8 @@ struct AssembledSystem {
   std::vector<const SupportFrame*> frame_of_row;  ///< of the whole system; into the problem
 };
 
-/// Assembles the stiffness matrix, the load and, with multipliers, the constraints.
+/// Assembles the stiffness matrix, the load and, with multipliers, the constraints: those of `multipliers`,
+/// then those of `mortar`.
 /// @param coupled  must outlive the result
 /// @throws Error whatever assembly throws
 AssembledSystem assembled_system(const CoupledProblem& coupled, const Progress& progress = {});

@@ -7,8 +7,8 @@ namespace isopatch::iga {
 namespace {
 
 // All but the right sides and the supports that they need.
-CoupledProblem without_loads(const ElasticityProblem& problem, Coupling coupling, int points,
-                             const solvers::Processes& processes) {
+CoupledProblem without_loads(const ElasticityProblem& problem, const CouplingOptions& options) {
+  const solvers::Processes& processes = options.processes;
   if (processes.count() > 1 && !problem.discretization.model.non_matching().empty())
     throw Error(
         ErrorCode::unsupported,
@@ -19,13 +19,19 @@ CoupledProblem without_loads(const ElasticityProblem& problem, Coupling coupling
                 "missing in what couples the patches; divide the patches so that they match");
   CoupledProblem result;
   result.problem = &problem;
-  result.coupling = coupling;
-  result.points = points;
+  result.coupling = options.coupling;
+  result.points = options.points;
   result.processes = processes;
   result.global = global_nodes(problem.discretization);
   result.spaces = isoparametric_spaces(problem.discretization);
   result.distribution = distribute(result.spaces, processes.count());
   result.parts = layers_of(result.distribution, result.spaces, processes.rank());
+  if (options.non_matching == NonMatchingCoupling::mortar) {
+    const geometry::MultiPatch& model = problem.discretization.model;
+    result.mortar =
+        mortar_constraints(mortar_faces(problem.discretization, problem.materials, options.mortar_side),
+                           result.spaces, problem.materials, model.tolerance().same_point * model.size());
+  }
   return result;
 }
 
@@ -45,9 +51,14 @@ RightSide whole_right_side(const ElasticityProblem& problem, const CoupledProble
 
 }  // namespace
 
-CoupledProblem coupled_problem(const ElasticityProblem& problem, Coupling coupling, int points,
-                               const solvers::Processes& processes) {
-  CoupledProblem result = without_loads(problem, coupling, points, processes);
+SurfaceTerms CoupledProblem::surfaces() const {
+  SurfaceTerms result = surface_terms(*problem);
+  if (!mortar.empty()) result.interfaces.clear();
+  return result;
+}
+
+CoupledProblem coupled_problem(const ElasticityProblem& problem, const CouplingOptions& options) {
+  CoupledProblem result = without_loads(problem, options);
   result.frames = support_frames(problem, result.global);
   result.multipliers = multiplier_rows(result.global, result.frames);
   result.right_sides = {whole_right_side(problem, result)};
@@ -55,8 +66,8 @@ CoupledProblem coupled_problem(const ElasticityProblem& problem, Coupling coupli
 }
 
 CoupledProblem coupled_cases(const ElasticityProblem& problem, const std::vector<LoadCase>& cases,
-                             Coupling coupling, int points, const solvers::Processes& processes) {
-  CoupledProblem result = without_loads(problem, coupling, points, processes);
+                             const CouplingOptions& options) {
+  CoupledProblem result = without_loads(problem, options);
   for (const LoadCase& load_case : cases) {
     const ElasticityProblem own = of_case(problem, load_case);
     // Which directions are held does not depend on by how much.

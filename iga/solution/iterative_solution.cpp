@@ -5,6 +5,7 @@
 #include "iga/assembly/surface_stiffness.hpp"
 #include "iga/multigrid/elasticity_multigrid.hpp"
 #include "iga/multigrid/level_operator.hpp"
+#include "iga/solution/level_vectors.hpp"
 #include "solvers/block_product.hpp"
 #include "solvers/load_sequence.hpp"
 #include "solvers/operator_system.hpp"
@@ -12,41 +13,12 @@
 namespace isopatch::iga {
 namespace {
 
-// Displacements that supports prescribe, per local row.
-Eigen::VectorXd prescribed_rows(const Level& level, const Eigen::Matrix3Xd& of_globals) {
-  Eigen::VectorXd result(3 * static_cast<Eigen::Index>(level.rows.local_rows()));
-  for (Eigen::Index row = 0; row < level.rows.local_rows(); ++row)
-    result.segment<3>(3 * row) = of_globals.col(level.rows.global_of_local()[static_cast<std::size_t>(row)]);
-  return result;
-}
-
-// Forces that the loads, and the prescribed displacements, put on the unknowns.
-Eigen::VectorXd free_load(const Level& level, const LevelOperator& stiffness, const Eigen::Matrix3Xd& load,
-                          const Eigen::VectorXd& prescribed) {
-  Eigen::VectorXd result = sum_of_nodes(level, load);  // every process has all loads: consistent
-  if (!prescribed.isZero(0)) {
-    Eigen::VectorXd forces = stiffness.forces(prescribed);
-    level.rows.sum(forces);
-    result -= forces;
-  }
-  return level.free.to_free(std::move(result));
-}
-
-// The values of all rows of the whole system at all nodes.
-Eigen::Matrix3Xd whole_at_nodes(const Level& level, const Eigen::VectorXd& of_globals) {
-  Eigen::Matrix3Xd result(3, static_cast<Eigen::Index>(level.global_of.size()));
-  for (Eigen::Index node = 0; node < result.cols(); ++node)
-    result.col(node) =
-        of_globals.segment<3>(3 * static_cast<Eigen::Index>(level.global_of[static_cast<std::size_t>(node)]));
-  return result;
-}
-
 solvers::SymmetricBlockMatrix assembled(const Level& level, const CoupledProblem& coupled,
                                         const Progress& progress) {
   const RowNumbering numbering{level.row_of_node, level.rows.local_rows()};
   solvers::SymmetricBlockMatrix matrix = assemble_stiffness(
       level.spaces, level.parts, coupled.problem->materials, numbering, coupled.points, progress);
-  surface_stiffness(level.spaces, level.parts, surface_terms(*coupled.problem)).add_to(matrix, numbering);
+  surface_stiffness(level.spaces, level.parts, coupled.surfaces()).add_to(matrix, numbering);
   apply_supports(matrix, level.free, level.rows);
   return matrix;
 }
@@ -60,8 +32,7 @@ std::vector<DiscreteSolution> solve_eliminated(const CoupledProblem& coupled,
   Stopwatch watch;
   const Level level =
       finest_level(coupled.spaces, coupled.global, coupled.frames, coupled.distribution, coupled.processes);
-  const LevelOperator stiffness(level, coupled.problem->materials, coupled.points,
-                                surface_terms(*coupled.problem));
+  const LevelOperator stiffness(level, coupled.problem->materials, coupled.points, coupled.surfaces());
   solvers::OperatorSystem system;
   system.rows = level.rows;
   solvers::SymmetricBlockMatrix matrix;

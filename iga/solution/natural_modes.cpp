@@ -211,7 +211,7 @@ NaturalModes natural_modes(const ElasticityProblem& problem, const ModesOptions&
                            const Progress& progress) {
   check(problem, options);
   Stopwatch watch;
-  const CoupledProblem coupled = coupled_problem(problem, Coupling::elimination, options.quadrature_points);
+  const CoupledProblem coupled = coupled_problem(problem, {.points = options.quadrature_points});
   NaturalModes result;
   result.rigid_motions = rigid_motions_left(coupled);
   const Index wanted = result.rigid_motions + options.number;

@@ -8,6 +8,7 @@
 #include "iga/solution/assembled_solution.hpp"
 #include "iga/solution/iterative_solution.hpp"
 #include "iga/solution/likely_cause.hpp"
+#include "iga/solution/mortar_iteration.hpp"
 #include "iga/solution/multiplier_iteration.hpp"
 
 namespace isopatch::iga {
@@ -25,7 +26,9 @@ std::vector<DiscreteSolution> solve_by(const SolverPlan& plan, const CoupledProb
   options.method = plan.method;
   options.preconditioner = plan.preconditioner;
   options.form = plan.form;
-  if (plan.method == Method::minres) return solve_with_multipliers(coupled, options, progress);
+  if (plan.method == Method::minres)
+    return coupled.mortar.empty() ? solve_with_multipliers(coupled, options, progress)
+                                  : solve_with_mortar(coupled, options, progress);
   if (plan.method == Method::cg && plan.preconditioner == Preconditioner::multigrid)
     return solve_eliminated(coupled, options, progress);
   return solve_assembled(coupled, options, progress);

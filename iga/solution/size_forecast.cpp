@@ -48,7 +48,8 @@ solvers::FactorForecast factor_of(const PatternForecast& pattern) {
 }  // namespace
 
 SizeForecast forecast_size(const geometry::MultiPatch& model, const DirectionKnots& knots,
-                           const std::vector<Material>& materials, Coupling coupling, int processes) {
+                           const std::vector<Material>& materials, Coupling coupling, int processes,
+                           NonMatchingCoupling non_matching) {
   const PatternForecast pattern = forecast_pattern(model, knots, coupling);
   const double share = largest_share(knots, processes);
   const double nodes = static_cast<double>(pattern.nodes), rows = static_cast<double>(pattern.rows);
@@ -57,6 +58,7 @@ SizeForecast forecast_size(const geometry::MultiPatch& model, const DirectionKno
   result.unknowns = 3 * pattern.rows + pattern.multipliers;
   for (const geometry::KnotVector& line : knots) result.degree = std::max(result.degree, line.degree());
   result.coupling = coupling;
+  result.has_mortar = non_matching == NonMatchingCoupling::mortar && !model.non_matching().empty();
   result.processes = processes;
   result.is_nearly_incompressible =
       std::any_of(materials.begin(), materials.end(),
@@ -67,16 +69,16 @@ SizeForecast forecast_size(const geometry::MultiPatch& model, const DirectionKno
   result.matrix_bytes = share * static_cast<double>(pattern.blocks) * (9 * sizeof(double) + sizeof(int));
   result.system_bytes = system_of_row * rows;
   result.multigrid_bytes = share * multigrid_of_node * rows;
-  if (coupling == Coupling::lagrange) result.multigrid_bytes += multipliers_of_node * nodes;
+  if (result.has_multipliers()) result.multigrid_bytes += multipliers_of_node * nodes;
   return result;
 }
 
 SizeForecast forecast_size(const Discretization& discretization, const std::vector<Material>& materials,
-                           Coupling coupling, int processes) {
+                           Coupling coupling, int processes, NonMatchingCoupling non_matching) {
   DirectionKnots knots;
   for (const geometry::NurbsVolume& patch : discretization.patches)
     for (int d = 0; d < 3; ++d) knots.push_back(patch.knots(d));
-  return forecast_size(discretization.model, knots, materials, coupling, processes);
+  return forecast_size(discretization.model, knots, materials, coupling, processes, non_matching);
 }
 
 }  // namespace isopatch::iga

@@ -20,6 +20,7 @@ struct SizeForecast {
   std::int64_t unknowns = 0;  ///< of the whole system, multipliers included
   int degree = 0;             ///< highest
   Coupling coupling = Coupling::elimination;
+  bool has_mortar = false;  ///< multipliers between faces that do not match
   int processes = 1;
   int right_sides = 1;                    ///< load cases that one set-up serves
   bool is_nearly_incompressible = false;  ///< one of the materials: iterations grow
@@ -29,15 +30,19 @@ struct SizeForecast {
   double matrix_bytes = 0;
   double system_bytes = 0;     ///< vectors and numberings beside the matrix
   double multigrid_bytes = 0;  ///< iterations with the multigrid, without a matrix
+
+  bool has_multipliers() const { return coupling == Coupling::lagrange || has_mortar; }
 };
 
 /// Forecasts what a problem will need.
 /// @param knots  of the solution space (`solution_knots`, or those of a discretization)
 /// @cost  at most some tenths of a second, whatever the size: nodes are counted in groups
 SizeForecast forecast_size(const geometry::MultiPatch& model, const DirectionKnots& knots,
-                           const std::vector<Material>& materials, Coupling coupling, int processes);
+                           const std::vector<Material>& materials, Coupling coupling, int processes,
+                           NonMatchingCoupling non_matching = NonMatchingCoupling::nitsche);
 /// The same of a discretization that exists.
 SizeForecast forecast_size(const Discretization& discretization, const std::vector<Material>& materials,
-                           Coupling coupling, int processes);
+                           Coupling coupling, int processes,
+                           NonMatchingCoupling non_matching = NonMatchingCoupling::nitsche);
 
 }  // namespace isopatch::iga

@@ -48,6 +48,9 @@ ProblemSize problem_size(const CoupledProblem& coupled) {
             (merged ? 1 : static_cast<std::int64_t>(coupled.global.nodes_of(g).size()));
   size.dofs = merged ? size.dofs_eliminated : size.dofs_uncoupled + size.multipliers;
   size.dofs_free = merged ? free : free + size.multipliers_free;
+  size.mortar_multipliers = 3 * std::int64_t{coupled.mortar.functions()};
+  size.dofs += size.mortar_multipliers;
+  size.dofs_free += size.mortar_multipliers;
   return size;
 }
 
@@ -71,10 +74,16 @@ ElasticField field_of(const ElasticityProblem& problem, const Eigen::Matrix3Xd& 
   return field;
 }
 
+CouplingOptions coupling_of(const ElasticityOptions& options) {
+  return {options.coupling, options.quadrature_points, options.processes, options.non_matching,
+          options.mortar_side};
+}
+
 PlannedSolution solved(const CoupledProblem& coupled, const solvers::SolverOptions& options,
                        const Progress& progress) {
-  SizeForecast size = forecast_size(coupled.discretization(), coupled.problem->materials, coupled.coupling,
-                                    coupled.processes.count());
+  SizeForecast size = forecast_size(
+      coupled.discretization(), coupled.problem->materials, coupled.coupling, coupled.processes.count(),
+      coupled.mortar.empty() ? NonMatchingCoupling::nitsche : NonMatchingCoupling::mortar);
   size.right_sides = static_cast<int>(coupled.right_sides.size());
   const std::vector<SolverPlan> plans =
       solver_plans(size, options, available_bytes(options, coupled.processes));
@@ -90,12 +99,19 @@ double external_work(const GlobalNodes& global, const RightSide& side, const Eig
   return 0.5 * work;
 }
 
-// What couples non-matching interfaces.
+// Nitsche's terms.
 NodeBlocks coupling_of_interfaces(const CoupledProblem& coupled) {
-  const geometry::MultiPatch& model = coupled.discretization().model;
-  const std::vector<Material>& materials = coupled.problem->materials;
-  return interface_stiffness(coupled_faces(coupled.discretization(), materials), coupled.spaces, materials,
-                             model.tolerance().same_point * model.size());
+  const SurfaceTerms terms = coupled.surfaces();
+  return interface_stiffness(terms.interfaces, coupled.spaces, terms.materials, terms.same_point);
+}
+
+std::vector<MortarTie> mortar_ties(const CoupledProblem& coupled, const Eigen::VectorXd& multipliers) {
+  const MortarConstraints& mortar = coupled.mortar;
+  const std::vector<Eigen::Vector3d> forces = forces_on_slaves(mortar, coupled.spaces, multipliers);
+  std::vector<MortarTie> result;
+  for (std::size_t f = 0; f < mortar.faces.size(); ++f)
+    result.push_back({mortar.faces[f], mortar.first_function[f + 1] - mortar.first_function[f], forces[f]});
+  return result;
 }
 
 // Multipliers, and what follows from the stresses of `solution.field`, whose own process' shares are given.
@@ -107,6 +123,10 @@ void add_results(const CoupledProblem& coupled, const RightSide& side, const Dis
   share.forces += springs.forces;
   Eigen::Matrix3Xd between = Eigen::Matrix3Xd::Zero(3, discrete.displacement.cols());
   between_patches.add_forces(discrete.displacement, between);
+  if (!coupled.mortar.empty()) {
+    between += mortar_forces(coupled.mortar, discrete.mortar);
+    solution.mortar = mortar_ties(coupled, discrete.mortar);
+  }
   share.forces += between;
   const InternalForces internal = summed(std::move(share), coupled.processes);
   springs = summed(std::move(springs), coupled.processes);
@@ -161,10 +181,12 @@ DiscreteSolution combined(const std::vector<DiscreteSolution>& solutions, const 
   DiscreteSolution result = solutions.front();
   result.displacement *= sum.factors[0];
   result.multipliers *= sum.factors[0];
+  result.mortar *= sum.factors[0];
   solvers::SolveReport& report = result.report;
   for (std::size_t i = 1; i < sum.factors.size(); ++i) {
     result.displacement += sum.factors[i] * solutions[i].displacement;
     result.multipliers += sum.factors[i] * solutions[i].multipliers;
+    result.mortar += sum.factors[i] * solutions[i].mortar;
     report.relative_residual =
         isopatch::larger(report.relative_residual, solutions[i].report.relative_residual);
     report.energy_error = isopatch::larger(report.energy_error, solutions[i].report.energy_error);
@@ -241,9 +263,7 @@ ElasticitySolution solve_elasticity(const ElasticityProblem& problem, const Elas
   check(problem, options);
   const Stopwatch watch;
   return std::move(
-      solutions_of(coupled_problem(problem, options.coupling, options.quadrature_points, options.processes),
-                   {}, options, watch, progress)
-          .front());
+      solutions_of(coupled_problem(problem, coupling_of(options)), {}, options, watch, progress).front());
 }
 
 std::vector<ElasticitySolution> solve_cases(const ElasticityProblem& problem, const LoadCases& cases,
@@ -251,9 +271,8 @@ std::vector<ElasticitySolution> solve_cases(const ElasticityProblem& problem, co
   check(problem, options);
   validate(cases);
   const Stopwatch watch;
-  return solutions_of(
-      coupled_cases(problem, cases.cases, options.coupling, options.quadrature_points, options.processes),
-      cases.combinations, options, watch, progress);
+  return solutions_of(coupled_cases(problem, cases.cases, coupling_of(options)), cases.combinations, options,
+                      watch, progress);
 }
 
 }  // namespace isopatch::iga

@@ -7,6 +7,7 @@
 
 #include "geometry/base/progress.hpp"
 #include "iga/coupling/coupling_kind.hpp"
+#include "iga/coupling/interface_roles.hpp"
 #include "iga/post/elasticity_results.hpp"
 #include "iga/post/stress_points.hpp"
 #include "iga/problem/load_case.hpp"
@@ -20,6 +21,8 @@ namespace isopatch::iga {
 
 struct ElasticityOptions {
   Coupling coupling = Coupling::elimination;
+  NonMatchingCoupling non_matching = NonMatchingCoupling::nitsche;
+  MortarSide mortar_side = MortarSide::automatic;  ///< which faces that do not match have the multipliers
   solvers::SolverOptions solver = {};
   /// Gauss points per element and direction in volumes; 0: degree + 1, and more where the map of a patch
   /// needs them (`Discretization::gauss_points`). Range 0 .. 20.
@@ -39,14 +42,23 @@ struct ProblemSize {
   std::int64_t multipliers = 0;      ///< dofs_uncoupled - dofs_eliminated: rows that tie the patches
   std::int64_t multipliers_free =
       0;  ///< of these, the rows that remain: those in components that supports fix are dropped
+  std::int64_t mortar_multipliers = 0;  ///< between faces that do not match
   std::int64_t dofs = 0;  ///< unknowns of the chosen coupling before supports are fixed, multipliers included
   std::int64_t dofs_free = 0;  ///< the same after supports are fixed
+};
+
+/// What holds a face to others that it does not match, by multipliers.
+struct MortarTie {
+  MortarFace face;
+  int functions = 0;                                ///< multiplier functions, each with three components
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< of the masters on the slave, N
 };
 
 struct ElasticitySolution {
   ElasticField field;
   std::vector<Multiplier> multipliers;  ///< solved for with lagrange, recovered from the residual with
                                         ///< elimination and where lagrange was solved without them
+  std::vector<MortarTie> mortar;        ///< empty with Nitsche's method
   ElasticityResults results;
   ProblemSize size;
   solvers::SolveReport solver;

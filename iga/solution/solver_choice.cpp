@@ -39,16 +39,17 @@ std::string about(double value) {
   return value < 100 ? fmt::format("{:.2g}", value) : fmt::format("{:.0f}", value);
 }
 
-void check_coupling(Method method, bool tied) {
-  if (tied && method == Method::cholmod)
-    refuse(
-        "method 'cholmod' cannot treat the multipliers of coupling 'lagrange'; use 'auto', 'mumps', "
-        "'umfpack' or "
-        "'minres', or coupling 'elimination'");
-  if (tied && method == Method::cg)
-    refuse(
-        "method 'cg' cannot treat the multipliers of coupling 'lagrange'; use 'auto', 'minres', 'mumps' or "
-        "'umfpack', or coupling 'elimination'");
+void check_coupling(Method method, const SizeForecast& size) {
+  const bool tied = size.has_multipliers();
+  if (tied && (method == Method::cholmod || method == Method::cg))
+    refuse(fmt::format(
+        "method '{}' cannot treat the multipliers of {}; use 'auto', 'minres', 'mumps' or "
+        "'umfpack', or {}",
+        solvers::name(method), size.has_mortar ? "non_matching = \"mortar\"" : "coupling 'lagrange'",
+        !size.has_mortar                         ? "coupling 'elimination'"
+        : size.coupling == Coupling::elimination ? "non_matching = \"nitsche\""
+                                                 : "coupling 'elimination' and "
+                                                   "non_matching = \"nitsche\""));
   if (!tied && method == Method::minres)
     refuse("method 'minres' is for coupling 'lagrange'; use 'auto' or 'cg' with coupling 'elimination'");
 }
@@ -98,13 +99,13 @@ SolverPlan direct_plan(const SizeForecast& size, Method method, std::string reas
 }
 
 Method direct_method(const SizeForecast& size) {
-  return size.coupling == Coupling::lagrange || size.processes > 1 ? Method::mumps : Method::cholmod;
+  return size.has_multipliers() || size.processes > 1 ? Method::mumps : Method::cholmod;
 }
 
 // Iterations in the form that the options ask for, or else in the faster one that fits.
 SolverPlan iterative_plan(const SizeForecast& size, const solvers::SolverOptions& options, double available) {
   SolverPlan plan;
-  plan.method = size.coupling == Coupling::lagrange ? Method::minres : Method::cg;
+  plan.method = size.has_multipliers() ? Method::minres : Method::cg;
   plan.preconditioner = options.preconditioner;
   if (options.preconditioner == Preconditioner::block_jacobi) {
     plan.reason = "iterations with block Jacobi";
@@ -145,7 +146,7 @@ std::string flops_text(double flops) {
 
 std::vector<SolverPlan> automatic_plans(const SizeForecast& size, const solvers::SolverOptions& options,
                                         double available) {
-  const bool tied = size.coupling == Coupling::lagrange;
+  const bool tied = size.has_multipliers();
   const bool jacobi = options.preconditioner == Preconditioner::block_jacobi;
   const double unknowns = std::max(1.0, static_cast<double>(size.unknowns));
   const double per_unknown = size.factor.flops / unknowns;
@@ -179,7 +180,7 @@ std::vector<SolverPlan> automatic_plans(const SizeForecast& size, const solvers:
   // What MUMPS fails on for reasons of its own, LU may do, at twice the cost.
   if (tied && size.processes == 1 && options.form != Operator::matrix_free)
     plans.push_back(direct_plan(size, Method::umfpack, "LU, which pivots more freely"));
-  if (tied && can_iterate) plans.push_back(without_multipliers(size));
+  if (tied && can_iterate && !size.has_mortar) plans.push_back(without_multipliers(size));
   return plans;
 }
 
@@ -227,8 +228,8 @@ std::string advice(const SizeForecast& size, const solvers::SolverOptions& optio
 
 std::vector<SolverPlan> plans_that_fit(const SizeForecast& size, const solvers::SolverOptions& options,
                                        double before, double available) {
-  const bool tied = size.coupling == Coupling::lagrange;
-  check_coupling(options.method, tied);
+  const bool tied = size.has_multipliers();
+  check_coupling(options.method, size);
   check_processes(options, size.processes);
   check_parts(options, tied);
   const double left = available - before;
@@ -271,8 +272,9 @@ std::vector<SolverPlan> solver_plans(const SizeForecast& size, const solvers::So
 
 void require_memory(const geometry::MultiPatch& model, const DirectionKnots& knots,
                     const std::vector<Material>& materials, Coupling coupling,
-                    const solvers::SolverOptions& options, const solvers::Processes& processes) {
-  const SizeForecast size = forecast_size(model, knots, materials, coupling, processes.count());
+                    NonMatchingCoupling non_matching, const solvers::SolverOptions& options,
+                    const solvers::Processes& processes) {
+  const SizeForecast size = forecast_size(model, knots, materials, coupling, processes.count(), non_matching);
   plans_that_fit(size, options, size.geometry_bytes + size.nodal_bytes, available_bytes(options, processes));
 }
 

@@ -42,6 +42,7 @@ std::vector<SolverPlan> solver_plans(const SizeForecast& size, const solvers::So
 /// @cost   that of `forecast_size`
 void require_memory(const geometry::MultiPatch& model, const DirectionKnots& knots,
                     const std::vector<Material>& materials, Coupling coupling,
-                    const solvers::SolverOptions& options, const solvers::Processes& processes);
+                    NonMatchingCoupling non_matching, const solvers::SolverOptions& options,
+                    const solvers::Processes& processes);
 
 }  // namespace isopatch::iga

@@ -138,7 +138,7 @@ TEST(PlannedSolution, EveryPlanRunsAsItIsWritten) {
   for (const Coupling coupling : all_couplings)
     for (const int refine : {0, 2}) {
       const ElasticityProblem p = pulled_box(refine);
-      const CoupledProblem coupled = coupled_problem(p, coupling);
+      const CoupledProblem coupled = coupled_problem(p, {.coupling = coupling});
       const std::vector<SolverPlan> plans =
           all_plans(forecast_size(p.discretization, p.materials, coupling, 1));
       EXPECT_EQ(plans.size(), coupling == Coupling::elimination ? 6u : 4u);

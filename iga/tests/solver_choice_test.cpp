@@ -212,7 +212,8 @@ TEST(RequireMemory, RefusesBeforeAnythingLargeIsMade) {
   const DirectionKnots knots = solution_knots(model, {.degree = {2, 2, 2}, .refine = 8});  // 17 million nodes
   const std::int64_t before = solvers::resident_memory();
   try {
-    require_memory(model, knots, {steel}, Coupling::elimination, {.memory_limit = 4e9}, {});
+    require_memory(model, knots, {steel}, Coupling::elimination, NonMatchingCoupling::nitsche,
+                   {.memory_limit = 4e9}, {});
     FAIL() << "nothing was refused";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::out_of_memory);

@@ -9,7 +9,7 @@
 namespace isopatch::verification {
 
 solvers::LinearSystem system_of(const iga::ElasticityProblem& problem, iga::Coupling coupling) {
-  const iga::CoupledProblem coupled = iga::coupled_problem(problem, coupling);
+  const iga::CoupledProblem coupled = iga::coupled_problem(problem, {.coupling = coupling});
   return iga::assembled_system(coupled).system;
 }
 

@@ -1,0 +1,131 @@
+#include "iga/assembly/internal/patch_side.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <limits>
+
+#include "geometry/quadrature.hpp"
+#include "geometry/splines/basis.hpp"
+
+namespace isopatch::iga {
+
+using geometry::Side;
+
+PatchSide::PatchSide(const PatchSpace& space, Side side, int first_node)
+    : space_(space),
+      side_(side),
+      first_node_(first_node),
+      surface_(geometry::face_surface(*space.geometry, side)),
+      along_(geometry::tangents(side)) {
+  for (int d = 0; d < 3; ++d)
+    breaks_[static_cast<std::size_t>(d)] = space.knots[static_cast<std::size_t>(d)].breaks();
+}
+
+geometry::DividedSurface PatchSide::divided() const {
+  return {&surface_,
+          {breaks_[static_cast<std::size_t>(along_[0])], breaks_[static_cast<std::size_t>(along_[1])]}};
+}
+
+int PatchSide::degree() const {
+  return std::max({space_.knots[0].degree(), space_.knots[1].degree(), space_.knots[2].degree()});
+}
+
+const geometry::KnotVector& PatchSide::knots(int along) const {
+  return space_.knots[static_cast<std::size_t>(along_[static_cast<std::size_t>(along)])];
+}
+
+std::array<int, 3> PatchSide::element(const ElementOfFace& of_face) const {
+  std::array<int, 3> result;
+  result[static_cast<std::size_t>(along_[0])] = of_face[0];
+  result[static_cast<std::size_t>(along_[1])] = of_face[1];
+  const int d = geometry::direction(side_);
+  result[static_cast<std::size_t>(d)] =
+      geometry::is_high(side_) ? static_cast<int>(breaks_[static_cast<std::size_t>(d)].size()) - 2 : 0;
+  return result;
+}
+
+PatchSide::Functions PatchSide::functions(const ElementOfFace& of_face,
+                                          const geometry::Parameter<2>& on_side) const {
+  const geometry::Parameter<3> at = geometry::on_side(*space_.geometry, side_, on_side);
+  const std::array<int, 3> element = this->element(of_face);
+  std::array<Eigen::MatrixXd, 3> bases;
+  std::array<int, 3> first;
+  for (std::size_t d = 0; d < 3; ++d) {
+    const geometry::KnotVector& knots = space_.knots[d];
+    const auto e = static_cast<std::size_t>(element[d]);
+    const int span = knots.span(0.5 * (breaks_[d][e] + breaks_[d][e + 1]));
+    first[d] = span - knots.degree();
+    bases[d] = geometry::basis_on_span(knots, span, at[static_cast<Eigen::Index>(d)], 1);
+  }
+  const Eigen::Matrix3d inverse = space_.geometry->jacobian(at).inverse();
+  Functions result;
+  // Along the gradient of the parameter that is constant on the side.
+  result.normal =
+      (geometry::is_high(side_) ? 1 : -1) * inverse.row(geometry::direction(side_)).transpose().normalized();
+  add_functions(bases, first, result);
+  for (Eigen::Vector3d& gradient : result.gradients) gradient = inverse.transpose() * gradient;
+  return result;
+}
+
+double PatchSide::trace_constant(const ElementOfFace& of_face) const {
+  const std::array<int, 3> element = this->element(of_face);
+  const auto across = static_cast<std::size_t>(geometry::direction(side_));
+  const int degree = space_.knots[across].degree();
+  const geometry::QuadratureRule rule = geometry::gauss_legendre(degree + 2);
+  const auto at = [&](std::size_t d, double share) {
+    const auto e = static_cast<std::size_t>(element[d]);
+    return breaks_[d][e] + share * (breaks_[d][e + 1] - breaks_[d][e]);
+  };
+  const auto u = static_cast<std::size_t>(along_[0]), v = static_cast<std::size_t>(along_[1]);
+  const double length = at(across, 1) - at(across, 0);
+  double thinnest = std::numeric_limits<double>::infinity();
+  for (const double s : rule.nodes)
+    for (const double t : rule.nodes) {
+      const geometry::Parameter<2> on_side(at(u, s), at(v, t));
+      const auto tangents = surface_.jacobian(on_side);
+      const double area = Eigen::Vector3d(tangents.col(0)).cross(Eigen::Vector3d(tangents.col(1))).norm();
+      geometry::Parameter<3> parameter = geometry::on_side(*space_.geometry, side_, on_side);
+      for (const double w : rule.nodes) {
+        parameter[static_cast<Eigen::Index>(across)] = at(across, w);
+        const double volume = std::abs(space_.geometry->jacobian(parameter).determinant());
+        thinnest = std::min(thinnest, volume * length / area);
+      }
+    }
+  return (degree + 1) * (degree + 1) / thinnest;
+}
+
+void PatchSide::add_functions(const std::array<Eigen::MatrixXd, 3>& bases, const std::array<int, 3>& first,
+                              Functions& result) const {
+  const auto sizes = space_.sizes();
+  const int across = geometry::direction(side_);
+  const int on_side = geometry::is_high(side_) ? sizes[static_cast<std::size_t>(across)] - 1 : 0;
+  double denominator = 0;
+  Eigen::Vector3d slope = Eigen::Vector3d::Zero();
+  for (int k = 0; k < bases[2].cols(); ++k)
+    for (int j = 0; j < bases[1].cols(); ++j)
+      for (int i = 0; i < bases[0].cols(); ++i) {
+        const std::array<int, 3> index = {first[0] + i, first[1] + j, first[2] + k};
+        const int node = index[0] + sizes[0] * (index[1] + sizes[1] * index[2]);
+        const double weight = space_.is_rational() ? space_.weights[node] : 1.0;
+        result.nodes.push_back(first_node_ + node);
+        result.is_on_side.push_back(index[static_cast<std::size_t>(across)] == on_side);
+        result.values.push_back(weight * bases[0](0, i) * bases[1](0, j) * bases[2](0, k));
+        result.gradients.emplace_back(weight * bases[0](1, i) * bases[1](0, j) * bases[2](0, k),
+                                      weight * bases[0](0, i) * bases[1](1, j) * bases[2](0, k),
+                                      weight * bases[0](0, i) * bases[1](0, j) * bases[2](1, k));
+        denominator += result.values.back();
+        slope += result.gradients.back();
+      }
+  for (std::size_t a = 0; a < result.nodes.size(); ++a) {
+    result.values[a] /= denominator;
+    result.gradients[a] = (result.gradients[a] - result.values[a] * slope) / denominator;
+  }
+}
+
+int points_of_cell(const PatchSide& first, const PatchSide& second) {
+  constexpr int beyond_degree = 3;
+  return std::max(first.degree(), second.degree()) + beyond_degree;
+}
+
+}  // namespace isopatch::iga

@@ -1,0 +1,287 @@
+#include "iga/assembly/mortar_constraints.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "geometry/common_refinement.hpp"
+#include "geometry/splines/basis.hpp"
+#include "iga/assembly/internal/patch_side.hpp"
+#include "iga/spaces/multiplier_space.hpp"
+
+namespace isopatch::iga {
+namespace {
+
+using Eigen::Index;
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+std::vector<int> first_nodes(const std::vector<PatchSpace>& spaces) {
+  std::vector<int> result = {0};
+  for (const PatchSpace& space : spaces) result.push_back(result.back() + space.size());
+  return result;
+}
+
+// (functions of a face, multipliers) of the products of two lines' splines.
+Eigen::SparseMatrix<double> products(const Eigen::SparseMatrix<double>& first,
+                                     const Eigen::SparseMatrix<double>& second) {
+  Triplets entries;
+  for (Index b = 0; b < second.cols(); ++b)
+    for (Eigen::SparseMatrix<double>::InnerIterator j(second, b); j; ++j)
+      for (Index a = 0; a < first.cols(); ++a)
+        for (Eigen::SparseMatrix<double>::InnerIterator i(first, a); i; ++i)
+          entries.emplace_back(static_cast<int>(i.row() + first.rows() * j.row()),
+                               static_cast<int>(a + first.cols() * b), i.value() * j.value());
+  Eigen::SparseMatrix<double> result(first.rows() * second.rows(), first.cols() * second.cols());
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+// The splines of a face, without weights, that are not 0 on one of its elements.
+class FaceSplines {
+ public:
+  explicit FaceSplines(const PatchSide& side) : knots_{side.knots(0), side.knots(1)} {
+    for (std::size_t d = 0; d < 2; ++d) breaks_[d] = knots_[d].breaks();
+  }
+
+  // Their numbers in the face, with the first direction fastest.
+  std::vector<int> functions(const ElementOfFace& element) const {
+    std::vector<int> result;
+    const int first = span(0, element) - knots_[0].degree(), second = span(1, element) - knots_[1].degree();
+    for (int j = 0; j <= knots_[1].degree(); ++j)
+      for (int i = 0; i <= knots_[0].degree(); ++i)
+        result.push_back(first + i + knots_[0].size() * (second + j));
+    return result;
+  }
+  Eigen::VectorXd values(const ElementOfFace& element, const geometry::Parameter<2>& at) const {
+    const Eigen::RowVectorXd u = geometry::basis_on_span(knots_[0], span(0, element), at[0]).row(0);
+    const Eigen::RowVectorXd v = geometry::basis_on_span(knots_[1], span(1, element), at[1]).row(0);
+    return (u.transpose() * v).reshaped();
+  }
+
+ private:
+  int span(std::size_t d, const ElementOfFace& element) const {
+    const auto e = static_cast<std::size_t>(element[d]);
+    return knots_[d].span(0.5 * (breaks_[d][e] + breaks_[d][e + 1]));
+  }
+  std::array<geometry::KnotVector, 2> knots_;
+  std::array<std::vector<double>, 2> breaks_;
+};
+
+// The integrals of one slave face with its own splines in place of multipliers.
+class FaceIntegrals {
+ public:
+  FaceIntegrals(const PatchSide& slave, const Material& material)
+      : slave_(slave), material_(material), splines_(slave) {}
+
+  void add(const PatchSide& master, double same_point) {
+    for (const geometry::SharedCell& cell : geometry::common_refinement(
+             slave_.divided(), master.divided(), points_of_cell(slave_, master), same_point))
+      add(master, cell);
+  }
+  const Triplets& of_slave() const { return of_slave_; }
+  const Triplets& of_masters() const { return of_masters_; }
+  const Triplets& of_compliance() const { return of_compliance_; }
+
+ private:
+  // The traces of one side's functions at the points of a cell.
+  struct Traces {
+    std::vector<int> nodes;
+    Eigen::MatrixXd values;  // (nodes, points)
+  };
+  static void add_point(const PatchSide::Functions& functions, Index point, Index points, Traces& traces) {
+    Index row = 0;
+    if (point == 0) {
+      for (std::size_t f = 0; f < functions.nodes.size(); ++f)
+        if (functions.is_on_side[f]) traces.nodes.push_back(functions.nodes[f]);
+      traces.values.resize(static_cast<Index>(traces.nodes.size()), points);
+    }
+    for (std::size_t f = 0; f < functions.nodes.size(); ++f)
+      if (functions.is_on_side[f]) traces.values(row++, point) = functions.values[f];
+  }
+  static void add_block(const std::vector<int>& rows, const std::vector<int>& columns,
+                        const Eigen::MatrixXd& block, Triplets& entries) {
+    for (Index j = 0; j < block.cols(); ++j)
+      for (Index i = 0; i < block.rows(); ++i)
+        entries.emplace_back(rows[static_cast<std::size_t>(i)], columns[static_cast<std::size_t>(j)],
+                             block(i, j));
+  }
+
+  double trace_constant(const ElementOfFace& element) {
+    const auto found = trace_constants_.find(element);
+    if (found != trace_constants_.end()) return found->second;
+    return trace_constants_[element] = slave_.trace_constant(element);
+  }
+
+  void add(const PatchSide& master, const geometry::SharedCell& cell) {
+    const auto points = static_cast<Index>(cell.points.size());
+    const std::vector<int> functions = splines_.functions(cell.first);
+    Eigen::MatrixXd multipliers(static_cast<Index>(functions.size()), points);
+    Eigen::RowVectorXd weights(points);
+    Eigen::Matrix3Xd normals(3, points);
+    Traces own, other;
+    for (Index q = 0; q < points; ++q) {
+      const geometry::SharedPoint& point = cell.points[static_cast<std::size_t>(q)];
+      const PatchSide::Functions of_own = slave_.functions(cell.first, point.first);
+      add_point(of_own, q, points, own);
+      add_point(master.functions(cell.second, point.second), q, points, other);
+      multipliers.col(q) = splines_.values(cell.first, point.first);
+      weights[q] = point.weight;
+      normals.col(q) = of_own.normal;
+    }
+    const Eigen::MatrixXd weighted = multipliers * weights.asDiagonal();
+    add_block(functions, own.nodes, weighted * own.values.transpose(), of_slave_);
+    add_block(functions, other.nodes, -weighted * other.values.transpose(), of_masters_);
+    add_compliance(functions, multipliers, weighted, normals, 2 * trace_constant(cell.first));
+  }
+
+  // The inverse of Nitsche's penalty t (mu I + (lambda + mu) n n^T).
+  void add_compliance(const std::vector<int>& functions, const Eigen::MatrixXd& multipliers,
+                      const Eigen::MatrixXd& weighted, const Eigen::Matrix3Xd& normals, double penalty) {
+    const double across = 1 / (penalty * material_.mu);
+    const double along = 1 / (penalty * (material_.lambda + 2 * material_.mu)) - across;
+    for (int e = 0; e < 3; ++e)
+      for (int d = 0; d < 3; ++d) {
+        const Eigen::RowVectorXd factor =
+            (d == e ? across : 0.0) + along * normals.row(d).array() * normals.row(e).array();
+        const Eigen::MatrixXd block = weighted * factor.asDiagonal() * multipliers.transpose();
+        for (Index j = 0; j < block.cols(); ++j)
+          for (Index i = 0; i < block.rows(); ++i)
+            of_compliance_.emplace_back(3 * functions[static_cast<std::size_t>(i)] + d,
+                                        3 * functions[static_cast<std::size_t>(j)] + e, block(i, j));
+      }
+  }
+
+  const PatchSide& slave_;
+  const Material& material_;
+  FaceSplines splines_;
+  std::map<ElementOfFace, double> trace_constants_;
+  Triplets of_slave_, of_masters_, of_compliance_;
+};
+
+using Sparse = Eigen::SparseMatrix<double>;
+using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+SparseRows matrix_of(const Triplets& entries, Index rows, Index columns) {
+  SparseRows result(rows, columns);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+// The same coefficients for each of three components.
+Sparse three_times(const Sparse& coefficients) {
+  Triplets entries;
+  for (Index k = 0; k < coefficients.outerSize(); ++k)
+    for (Sparse::InnerIterator it(coefficients, k); it; ++it)
+      for (int c = 0; c < 3; ++c)
+        entries.emplace_back(static_cast<int>(3 * it.row() + c), static_cast<int>(3 * it.col() + c),
+                             it.value());
+  Sparse result(3 * coefficients.rows(), 3 * coefficients.cols());
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+// Appends the entries of a matrix.
+template <class Matrix>
+void append(const Matrix& matrix, int first_row, int first_column, Triplets& entries) {
+  for (Index k = 0; k < matrix.outerSize(); ++k)
+    for (typename Matrix::InnerIterator it(matrix, k); it; ++it)
+      entries.emplace_back(first_row + static_cast<int>(it.row()), first_column + static_cast<int>(it.col()),
+                           it.value());
+}
+
+}  // namespace
+
+MortarConstraints mortar_constraints(const std::vector<MortarFace>& faces,
+                                     const std::vector<PatchSpace>& spaces,
+                                     const std::vector<Material>& materials, double same_point) {
+  const std::vector<int> first_node = first_nodes(spaces);
+  const auto side = [&](const geometry::PatchFace& face) {
+    const auto p = static_cast<std::size_t>(face.patch.value);
+    return PatchSide(spaces[p], face.side, first_node[p]);
+  };
+  MortarConstraints result;
+  result.faces = faces;
+  result.first_function = {0};
+  Triplets jumps, compliance;
+  std::vector<double> scale;
+  for (const MortarFace& face : faces) {
+    const PatchSide slave = side(face.slave);
+    FaceIntegrals integrals(slave, materials[static_cast<std::size_t>(face.slave.patch.value)]);
+    for (const geometry::PatchFace& master : face.masters) integrals.add(side(master), same_point);
+    const Sparse coefficients =
+        products(multiplier_coefficients(slave.knots(0)), multiplier_coefficients(slave.knots(1)));
+    const Index splines = coefficients.rows(), functions = coefficients.cols();
+    const SparseRows of_slave =
+        coefficients.transpose() * matrix_of(integrals.of_slave(), splines, first_node.back());
+    const SparseRows of_masters =
+        coefficients.transpose() * matrix_of(integrals.of_masters(), splines, first_node.back());
+    Eigen::VectorXd inverse(functions);
+    for (Index i = 0; i < functions; ++i) {
+      scale.push_back(of_slave.row(i).cwiseAbs().sum());
+      inverse[i] = 1 / scale.back();
+    }
+    const int first = result.first_function.back();
+    append(SparseRows(inverse.asDiagonal() * SparseRows(of_slave + of_masters)), first, 0, jumps);
+    const Sparse of_three = three_times(coefficients * inverse.asDiagonal());
+    const Sparse of_splines = matrix_of(integrals.of_compliance(), 3 * splines, 3 * splines);
+    append(Sparse(of_three.transpose() * of_splines * of_three), 3 * first, 3 * first, compliance);
+    result.first_function.push_back(first + static_cast<int>(functions));
+  }
+  const int functions = result.functions();
+  result.scale = Eigen::Map<const Eigen::VectorXd>(scale.data(), functions);
+  result.jumps = matrix_of(jumps, functions, first_node.back());
+  result.compliance.resize(3 * Index{functions}, 3 * Index{functions});
+  result.compliance.setFromTriplets(compliance.begin(), compliance.end());
+  return result;
+}
+
+solvers::ConstraintMatrix mortar_matrix(const MortarConstraints& constraints, const RowNumbering& numbering,
+                                        const std::vector<const SupportFrame*>& frame_of_row) {
+  Triplets entries;
+  for (Index i = 0; i < constraints.jumps.rows(); ++i)
+    for (SparseRows::InnerIterator it(constraints.jumps, i); it; ++it) {
+      const int row = numbering.row_of_node[static_cast<std::size_t>(it.col())];
+      const SupportFrame& frame = *frame_of_row[static_cast<std::size_t>(row)];
+      for (int k = 0; k < frame.free; ++k)
+        for (int c = 0; c < 3; ++c)
+          if (frame.axes(c, k) != 0)
+            entries.emplace_back(static_cast<int>(3 * i + c), 3 * row + k, it.value() * frame.axes(c, k));
+    }
+  solvers::ConstraintMatrix result(3 * Index{constraints.functions()}, 3 * Index{numbering.rows});
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+Eigen::VectorXd mortar_right_side(const MortarConstraints& constraints, const RowNumbering& numbering,
+                                  const Eigen::VectorXd& prescribed) {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(3 * Index{constraints.functions()});
+  for (Index i = 0; i < constraints.jumps.rows(); ++i)
+    for (SparseRows::InnerIterator it(constraints.jumps, i); it; ++it)
+      result.segment<3>(3 * i) -=
+          it.value() *
+          prescribed.segment<3>(3 * Index{numbering.row_of_node[static_cast<std::size_t>(it.col())]});
+  return result;
+}
+
+Eigen::Matrix3Xd mortar_forces(const MortarConstraints& constraints, const Eigen::VectorXd& multipliers) {
+  return multipliers.reshaped(3, constraints.functions()) * constraints.jumps;
+}
+
+std::vector<Eigen::Vector3d> forces_on_slaves(const MortarConstraints& constraints,
+                                              const std::vector<PatchSpace>& spaces,
+                                              const Eigen::VectorXd& multipliers) {
+  const std::vector<int> first_node = first_nodes(spaces);
+  std::vector<Eigen::Vector3d> result;
+  for (std::size_t f = 0; f < constraints.faces.size(); ++f) {
+    const auto p = static_cast<std::size_t>(constraints.faces[f].slave.patch.value);
+    const int first = first_node[p], end = first_node[p + 1];
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();
+    for (int i = constraints.first_function[f]; i < constraints.first_function[f + 1]; ++i)
+      for (SparseRows::InnerIterator it(constraints.jumps, i); it; ++it)
+        if (it.col() >= first && it.col() < end) force -= it.value() * multipliers.segment<3>(3 * Index{i});
+    result.push_back(force);
+  }
+  return result;
+}
+
+}  // namespace isopatch::iga

@@ -1,0 +1,150 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "geometry/base/tests/expect_error.hpp"
+#include "geometry/models/box.hpp"
+#include "geometry/splines/basis.hpp"
+#include "iga/assembly/mortar_constraints.hpp"
+#include "iga/solution/solve_elasticity.hpp"
+#include "iga/spaces/multiplier_space.hpp"
+#include "iga/tests/small_models.hpp"
+
+namespace isopatch::iga {
+namespace {
+
+using geometry::KnotVector;
+using geometry::MultiPatch;
+using geometry::PatchFace;
+using geometry::PatchSet;
+using geometry::Side;
+using solvers::Method;
+
+// A box of 2 x 1 x 1 and above it so many others, shifted along x.
+MultiPatch box_below(int above, double shift = 0) {
+  PatchSet set = geometry::box_model({.size = {2, 1, 1}});
+  set.boundaries.clear();
+  for (int i = 0; i < above; ++i) {
+    const PatchSet other =
+        geometry::box_model({.size = {2.0 / above, 1, 1}, .origin = {shift + 2.0 * i / above, 0, 1}});
+    set.patches.push_back(other.patches.front());
+  }
+  return geometry::connect(set, {.keep_non_matching = true});
+}
+
+// Held below, pulled and sheared above.
+ElasticityProblem loaded(const MultiPatch& model, int degree, int refine) {
+  ElasticityProblem p = testing::problem(
+      model, {.degree = {degree, degree, degree}, .refine = refine, .spread = false}, testing::steel);
+  p.supports = {{"ground", {PatchFace{PatchId(0), Side::front}}, {}}};
+  for (int i = 1; i < model.patch_count(); ++i)
+    p.surface_loads.push_back({"load",
+                               {PatchFace{PatchId(i), Side::back}},
+                               [](const Eigen::Vector3d& x, const Eigen::Vector3d&) -> Eigen::Vector3d {
+                                 return {1e6 * x.x(), 2e6, 3e6};
+                               }});
+  return p;
+}
+
+ElasticitySolution solved(const ElasticityProblem& p, Method method,
+                          Coupling coupling = Coupling::elimination,
+                          MortarSide side = MortarSide::automatic) {
+  ElasticityOptions options{
+      .coupling = coupling, .non_matching = NonMatchingCoupling::mortar, .mortar_side = side};
+  options.solver.method = method;
+  options.solver.tolerance = 1e-11;
+  return solve_elasticity(p, options);
+}
+
+double difference(const ElasticField& a, const ElasticField& b) {
+  double apart = 0, size = 0;
+  for (std::size_t p = 0; p < a.displacement.size(); ++p) {
+    apart = std::max(apart, (a.displacement[p] - b.displacement[p]).cwiseAbs().maxCoeff());
+    size = std::max(size, a.displacement[p].cwiseAbs().maxCoeff());
+  }
+  return apart / size;
+}
+
+TEST(MultiplierSpace, HasOneDegreeLessAtBothEndsAndAddsUpToOne) {
+  for (int degree = 1; degree <= 5; ++degree)
+    for (const int elements : {1, 2, 3, 7}) {
+      const KnotVector knots = KnotVector::uniform(degree, elements);
+      const Eigen::MatrixXd coefficients = multiplier_coefficients(knots);
+      SCOPED_TRACE(::testing::PrintToString(std::pair(degree, elements)));
+      EXPECT_EQ(coefficients.cols(), std::max(1, knots.size() - 2));
+      EXPECT_LT((coefficients.rowwise().sum() - Eigen::VectorXd::Ones(knots.size())).cwiseAbs().maxCoeff(),
+                1e-11);
+      if (knots.size() < 3) continue;
+      for (const double t : {0.3 / elements, 1 - 0.3 / elements}) {
+        const geometry::BasisValues b = geometry::basis(knots, t, degree);
+        const Eigen::RowVectorXd highest =
+            b.values.row(degree) * coefficients.middleRows(b.first, degree + 1);
+        EXPECT_LT(highest.cwiseAbs().maxCoeff(), 1e-10 * b.values.row(degree).cwiseAbs().maxCoeff());
+      }
+    }
+}
+
+TEST(MortarFaces, AreThoseThatOthersCoverAllOver) {
+  const MultiPatch model = box_below(2);
+  const auto roles = [](const MultiPatch& m, std::vector<Material> materials, MortarSide side) {
+    return mortar_faces(discretize(m, {.degree = {2, 2, 2}}), materials, side);
+  };
+  const std::vector<Material> same(3, testing::steel);
+  const std::vector<MortarFace> finer = roles(model, same, MortarSide::automatic);
+  ASSERT_EQ(finer.size(), 2u);
+  EXPECT_EQ(finer[0].slave.patch, PatchId(1));
+  EXPECT_EQ(finer[0].masters, std::vector{(PatchFace{PatchId(0), Side::back})});
+  EXPECT_EQ(finer[0].reason, "the side with the smaller elements");
+  const std::vector<MortarFace> other = roles(model, same, MortarSide::other);
+  ASSERT_EQ(other.size(), 1u);
+  EXPECT_EQ(other[0].masters.size(), 2u);
+  std::vector<Material> softer_below = same;
+  softer_below[0] = isotropic(70e9, 0.3);
+  EXPECT_EQ(roles(model, softer_below, MortarSide::automatic).front().reason, "the softer side");
+  // The upper ones hang over the lower one's end, so that no side covers the other.
+  EXPECT_ERROR(roles(box_below(2, 0.5), same, MortarSide::automatic), ErrorCode::unsupported,
+               "parts stay free");
+}
+
+TEST(Mortar, DirectAndIterativeSolversAndBothSidesAgree) {
+  const ElasticityProblem p = loaded(box_below(2), 2, 1);
+  const ElasticitySolution direct = solved(p, Method::mumps);
+  EXPECT_EQ(direct.mortar.size(), 2u);
+  EXPECT_LT(difference(direct.field, solved(p, Method::umfpack).field), 1e-9);
+  EXPECT_LT(difference(direct.field, solved(p, Method::mumps, Coupling::lagrange).field), 1e-9);
+  const ElasticitySolution iterated = solved(p, Method::minres);
+  EXPECT_LT(difference(direct.field, iterated.field), 1e-7);
+  std::printf("iterations %d\n", iterated.solver.iterations);
+  for (std::size_t f = 0; f < 2; ++f)
+    EXPECT_LT((direct.mortar[f].force - iterated.mortar[f].force).norm(),
+              1e-6 * direct.mortar[f].force.norm());
+  // The discretization error is some percent.
+  const ElasticitySolution other = solved(p, Method::mumps, Coupling::elimination, MortarSide::other);
+  EXPECT_GT(difference(direct.field, other.field), 1e-9);
+  EXPECT_LT(difference(direct.field, other.field), 0.05);
+}
+
+TEST(Mortar, ForcesAndEnergiesBalance) {
+  const ElasticityProblem p = loaded(box_below(3), 2, 1);
+  for (const MortarSide side : {MortarSide::automatic, MortarSide::other}) {
+    const ElasticitySolution s = solved(p, Method::mumps, Coupling::elimination, side);
+    Eigen::Vector3d between = Eigen::Vector3d::Zero();
+    for (const MortarTie& tie : s.mortar) between += (side == MortarSide::automatic ? -1 : 1) * tie.force;
+    const Eigen::Vector3d load(1e6 * 2, 2e6 * 2, 3e6 * 2);
+    EXPECT_LT((between - load).norm(), 1e-9 * load.norm());
+    EXPECT_LT((s.results.reactions[0].force + load).norm(), 1e-9 * load.norm());
+    EXPECT_NEAR(s.results.internal_energy / s.results.external_work, 1, 1e-10);
+    EXPECT_LT(std::abs(s.results.interface_energy), 1e-12 * s.results.internal_energy);
+  }
+}
+
+TEST(Mortar, TakesNoMethodForPositiveDefiniteSystems) {
+  const ElasticityProblem p = loaded(box_below(2), 1, 1);
+  EXPECT_ERROR(solved(p, Method::cholmod), ErrorCode::invalid_argument, "non_matching = \"mortar\"");
+  EXPECT_ERROR(solved(p, Method::cg), ErrorCode::invalid_argument, "non_matching = \"nitsche\"");
+}
+
+}  // namespace
+}  // namespace isopatch::iga
