@@ -172,6 +172,21 @@ Json error_json(const std::optional<RunError>& error, const std::string& missing
           {"iterations", error->iterations}};
 }
 
+// What holds faces to others that they do not match.
+Json mortar_json(const geometry::MultiPatch& model, const std::vector<iga::MortarTie>& ties) {
+  Json result = Json::array();
+  for (const iga::MortarTie& tie : ties) {
+    Json masters = Json::array();
+    for (const geometry::PatchFace& face : tie.face.masters) masters.push_back(model.label(face));
+    result.push_back({{"face", model.label(tie.face.slave)},
+                      {"covered_by", masters},
+                      {"reason", tie.face.reason},
+                      {"multipliers", 3 * tie.functions},
+                      {"force", to_json(tie.force)}});
+  }
+  return result;
+}
+
 Json results_json(const Study& study, const StudyRun& run, const CaseView& one) {
   const iga::ElasticityResults& results = one.solution.results;
   const auto& model = run.built.problem.discretization.model;
@@ -188,6 +203,7 @@ Json results_json(const Study& study, const StudyRun& run, const CaseView& one) 
           {"internal_energy", results.internal_energy},
           {"support_energy", results.support_energy},
           {"interface_energy", results.interface_energy},
+          {"mortar", mortar_json(model, one.solution.mortar)},
           {"external_work", results.external_work},
           {"thermal_work", results.thermal_work},
           {"max_von_mises", results.max_von_mises.value},
@@ -306,6 +322,9 @@ std::string summary_json(const Study& study, const StudyRun& run) {
       {"loads", loads_json(run.built.loads)},
       {"discretization", discretization_json(run, study.options.quadrature_points)},
       {"coupling", iga::name(study.options.coupling)},
+      {"non_matching_coupling", run.built.problem.discretization.model.non_matching().empty()
+                                    ? "none"
+                                    : iga::name(study.options.non_matching)},
       {"solver",
        solver_json(run.solution.solver, study.options.solver.tolerance, run.solution.predicted_bytes)},
       {"mass", mass_json(run.built.mass)},

@@ -173,6 +173,25 @@ std::string non_matching_text(const ModelReport& report) {
   return text.empty() ? "" : text + "\n";
 }
 
+// Where the mortar method has its multipliers: face by face as far as there are few.
+std::string mortar_text(const geometry::MultiPatch& model, const std::vector<iga::MortarTie>& ties) {
+  constexpr std::size_t shown = 4;
+  std::string text;
+  for (std::size_t i = 0; i < ties.size() && i < shown; ++i)
+    text += fmt::format("{}{} ({})", i == 0 ? "  multipliers on    " : ", ", model.label(ties[i].face.slave),
+                        ties[i].face.reason);
+  if (ties.size() > shown) text += fmt::format(" and {} faces more: summary.json", ties.size() - shown);
+  return text.empty() ? "" : text + "\n";
+}
+
+std::string coupling_text(const Study& study, const geometry::MultiPatch& model) {
+  return fmt::format("{}{}", iga::name(study.options.coupling),
+                     model.non_matching().empty() ? ""
+                     : study.options.non_matching == iga::NonMatchingCoupling::mortar
+                         ? " and mortar multipliers"
+                         : " and Nitsche's method");
+}
+
 }  // namespace
 
 std::string summary_text(const Study& study, const StudyRun& run) {
@@ -192,7 +211,8 @@ std::string summary_text(const Study& study, const StudyRun& run) {
   text += regions_text(run);
   text += fmt::format("  unknowns          {} ({} free), {} elements, coupled by {}\n",
                       with_separators(size.dofs), with_separators(size.dofs_free),
-                      with_separators(size.elements), iga::name(study.options.coupling));
+                      with_separators(size.elements), coupling_text(study, model));
+  text += mortar_text(model, run.solution.mortar);
   text += solver_text(run.solution.solver);
   for (const CaseView& one : cases_of(run)) text += case_text(study, run, one);
   if (!run.levels.empty() && run.has_cases()) text += fmt::format("levels of case {}\n", run.case_name.name);

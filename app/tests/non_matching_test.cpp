@@ -73,5 +73,36 @@ TEST_F(NonMatching, BoundaryIsWhatNoOtherPatchCovers) {
   EXPECT_NEAR(area(json::parse(out_)), surface, 1e-12);
 }
 
+TEST_F(NonMatching, MortarSaysWhichFacesHaveTheMultipliersAndAgreesWithNitsche) {
+  ASSERT_EQ(run({"run", study(), "--set", "discretization.refine=2"}), 0) << err_;
+  const json nitsche = json::parse(read_file(results() / "summary.json"));
+  EXPECT_EQ(nitsche["non_matching_coupling"], "nitsche");
+  EXPECT_EQ(nitsche["results"]["mortar"].size(), 0u);
+  ASSERT_EQ(
+      run({"run", study(), "--set", "discretization.refine=2", "--set", "coupling.non_matching=mortar"}), 0)
+      << err_;
+  EXPECT_THAT(
+      out_, HasSubstr("coupled by elimination and mortar multipliers\n  multipliers on    1:front (the only "
+                      "side that is covered all over), 2:front ("));
+  const json mortar = json::parse(read_file(results() / "summary.json"));
+  ASSERT_EQ(mortar["results"]["mortar"].size(), 2u);
+  EXPECT_EQ(mortar["results"]["mortar"][0]["covered_by"], json({"0:back"}));
+  // All of the pressure goes through both.
+  EXPECT_NEAR(mortar["results"]["mortar"][0]["force"][2].get<double>() +
+                  mortar["results"]["mortar"][1]["force"][2].get<double>(),
+              1.5e6, 1e-2);
+  const double energies[] = {nitsche["results"]["internal_energy"].get<double>(),
+                             mortar["results"]["internal_energy"].get<double>()};
+  EXPECT_NE(energies[0], energies[1]);
+  EXPECT_NEAR(energies[0] / energies[1], 1, 0.01);
+}
+
+TEST_F(NonMatching, MortarNeedsASideThatIsCoveredAllOver) {
+  write_file(folder_ / "part.g2", box_text(0, 2, 0, 1) + box_text(0.5, 2.5, 1, 2));
+  EXPECT_NE(
+      run({"run", study(), "--set", "coupling.non_matching=mortar", "--set", "load.0.faces=['1:back']"}), 0);
+  EXPECT_THAT(err_, HasSubstr("parts stay free; set non_matching = \"nitsche\""));
+}
+
 }  // namespace
 }  // namespace isopatch::app

@@ -241,9 +241,11 @@ std::string words_of(const ProbeInput& input) {
 
 std::string words_of(const iga::ElasticityOptions& o) {
   const solvers::SolverOptions& s = o.solver;
-  return fmt::format("points {}\ncoupling {}\nmethod {}\ntolerance {:g}\niterations {}\n",
-                     o.quadrature_points, iga::name(o.coupling), name(s.method), s.tolerance,
-                     s.max_iterations) +
+  return fmt::format(
+             "points {}\ncoupling {}\nnon-matching faces by {}{}\nmethod {}\ntolerance {:g}\niterations {}\n",
+             o.quadrature_points, iga::name(o.coupling), iga::name(o.non_matching),
+             o.mortar_side == iga::MortarSide::other ? "\nmortar on the other side" : "", name(s.method),
+             s.tolerance, s.max_iterations) +
          fmt::format("preconditioner {}\noperator {}\nsmoothing {}\nmemory {:g}\n", name(s.preconditioner),
                      name(s.form), s.multigrid.smoothing_degree, s.memory_limit);
 }
