@@ -87,6 +87,7 @@ void NodeBlocks::add_to(solvers::SymmetricBlockMatrix& matrix, const RowNumberin
   std::vector<Place> missing;
   for (const Block& block : blocks_) {
     const Place place = std::minmax(row(block.first), row(block.second));
+    if (place.first < 0) continue;
     if (position(matrix, place) < 0) missing.push_back(place);
   }
   if (!missing.empty()) {
@@ -96,6 +97,7 @@ void NodeBlocks::add_to(solvers::SymmetricBlockMatrix& matrix, const RowNumberin
   }
   for (const Block& block : blocks_) {
     const int first = row(block.first), second = row(block.second);
+    if (first < 0 || second < 0) continue;
     const std::int64_t at = position(matrix, std::minmax(first, second));
     Eigen::Map<RowMajorBlock> entry(&matrix.values[static_cast<std::size_t>(9 * at)]);
     if (first <= second) entry += block.value;

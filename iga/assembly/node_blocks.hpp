@@ -24,7 +24,7 @@ class NodeBlocks {
   /// The diagonal blocks, added per node.
   void add_diagonal(std::vector<Eigen::Matrix3d>& of_nodes) const;
   /// Adds the blocks to a matrix of the same nodes' rows. Blocks that it has not are put in, at the cost of a
-  /// copy of the matrix.
+  /// copy of the matrix; blocks of nodes without a row are left out.
   void add_to(solvers::SymmetricBlockMatrix& matrix, const RowNumbering& numbering) const;
 
  private:

@@ -146,7 +146,8 @@ struct ErrorEstimator::State {
         spaces(isoparametric_spaces(raised.discretization)),
         level(raised_level(raised.discretization, raised, spaces, options)),
         stiffness(level, raised.materials, 0, held_everywhere(surface_terms(problem))),
-        smoother(raised.discretization.model, level, raised.materials, stiffness.diagonal()) {}
+        smoother(raised.discretization.model, level, raised.materials, stiffness.diagonal(),
+                 stiffness.surfaces()) {}
 
   // What a solution leaves of the loads.
   Residual residual(const Eigen::Matrix3Xd& loads, const ElasticField& solution) const {

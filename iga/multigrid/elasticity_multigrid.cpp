@@ -105,8 +105,8 @@ ElasticityMultigrid::ElasticityMultigrid(const ElasticityProblem& problem, const
     const LevelOperator& stiffness =
         state_->operators.emplace_back(level, l == 0 && !product ? state_->smoothed_spaces : level.spaces,
                                        problem.materials, options.points, l == 0 ? of_finest : of_coarser);
-    const FastDiagonalization& smoother =
-        state_->smoothers.emplace_back(model, level, problem.materials, stiffness.diagonal());
+    const FastDiagonalization& smoother = state_->smoothers.emplace_back(
+        model, level, problem.materials, stiffness.diagonal(), stiffness.surfaces());
     made.product =
         l == 0 && product ? product : [&stiffness](const Eigen::VectorXd& x) { return stiffness.apply(x); };
     made.smoother = [&smoother](const Eigen::VectorXd& r) { return smoother.apply(r); };

@@ -118,9 +118,13 @@ bool is_held(const Level& level, const std::vector<int>& rows, const std::array<
 
 FastDiagonalization::FastDiagonalization(const geometry::MultiPatch& model, const Level& level,
                                          const std::vector<Material>& materials,
-                                         const std::vector<Eigen::Matrix3d>& diagonal)
-    : level_(&level) {
+                                         const std::vector<Eigen::Matrix3d>& diagonal,
+                                         const NodeBlocks& surfaces)
+    : level_(&level), interface_(model, level, materials, surfaces, diagonal) {
   std::vector<char> in_block(static_cast<std::size_t>(level.rows.global_rows()), 0);
+  const std::vector<bool> elsewhere = nodes_that_do_not_match(model, level);
+  for (std::size_t node = 0; node < elsewhere.size(); ++node)
+    if (elsewhere[node]) in_block[static_cast<std::size_t>(level.global_of[node])] = 1;
   std::map<std::array<int, 7>, Modes> known;  // patch, component, direction, range, fixed ends
   std::map<int, std::array<LinesOfAxis, 3>> lines;
   for (const TensorBlock& block : tensor_blocks(model, level)) {
@@ -205,7 +209,9 @@ Eigen::VectorXd FastDiagonalization::apply(const Eigen::VectorXd& residual) cons
   for (const Point& point : points_)
     result.segment<3>(3 * point.row) = point.inverse * force.segment<3>(3 * point.row);
   level_->rows.sum(result);
-  return level_->free.to_free(std::move(result));
+  result = level_->free.to_free(std::move(result));
+  interface_.add(residual, result);
+  return result;
 }
 
 std::int64_t FastDiagonalization::bytes() const {

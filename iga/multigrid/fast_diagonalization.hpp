@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "iga/material/material.hpp"
+#include "iga/multigrid/interface_block.hpp"
 #include "iga/multigrid/level.hpp"
 #include "iga/multigrid/tensor_blocks.hpp"
 
@@ -26,9 +27,12 @@ class FastDiagonalization {
   /// @param diagonal  of every local row, the 3 x 3 diagonal block of the stiffness in coordinate axes,
   /// summed
   ///                  over processes
+  /// @param surfaces  what the stiffness has beside that of the elements; of faces that do not match all
+  ///                  nodes are one block, which is factorized (`InterfaceBlock`)
   /// @cost  O(n^3) per direction with n functions
   FastDiagonalization(const geometry::MultiPatch& model, const Level& level,
-                      const std::vector<Material>& materials, const std::vector<Eigen::Matrix3d>& diagonal);
+                      const std::vector<Material>& materials, const std::vector<Eigen::Matrix3d>& diagonal,
+                      const NodeBlocks& surfaces);
 
   /// Between consistent local vectors of unknowns. (3 rows)
   /// @cost  12 n flops per unknown with n functions per direction, as matrix products
@@ -57,6 +61,7 @@ class FastDiagonalization {
   const Level* level_;
   std::vector<Block> blocks_;
   std::vector<Point> points_;
+  InterfaceBlock interface_;
 };
 
 }  // namespace isopatch::iga

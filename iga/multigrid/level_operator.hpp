@@ -33,6 +33,8 @@ class LevelOperator {
   Eigen::VectorXd forces(const Eigen::VectorXd& displacement) const;
   /// The diagonal blocks of the local rows in coordinate axes, summed over processes.
   std::vector<Eigen::Matrix3d> diagonal() const;
+  /// What is added to the stiffness of the elements.
+  const NodeBlocks& surfaces() const { return surfaces_; }
 
  private:
   const Level* level_;

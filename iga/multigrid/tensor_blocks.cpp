@@ -3,15 +3,21 @@
 #include <algorithm>
 #include <set>
 
+#include "iga/multigrid/interface_block.hpp"
+
 namespace isopatch::iga {
 namespace {
 
 using geometry::PatchFace;
 
-// Sides that belong to several patches, or have collapsed.
+// Sides that belong to several patches or meet others, or have collapsed.
 std::set<PatchFace> inner_faces(const geometry::MultiPatch& model) {
   std::set<PatchFace> faces(model.degenerate_faces().begin(), model.degenerate_faces().end());
   for (const geometry::Interface& interface : model.interfaces()) {
+    faces.insert(interface.first);
+    faces.insert(interface.second);
+  }
+  for (const geometry::NonMatchingInterface& interface : model.non_matching()) {
     faces.insert(interface.first);
     faces.insert(interface.second);
   }
@@ -50,6 +56,9 @@ std::vector<int> nodes_of(const Level& level, const TensorBlock& block) {
 std::vector<TensorBlock> tensor_blocks(const geometry::MultiPatch& model, const Level& level) {
   const std::set<PatchFace> inner = inner_faces(model);
   std::vector<char> taken(static_cast<std::size_t>(level.rows.global_rows()), 0);
+  const std::vector<bool> elsewhere = nodes_that_do_not_match(model, level);
+  for (std::size_t node = 0; node < elsewhere.size(); ++node)
+    if (elsewhere[node]) taken[static_cast<std::size_t>(level.global_of[node])] = 1;
   std::vector<TensorBlock> blocks;
   for (int p = 0; p < model.patch_count(); ++p) {
     const auto sizes = level.spaces[static_cast<std::size_t>(p)].sizes();

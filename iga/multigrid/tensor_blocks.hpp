@@ -23,8 +23,8 @@ std::vector<int> nodes_of(const Level& level, const TensorBlock& block);
 /// Partitions the global nodes into tensor-product blocks without overlap: the inside of every patch
 /// together with its outer faces, the inside of every interface, and of every edge where interfaces meet.
 ///
-/// Nodes that fit into no such block are left out: corners, collapsed edges, and edges whose nodes two
-/// interfaces number differently.
+/// Nodes that fit into no such block are left out: corners, collapsed edges, edges whose nodes two
+/// interfaces number differently, and those of faces that do not match.
 std::vector<TensorBlock> tensor_blocks(const geometry::MultiPatch& model, const Level& level);
 
 }  // namespace isopatch::iga

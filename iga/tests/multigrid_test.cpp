@@ -142,7 +142,8 @@ TEST(SeparableCoefficients, AreExactForAGradedBox) {
 double condition(const ElasticityProblem& p) {
   const Levels levels(p);
   const LevelOperator stiffness(levels.fine, p.materials, 0);
-  const FastDiagonalization smoother(p.discretization.model, levels.fine, p.materials, stiffness.diagonal());
+  const FastDiagonalization smoother(p.discretization.model, levels.fine, p.materials, stiffness.diagonal(),
+                                     stiffness.surfaces());
   const Eigen::Index n = 3 * levels.fine.rows.local_rows();
   Eigen::MatrixXd a(n, n);
   Eigen::MatrixXd b(n, n);

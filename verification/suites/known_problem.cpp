@@ -7,8 +7,10 @@ namespace {
 
 iga::ElasticityOptions options(const KnownProblem& problem, const Levels& levels) {
   iga::ElasticityOptions result{.coupling = levels.coupling,
+                                .non_matching = levels.non_matching,
                                 .quadrature_points = problem.points > 0 ? problem.points : levels.degree + 2};
-  const bool eliminates = levels.coupling == iga::Coupling::elimination;
+  const bool eliminates = levels.coupling == iga::Coupling::elimination &&
+                          levels.non_matching == iga::NonMatchingCoupling::nitsche;
   // Errors of high degrees are below what iterations are asked for by default.
   result.solver.method = eliminates ? solvers::Method::cholmod : solvers::Method::mumps;
   if (!levels.iterate) return result;
@@ -21,7 +23,8 @@ iga::ElasticityOptions options(const KnownProblem& problem, const Levels& levels
 
 void expect_orders(const KnownProblem& problem, const Levels& levels) {
   const std::string of =
-      fmt::format("{}, p = {}, {}", problem.name, levels.degree, iga::name(levels.coupling));
+      fmt::format("{}, p = {}, {}{}", problem.name, levels.degree, iga::name(levels.coupling),
+                  levels.non_matching == iga::NonMatchingCoupling::mortar ? " and mortar" : "");
   Convergence displacement{.what = "displacement in L2, " + of,
                            .kind = problem.kind,
                            .source = problem.source.empty() ? "p + 1" : problem.source + ", p + 1",

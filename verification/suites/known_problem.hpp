@@ -27,6 +27,7 @@ struct Levels {
   iga::Coupling coupling = iga::Coupling::elimination;
   bool iterate = false;  ///< conjugate gradients or minimal residuals to 1e-12, for levels that are too large
                          ///< to be factorized in little time
+  iga::NonMatchingCoupling non_matching = iga::NonMatchingCoupling::nitsche;  ///< where faces do not match
 };
 
 /// Claims order p + 1 of the displacement in L2 and order p in the energy norm, two-sided within 0.15 between

@@ -4,10 +4,19 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include "geometry/base/tests/expect_error.hpp"
 #include "geometry/models/box.hpp"
 #include "geometry/models/cylinder.hpp"
+#include "geometry/quadrature.hpp"
 #include "iga/solution/natural_modes.hpp"
+#include "iga/spaces/element_tables.hpp"
+#include "iga/spaces/multiplier_space.hpp"
 #include "verification/claims/expect.hpp"
 #include "verification/suites/known_problem.hpp"
 #include "verification/suites/known_problems.hpp"
@@ -20,6 +29,7 @@ namespace {
 
 using geometry::MultiPatch;
 using iga::Coupling;
+using iga::NonMatchingCoupling;
 
 const Tolerance of_plane_interfaces = round_off(3e4, "assembling and solving");
 // 1.6e-10 at p = 3.
@@ -29,6 +39,7 @@ struct NonMatchingModel {
   std::string name;
   MultiPatch model;
   std::vector<std::string> held;
+  bool has_two_covered_sides = true;
 };
 
 MultiPatch kept_apart(const geometry::PatchSet& below, const geometry::PatchSet& above) {
@@ -81,15 +92,32 @@ iga::ElasticityProblem pulled(const NonMatchingModel& m, const LinearField& fiel
   return p;
 }
 
+// Both couplings of what matches by Nitsche's method, and with mortar multipliers on either side that can
+// have them.
+std::vector<iga::ElasticityOptions> ways(const NonMatchingModel& m) {
+  std::vector<iga::ElasticityOptions> result;
+  for (const Coupling coupling : iga::all_couplings) {
+    result.push_back({.coupling = coupling});
+    result.push_back({.coupling = coupling, .non_matching = NonMatchingCoupling::mortar});
+  }
+  if (m.has_two_covered_sides)
+    result.push_back({.non_matching = NonMatchingCoupling::mortar, .mortar_side = iga::MortarSide::other});
+  return result;
+}
+
+std::string words(const iga::ElasticityOptions& way) {
+  return fmt::format("{}, {}{}", iga::name(way.coupling), iga::name(way.non_matching),
+                     way.mortar_side == iga::MortarSide::other ? " on the other side" : "");
+}
+
 TEST(NonMatching, LinearFields) {
   const LinearField field = generic_linear_field();
   for (const NonMatchingModel& m : models())
     for (const int degree : {1, 2, 3}) {
       if (is_curved(m) && degree < 2) continue;
-      for (const Coupling coupling : iga::all_couplings) {
-        const iga::ElasticitySolution solution =
-            iga::solve_elasticity(pulled(m, field, degree), {.coupling = coupling});
-        const std::string of = fmt::format("{}, p = {}, {}", m.name, degree, iga::name(coupling));
+      for (const iga::ElasticityOptions& way : ways(m)) {
+        const iga::ElasticitySolution solution = iga::solve_elasticity(pulled(m, field, degree), way);
+        const std::string of = fmt::format("{}, p = {}, {}", m.name, degree, words(way));
         expect(Claim{of + ": largest error of a coefficient of u",
                      "",
                      ReferenceKind::exact,
@@ -120,20 +148,193 @@ TEST(NonMatching, RefusesWhatItCannot) {
   EXPECT_ERROR(iga::solve_elasticity(p, {}), ErrorCode::unsupported, "temperatures are not for");
 }
 
-TEST(NonMatching, Orders) {
+// A part of two materials: the differences of two ways to couple are errors of the discretization.
+iga::ElasticityProblem bent(const NonMatchingModel& m, int degree, int refine) {
+  iga::ElasticityProblem p =
+      unloaded(m.model, {.degree = {degree, degree, degree}, .refine = refine, .spread = false},
+               iga::isotropic(1e9, 0.3));
+  p.materials.back() = iga::isotropic(3e9, 0.2);
+  p.supports = {{m.held[0], faces_of(m.model, m.held[0]), iga::PrescribedDisplacement{{0.0, 0.0, 0.0}, {}}}};
+  p.surface_loads = {{"push", faces_of(m.model, m.held[1]),
+                      [](const Eigen::Vector3d&, const Eigen::Vector3d&) -> Eigen::Vector3d {
+                        return {1e5, 2e5, -1e5};
+                      }}};
+  return p;
+}
+
+double energy(const iga::ElasticityProblem& p, const iga::ElasticityOptions& way) {
+  const iga::ElasticityResults results = iga::solve_elasticity(p, way).results;
+  return results.internal_energy + results.interface_energy;
+}
+
+TEST(NonMatching, WaysAgreeWithinTheErrorOfTheDiscretization) {
+  for (const NonMatchingModel& m : models()) {
+    const iga::ElasticityProblem p = bent(m, 2, 2);
+    const double first = energy(p, {});
+    const double finer = energy(bent(m, 2, 3), {});
+    const double error = std::abs(finer - first) / finer;
+    for (const iga::ElasticityOptions& way : ways(m)) {
+      if (way == iga::ElasticityOptions{}) continue;
+      expect(Claim{fmt::format("{}: energy, {}", m.name, words(way)),
+                   "J",
+                   ReferenceKind::other_method,
+                   "Nitsche's method, to twice what the next refinement changes there",
+                   first,
+                   energy(p, way),
+                   Tolerance(2 * error, "the discretization's error"),
+                   {}});
+    }
+  }
+}
+
+// What the slaves' faces get is what the loads and the support put on their patches.
+TEST(NonMatching, MortarForcesBalance) {
   for (const NonMatchingModel& m : models())
-    if (!is_curved(m)) expect_orders_of(m, {1, {4, 6, 8, 12}});
-  expect_orders_of(models()[1], {2, {6, 8, 10, 12}});
+    for (const iga::MortarSide side : {iga::MortarSide::automatic, iga::MortarSide::other}) {
+      if (side == iga::MortarSide::other && !m.has_two_covered_sides) continue;
+      const iga::ElasticitySolution solution = iga::solve_elasticity(
+          bent(m, 2, 1), {.non_matching = NonMatchingCoupling::mortar, .mortar_side = side});
+      const iga::ElasticityResults& results = solution.results;
+      Eigen::Vector3d across = Eigen::Vector3d::Zero();
+      for (const iga::MortarTie& tie : solution.mortar) across += tie.force;
+      const std::string of =
+          fmt::format("{}, {}", m.name, side == iga::MortarSide::other ? "other side" : "side");
+      expect(Claim{of + ": sum of support and loads",
+                   "N",
+                   ReferenceKind::exact,
+                   "equilibrium",
+                   0,
+                   (results.reactions[0].force + results.total_load).norm() / results.total_load.norm(),
+                   round_off(3e5, "assembling and solving"),
+                   {}});
+      // One of the two sides is held and the other is loaded, or both are on one.
+      const double through = std::min(
+          {(across - results.total_load).norm(), (across + results.total_load).norm(), across.norm()});
+      expect(Claim{of + ": force across the interface",
+                   "N",
+                   ReferenceKind::exact,
+                   "equilibrium",
+                   0,
+                   through / results.total_load.norm(),
+                   round_off(3e5, "assembling and solving"),
+                   {}});
+      expect(Claim{of + ": energy over work",
+                   "",
+                   ReferenceKind::exact,
+                   "constraints do no work",
+                   1,
+                   results.internal_energy / results.external_work,
+                   round_off(3e5, "assembling and solving"),
+                   {}});
+    }
+}
+
+void expect_orders_of(const NonMatchingModel& m, Levels levels, NonMatchingCoupling way) {
+  levels.non_matching = way;
+  expect_orders_of(m, levels);
+}
+
+constexpr std::array both_ways = {NonMatchingCoupling::nitsche, NonMatchingCoupling::mortar};
+
+TEST(NonMatching, Orders) {
+  for (const NonMatchingCoupling way : both_ways) {
+    for (const NonMatchingModel& m : models())
+      if (!is_curved(m)) expect_orders_of(m, {1, {4, 6, 8, 12}}, way);
+    expect_orders_of(models()[1], {2, {6, 8, 10, 12}}, way);
+  }
 }
 
 TEST(FullNonMatching, Orders) {
-  for (const NonMatchingModel& m : models()) {
-    if (is_curved(m)) continue;
-    expect_orders_of(m, {2, {6, 8, 10, 12}});
-    expect_orders_of(m, {3, {4, 6, 8, 10}});
+  for (const NonMatchingCoupling way : both_ways) {
+    for (const NonMatchingModel& m : models()) {
+      if (is_curved(m)) continue;
+      expect_orders_of(m, {2, {6, 8, 10, 12}}, way);
+      expect_orders_of(m, {3, {4, 6, 8, 10}}, way);
+    }
+    expect_orders_of(small_arcs(), {2, {6, 8, 10, 12}}, way);
+    expect_orders_of(small_arcs(), {3, {4, 6, 8, 10}}, way);
   }
-  expect_orders_of(small_arcs(), {2, {6, 8, 10, 12}});
-  expect_orders_of(small_arcs(), {3, {4, 6, 8, 10}});
+}
+
+// The least ratio of sup (m, v) / |v| to |m| over multipliers of a line of unit length, in L2, where v is 0
+// at both ends. Products of two lines have the product of their constants.
+double inf_sup(const geometry::KnotVector& knots, const Eigen::MatrixXd& multipliers,
+               const geometry::KnotVector& of_multipliers) {
+  const iga::DirectionTable v = iga::direction_table(knots, geometry::gauss_legendre(knots.degree() + 1));
+  const iga::DirectionTable m =
+      iga::direction_table(of_multipliers, geometry::gauss_legendre(knots.degree() + 1));
+  Eigen::MatrixXd vv = Eigen::MatrixXd::Zero(knots.size(), knots.size());
+  Eigen::MatrixXd mm = Eigen::MatrixXd::Zero(of_multipliers.size(), of_multipliers.size());
+  Eigen::MatrixXd mv = Eigen::MatrixXd::Zero(of_multipliers.size(), knots.size());
+  for (std::size_t e = 0; e < v.elements.size(); ++e) {
+    const auto& of_v = v.elements[e];
+    const auto& of_m = m.elements[e];
+    const Eigen::MatrixXd weighted = of_m.weights.asDiagonal() * of_m.values;
+    const Eigen::Index p = of_v.values.cols(), q = of_m.values.cols();
+    vv.block(of_v.first, of_v.first, p, p) +=
+        of_v.values.transpose() * of_v.weights.asDiagonal() * of_v.values;
+    mm.block(of_m.first, of_m.first, q, q) += of_m.values.transpose() * weighted;
+    mv.block(of_m.first, of_v.first, q, p) += weighted.transpose() * of_v.values;
+  }
+  const Eigen::Index inner = knots.size() - 2;
+  const Eigen::MatrixXd b = (multipliers.transpose() * mv).middleCols(1, inner);
+  const Eigen::MatrixXd schur = b * vv.block(1, 1, inner, inner).ldlt().solve(b.transpose());
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
+      schur, multipliers.transpose() * mm * multipliers, Eigen::EigenvaluesOnly);
+  return std::sqrt(std::max(0.0, eigen.eigenvalues()[0]));
+}
+
+geometry::KnotVector lowered(const geometry::KnotVector& knots) {
+  return geometry::KnotVector::uniform(knots.degree() - 1, knots.element_count());
+}
+
+Figure stability(const std::string& what, double value) {
+  Figure figure;
+  figure.what = what;
+  figure.kind = ReferenceKind::other_method;
+  figure.source = "least singular value";
+  figure.value = value;
+  figure.why = "stable as long as it does not fall with the elements";
+  return figure;
+}
+
+TEST(NonMatching, MultipliersAreStable) {
+  for (const int degree : {1, 2, 3, 4}) {
+    double coarse = 0, fine = 0;
+    for (const int elements : {4, 8, 16, 32, 64}) {
+      const geometry::KnotVector knots = geometry::KnotVector::uniform(degree, elements);
+      const double ours = inf_sup(knots, iga::multiplier_coefficients(knots), knots);
+      report(stability(
+          fmt::format("inf-sup constant of a line's multipliers, p = {}, {} elements", degree, elements),
+          ours));
+      coarse = elements == 4 ? ours : coarse;
+      fine = ours;
+    }
+    EXPECT_GT(fine, 0.9 * coarse) << "p = " << degree;
+  }
+}
+
+// Splines of one degree less than the displacements, which have a multiplier for every inner function and one
+// more, leave one without effect; without the functions at the ends the constant falls as elements get
+// smaller.
+TEST(NonMatching, MultipliersOfOneDegreeLessAreNot) {
+  for (const int degree : {2, 3}) {
+    std::vector<double> constants;
+    for (const int elements : {8, 16, 32}) {
+      const geometry::KnotVector knots = geometry::KnotVector::uniform(degree, elements);
+      const geometry::KnotVector lower = lowered(knots);
+      Eigen::MatrixXd inner = Eigen::MatrixXd::Identity(lower.size(), lower.size());
+      EXPECT_LT(inf_sup(knots, inner, lower), 1e-6);
+      // The first two as one.
+      inner.col(1) += inner.col(0);
+      constants.push_back(inf_sup(knots, inner.rightCols(lower.size() - 1), lower));
+      report(stability(fmt::format("inf-sup constant with multipliers of degree p - 1, p = {}, {} elements",
+                                   degree, elements),
+                       constants.back()));
+    }
+    EXPECT_LT(constants[2], 0.6 * constants[1]);
+    EXPECT_LT(constants[1], 0.6 * constants[0]);
+  }
 }
 
 }  // namespace

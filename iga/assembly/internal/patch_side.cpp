@@ -47,7 +47,22 @@ std::array<int, 3> PatchSide::element(const ElementOfFace& of_face) const {
 
 PatchSide::Functions PatchSide::functions(const ElementOfFace& of_face,
                                           const geometry::Parameter<2>& on_side) const {
-  const geometry::Parameter<3> at = geometry::on_side(*space_.geometry, side_, on_side);
+  return functions_behind(of_face, geometry::on_side(*space_.geometry, side_, on_side));
+}
+
+std::array<geometry::Parameter<3>, 2> PatchSide::box_behind(const ElementOfFace& of_face) const {
+  const std::array<int, 3> element = this->element(of_face);
+  std::array<geometry::Parameter<3>, 2> result;
+  for (std::size_t d = 0; d < 3; ++d) {
+    const auto e = static_cast<std::size_t>(element[d]);
+    result[0][static_cast<Eigen::Index>(d)] = breaks_[d][e];
+    result[1][static_cast<Eigen::Index>(d)] = breaks_[d][e + 1] - breaks_[d][e];
+  }
+  return result;
+}
+
+PatchSide::Functions PatchSide::functions_behind(const ElementOfFace& of_face,
+                                                 const geometry::Parameter<3>& at) const {
   const std::array<int, 3> element = this->element(of_face);
   std::array<Eigen::MatrixXd, 3> bases;
   std::array<int, 3> first;

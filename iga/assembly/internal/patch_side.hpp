@@ -27,6 +27,11 @@ class PatchSide {
   /// Knots along a direction of the side, 0 or 1.
   const geometry::KnotVector& knots(int along) const;
 
+  /// Elements along a direction of the side, 0 or 1.
+  int elements(int along) const { return knots(along).element_count(); }
+  /// The corner of lowest parameters of the volume's element behind an element of the side, and its extent.
+  std::array<geometry::Parameter<3>, 2> box_behind(const ElementOfFace& of_face) const;
+
   /// The volume's element behind an element of the side, per direction.
   std::array<int, 3> element(const ElementOfFace& of_face) const;
 
@@ -39,6 +44,8 @@ class PatchSide {
     Eigen::Vector3d normal;                  ///< outward
   };
   Functions functions(const ElementOfFace& of_face, const geometry::Parameter<2>& on_side) const;
+  /// The same at a point of the volume's element behind; the normal is that of the sheet through the point.
+  Functions functions_behind(const ElementOfFace& of_face, const geometry::Parameter<3>& at) const;
 
   /// (degree + 1)^2 / thickness, the largest over the side of an element, 1/m: for strains that are
   /// polynomials along the lines across it, the most that their square on the side is of their square in the

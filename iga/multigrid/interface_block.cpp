@@ -1,0 +1,97 @@
+#include "iga/multigrid/interface_block.hpp"
+
+#include <set>
+#include <utility>
+
+#include "iga/assembly/face_stiffness.hpp"
+#include "iga/coupling/supported_system.hpp"
+#include "solvers/cholmod_solver.hpp"
+
+namespace isopatch::iga {
+namespace {
+
+using geometry::PatchFace;
+
+std::set<PatchFace> faces_that_do_not_match(const geometry::MultiPatch& model) {
+  std::set<PatchFace> result;
+  for (const geometry::NonMatchingInterface& interface : model.non_matching()) {
+    result.insert(interface.first);
+    result.insert(interface.second);
+  }
+  return result;
+}
+
+// A matrix of so many rows with blocks on the diagonal alone, all 0.
+solvers::SymmetricBlockMatrix diagonal_blocks(int rows) {
+  solvers::SymmetricBlockMatrix result;
+  result.columns.resize(static_cast<std::size_t>(rows));
+  result.values.resize(9 * static_cast<std::size_t>(rows));
+  for (int row = 0; row < rows; ++row) {
+    result.columns[static_cast<std::size_t>(row)] = row;
+    result.row_start.push_back(row + 1);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<bool> nodes_that_do_not_match(const geometry::MultiPatch& model, const Level& level) {
+  std::vector<bool> result(level.global_of.size(), false);
+  for (const PatchFace& face : faces_that_do_not_match(model)) {
+    const auto p = static_cast<std::size_t>(face.patch.value);
+    for (const int node : geometry::face_control_points(level.spaces[p].sizes(), face.side))
+      result[static_cast<std::size_t>(level.first_node[p] + node)] = true;
+  }
+  return result;
+}
+
+InterfaceBlock::InterfaceBlock(const geometry::MultiPatch& model, const Level& level,
+                               const std::vector<Material>& materials, const NodeBlocks& surfaces,
+                               const std::vector<Eigen::Matrix3d>& diagonal) {
+  if (model.non_matching().empty()) return;
+  // Rows of the block; nodes elsewhere that share one belong to it too.
+  std::vector<int> of_row(static_cast<std::size_t>(level.rows.local_rows()), -1);
+  const std::vector<bool> is_here = nodes_that_do_not_match(model, level);
+  for (std::size_t node = 0; node < is_here.size(); ++node) {
+    if (!is_here[node]) continue;
+    const int row = level.row_of_node[node];
+    if (of_row[static_cast<std::size_t>(row)] >= 0) continue;
+    of_row[static_cast<std::size_t>(row)] = static_cast<int>(rows_.size());
+    rows_.push_back(row);
+  }
+  RowNumbering numbering{{}, static_cast<int>(rows_.size())};
+  for (const int row : level.row_of_node)
+    numbering.row_of_node.push_back(of_row[static_cast<std::size_t>(row)]);
+  solvers::SymmetricBlockMatrix matrix = diagonal_blocks(numbering.rows);
+  NodeBlocks all = surfaces;
+  for (const PatchFace& face : faces_that_do_not_match(model)) {
+    const auto p = static_cast<std::size_t>(face.patch.value);
+    all.add(face_stiffness(level.spaces[p], face.side, level.first_node[p], materials[p]));
+  }
+  all.add_to(matrix, numbering);
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> block(
+        &matrix.values[static_cast<std::size_t>(9 * matrix.row_start[i])]);
+    block = diagonal[static_cast<std::size_t>(rows_[i])];
+  }
+  const std::vector<SupportFrame> frames = level.free.frames(level.rows.local_rows());
+  std::vector<const SupportFrame*> of_rows;
+  for (const int row : rows_) of_rows.push_back(&frames[static_cast<std::size_t>(row)]);
+  std::vector<LoadOfRows> no_loads;
+  apply_supports(matrix, solvers::SharedRows(numbering.rows), of_rows, no_loads);
+  inverse_ = solvers::cholmod_inverse(std::move(matrix));
+}
+
+void InterfaceBlock::add(const Eigen::VectorXd& residual, Eigen::VectorXd& result) const {
+  if (rows_.empty()) return;
+  Eigen::VectorXd here(3 * static_cast<Eigen::Index>(rows_.size()));
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    here.segment<3>(3 * static_cast<Eigen::Index>(i)) =
+        residual.segment<3>(3 * static_cast<Eigen::Index>(rows_[i]));
+  here = inverse_(here);
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    result.segment<3>(3 * static_cast<Eigen::Index>(rows_[i])) +=
+        here.segment<3>(3 * static_cast<Eigen::Index>(i));
+}
+
+}  // namespace isopatch::iga
