@@ -192,6 +192,7 @@ void append(const Matrix& matrix, int first_row, int first_column, Triplets& ent
 }  // namespace
 
 MortarConstraints mortar_constraints(const std::vector<MortarFace>& faces,
+                                     const std::vector<SharedEdges>& edges,
                                      const std::vector<PatchSpace>& spaces,
                                      const std::vector<Material>& materials, double same_point) {
   const std::vector<int> first_node = first_nodes(spaces);
@@ -201,15 +202,17 @@ MortarConstraints mortar_constraints(const std::vector<MortarFace>& faces,
   };
   MortarConstraints result;
   result.faces = faces;
+  result.edges = edges;
   result.first_function = {0};
   Triplets jumps, compliance;
   std::vector<double> scale;
-  for (const MortarFace& face : faces) {
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const MortarFace& face = faces[f];
     const PatchSide slave = side(face.slave);
     FaceIntegrals integrals(slave, materials[static_cast<std::size_t>(face.slave.patch.value)]);
     for (const geometry::PatchFace& master : face.masters) integrals.add(side(master), same_point);
-    const Sparse coefficients =
-        products(multiplier_coefficients(slave.knots(0)), multiplier_coefficients(slave.knots(1)));
+    const Sparse coefficients = products(multiplier_coefficients(slave.knots(0), edges[f][0]),
+                                         multiplier_coefficients(slave.knots(1), edges[f][1]));
     const Index splines = coefficients.rows(), functions = coefficients.cols();
     const SparseRows of_slave =
         coefficients.transpose() * matrix_of(integrals.of_slave(), splines, first_node.back());

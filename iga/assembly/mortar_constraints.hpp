@@ -6,6 +6,7 @@
 
 #include "iga/coupling/interface_roles.hpp"
 #include "iga/coupling/row_numbering.hpp"
+#include "iga/coupling/shared_edges.hpp"
 #include "iga/coupling/support_frame.hpp"
 #include "iga/spaces/patch_space.hpp"
 #include "solvers/linear_system.hpp"
@@ -16,10 +17,12 @@ namespace isopatch::iga {
 ///
 ///     integral m_i (u_slave - u_masters) = 0,   divided by s_i.
 ///
-/// The multiplier functions are splines of the slave's own knots with one degree less on elements at the
-/// face's edges (`multiplier_coefficients`), polynomial where its displacements are rational.
+/// The multiplier functions are splines of the slave's own knots with one degree less on elements at edges
+/// that are not the face's alone (`multiplier_coefficients`), polynomial where its displacements are
+/// rational. So there are as many as nodes of the face on none of these edges.
 struct MortarConstraints {
   std::vector<MortarFace> faces;
+  std::vector<SharedEdges> edges;   ///< of each slave
   std::vector<int> first_function;  ///< of each face, and their number at the end
   Eigen::VectorXd scale;            ///< s_i, m^2: the sum of the slave's entries' sizes
   /// (functions, nodes of all patches): the same for each component of u.
@@ -32,6 +35,7 @@ struct MortarConstraints {
   bool empty() const { return functions() == 0; }
 };
 
+/// @param edges       one per face
 /// @param spaces      of all patches
 /// @param materials   one per patch
 /// @param same_point  how far faces may be apart, m
@@ -39,6 +43,7 @@ struct MortarConstraints {
 /// @source  Bernardi, Maday, Patera 1994; for splines Brivadis, Buffa, Wohlmuth, Wunderlich, Isogeometric
 ///          mortar methods, 2015
 MortarConstraints mortar_constraints(const std::vector<MortarFace>& faces,
+                                     const std::vector<SharedEdges>& edges,
                                      const std::vector<PatchSpace>& spaces,
                                      const std::vector<Material>& materials, double same_point);
 

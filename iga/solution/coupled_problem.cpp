@@ -26,13 +26,19 @@ CoupledProblem without_loads(const ElasticityProblem& problem, const CouplingOpt
   result.spaces = isoparametric_spaces(problem.discretization);
   result.distribution = distribute(result.spaces, processes.count());
   result.parts = layers_of(result.distribution, result.spaces, processes.rank());
-  if (options.non_matching == NonMatchingCoupling::mortar) {
-    const geometry::MultiPatch& model = problem.discretization.model;
-    result.mortar =
-        mortar_constraints(mortar_faces(problem.discretization, problem.materials, options.mortar_side),
-                           result.spaces, problem.materials, model.tolerance().same_point * model.size());
-  }
   return result;
+}
+
+// The constraints of faces that do not match, once the supports are known.
+MortarConstraints constraints_of(const CoupledProblem& coupled, const CouplingOptions& options) {
+  const Discretization& d = coupled.discretization();
+  if (options.non_matching != NonMatchingCoupling::mortar || d.model.non_matching().empty()) return {};
+  const std::vector<MortarFace> faces = mortar_faces(d, coupled.problem->materials, options.mortar_side);
+  std::vector<SharedEdges> edges;
+  for (const MortarFace& face : faces)
+    edges.push_back(shared_edges(face.slave, d, coupled.global, coupled.frames));
+  return mortar_constraints(faces, edges, coupled.spaces, coupled.problem->materials,
+                            d.model.tolerance().same_point * d.model.size());
 }
 
 // What acts on a problem, temperatures included.
@@ -61,6 +67,7 @@ CoupledProblem coupled_problem(const ElasticityProblem& problem, const CouplingO
   CoupledProblem result = without_loads(problem, options);
   result.frames = support_frames(problem, result.global);
   result.multipliers = multiplier_rows(result.global, result.frames);
+  result.mortar = constraints_of(result, options);
   result.right_sides = {whole_right_side(problem, result)};
   return result;
 }
@@ -75,6 +82,7 @@ CoupledProblem coupled_cases(const ElasticityProblem& problem, const std::vector
     result.right_sides.push_back(whole_right_side(own, result));
   }
   result.multipliers = multiplier_rows(result.global, result.frames);
+  result.mortar = constraints_of(result, options);
   return result;
 }
 

@@ -1,6 +1,7 @@
 #include "iga/solution/mortar_iteration.hpp"
 
 #include <Eigen/SparseCholesky>
+#include <array>
 #include <utility>
 
 #include "geometry/base/error.hpp"
@@ -8,6 +9,7 @@
 #include "iga/multigrid/elasticity_multigrid.hpp"
 #include "iga/multigrid/level_operator.hpp"
 #include "iga/solution/level_vectors.hpp"
+#include "iga/solution/mortar_projection.hpp"
 #include "solvers/load_sequence.hpp"
 #include "solvers/operator_system.hpp"
 
@@ -17,10 +19,124 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+// How much more multipliers are worth than Nitsche's penalty says; fewest iterations, measured on a plate and
+// on T-joints, between 0.1 and 0.5.
+constexpr double share_of_penalty = 0.25;
+
 VectorXd joined(const VectorXd& x, const VectorXd& y) {
   VectorXd z(x.size() + y.size());
   z << x, y;
   return z;
+}
+
+// What both ways share. Parts refer to each other, so it stays where it is.
+struct MortarSystem {
+  MortarSystem(const CoupledProblem& of, const solvers::MultigridOptions& smoothing, const Progress& progress)
+      : coupled(of),
+        level(finest_level(of.spaces, of.global, of.frames, of.distribution, of.processes)),
+        stiffness(level, of.problem->materials, of.points, of.surfaces()),
+        multigrid(*of.problem, level, of.frames, of.distribution, of.processes, {}, {smoothing, of.points},
+                  progress),
+        frames(level.free.frames(level.rows.local_rows())) {
+    for (const SupportFrame& frame : frames) frame_of_row.push_back(&frame);
+    b = mortar_matrix(of.mortar, {level.row_of_node, level.rows.local_rows()}, frame_of_row);
+  }
+  MortarSystem(const MortarSystem&) = delete;
+
+  // Forces on the unknowns, and what B x must be.
+  struct Sides {
+    VectorXd prescribed, load, jump;
+  };
+  Sides sides(const RightSide& side) const {
+    Sides result;
+    result.prescribed = prescribed_rows(level, side.prescribed);
+    result.load = free_load(level, stiffness, side.load, result.prescribed);
+    result.jump =
+        mortar_right_side(coupled.mortar, {level.row_of_node, level.rows.local_rows()}, result.prescribed);
+    return result;
+  }
+  DiscreteSolution solution(const Sides& sides, const VectorXd& x, VectorXd multipliers,
+                            solvers::SolveReport report) const {
+    const VectorXd of_rows = sides.prescribed + level.free.to_space(x);
+    return {whole_at_nodes(level, of_rows), {}, std::move(report), std::move(multipliers)};
+  }
+
+  const CoupledProblem& coupled;
+  Level level;
+  LevelOperator stiffness;
+  ElasticityMultigrid multigrid;
+  std::vector<SupportFrame> frames;
+  std::vector<const SupportFrame*> frame_of_row;
+  solvers::ConstraintMatrix b;
+};
+
+std::vector<DiscreteSolution> by_minimal_residuals(const MortarSystem& mortar,
+                                                   const solvers::SolverOptions& options,
+                                                   const Stopwatch& watch, const Progress& progress) {
+  const MortarConstraints& constraints = mortar.coupled.mortar;
+  const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> compliance(constraints.compliance);
+  if (compliance.info() != Eigen::Success)
+    throw Error(ErrorCode::singular_system, "multipliers between faces that do not match are no basis");
+  const Index displacements = mortar.b.cols(), multipliers = mortar.b.rows();
+  solvers::OperatorSystem system;
+  system.rows = solvers::SharedRows(mortar.level.rows.local_rows() + constraints.functions());
+  system.product = [&](const VectorXd& z) {
+    const VectorXd x = z.head(displacements), y = z.tail(multipliers);
+    return joined(mortar.stiffness.apply(x) + mortar.b.transpose() * y, mortar.b * x);
+  };
+  system.preconditioner = [&](const VectorXd& r) {
+    return joined(mortar.multigrid.apply(r.head(displacements)),
+                  share_of_penalty * compliance.solve(r.tail(multipliers)));
+  };
+  system.costs = {.levels = mortar.multigrid.levels(),
+                  .bytes = mortar.multigrid.bytes(),
+                  .setup_seconds = watch.seconds()};
+  solvers::LoadSequence sequence(system, solvers::KrylovMethod::minres);
+  std::vector<DiscreteSolution> result;
+  for (const RightSide& side : mortar.coupled.right_sides) {
+    const MortarSystem::Sides sides = mortar.sides(side);
+    solvers::LinearSolution solved = sequence.solve(joined(sides.load, sides.jump), options, progress);
+    result.push_back(mortar.solution(sides, solved.x.head(displacements), solved.x.tail(multipliers),
+                                     std::move(solved.report)));
+  }
+  return result;
+}
+
+std::vector<DiscreteSolution> by_conjugate_gradients(const MortarSystem& mortar,
+                                                     const solvers::SolverOptions& options,
+                                                     const Stopwatch& watch, const Progress& progress) {
+  std::vector<std::array<int, 3>> sizes;
+  for (const PatchSpace& space : mortar.level.spaces) sizes.push_back(space.sizes());
+  const MortarProjection projection(mortar.coupled.mortar, mortar.b, sizes, mortar.level.first_node,
+                                    mortar.level.row_of_node, mortar.frame_of_row);
+  solvers::OperatorSystem system;
+  system.rows = mortar.level.rows;
+  system.product = [&](const VectorXd& x) {
+    return projection.moved_to_masters(mortar.stiffness.apply(projection.project(x)));
+  };
+  system.preconditioner = [&](const VectorXd& r) {
+    return projection.project(mortar.multigrid.apply(projection.moved_to_masters(r)));
+  };
+  system.costs = {.levels = mortar.multigrid.levels(),
+                  .bytes = mortar.multigrid.bytes(),
+                  .setup_seconds = watch.seconds()};
+  std::vector<MortarSystem::Sides> sides;
+  std::vector<VectorXd> particular, loads;
+  for (const RightSide& side : mortar.coupled.right_sides) {
+    sides.push_back(mortar.sides(side));
+    particular.push_back(projection.particular(sides.back().jump));
+    loads.push_back(
+        projection.moved_to_masters(sides.back().load - mortar.stiffness.apply(particular.back())));
+  }
+  solvers::LoadSequence sequence(system, solvers::KrylovMethod::cg);
+  std::vector<solvers::LinearSolution> solved = sequence.solve_all(loads, options, progress);
+  std::vector<DiscreteSolution> result;
+  for (std::size_t i = 0; i < solved.size(); ++i) {
+    const VectorXd x = particular[i] + projection.project(solved[i].x);
+    VectorXd multipliers = projection.multipliers(sides[i].load - mortar.stiffness.apply(x));
+    result.push_back(mortar.solution(sides[i], x, std::move(multipliers), std::move(solved[i].report)));
+  }
+  return result;
 }
 
 }  // namespace
@@ -28,45 +144,10 @@ VectorXd joined(const VectorXd& x, const VectorXd& y) {
 std::vector<DiscreteSolution> solve_with_mortar(const CoupledProblem& coupled,
                                                 const solvers::SolverOptions& options,
                                                 const Progress& progress) {
-  Stopwatch watch;
-  const MortarConstraints& mortar = coupled.mortar;
-  const Level level =
-      finest_level(coupled.spaces, coupled.global, coupled.frames, coupled.distribution, coupled.processes);
-  const LevelOperator stiffness(level, coupled.problem->materials, coupled.points, coupled.surfaces());
-  const ElasticityMultigrid multigrid(*coupled.problem, level, coupled.frames, coupled.distribution,
-                                      coupled.processes, {}, {options.multigrid, coupled.points}, progress);
-  const RowNumbering numbering{level.row_of_node, level.rows.local_rows()};
-  const std::vector<SupportFrame> frames = level.free.frames(numbering.rows);
-  std::vector<const SupportFrame*> frame_of_row;
-  for (const SupportFrame& frame : frames) frame_of_row.push_back(&frame);
-  const solvers::ConstraintMatrix b = mortar_matrix(mortar, numbering, frame_of_row);
-  const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> compliance(mortar.compliance);
-  if (compliance.info() != Eigen::Success)
-    throw Error(ErrorCode::singular_system, "multipliers between faces that do not match are no basis");
-  const Index displacements = b.cols(), multipliers = b.rows();
-  solvers::OperatorSystem system;
-  system.rows = solvers::SharedRows(numbering.rows + mortar.functions());
-  system.product = [&](const VectorXd& z) {
-    const VectorXd x = z.head(displacements), y = z.tail(multipliers);
-    return joined(stiffness.apply(x) + b.transpose() * y, b * x);
-  };
-  system.preconditioner = [&](const VectorXd& r) {
-    return joined(multigrid.apply(r.head(displacements)), compliance.solve(r.tail(multipliers)));
-  };
-  system.costs = {.levels = multigrid.levels(), .bytes = multigrid.bytes(), .setup_seconds = watch.lap()};
-  solvers::LoadSequence sequence(system, solvers::KrylovMethod::minres);
-  std::vector<DiscreteSolution> result;
-  for (const RightSide& side : coupled.right_sides) {
-    const VectorXd prescribed = prescribed_rows(level, side.prescribed);
-    const VectorXd load = joined(free_load(level, stiffness, side.load, prescribed),
-                                 mortar_right_side(mortar, numbering, prescribed));
-    solvers::LinearSolution solved = sequence.solve(load, options, progress);
-    const VectorXd of_rows = prescribed + level.free.to_space(solved.x.head(displacements));
-    DiscreteSolution& solution = result.emplace_back(
-        DiscreteSolution{whole_at_nodes(level, of_rows), {}, std::move(solved.report), {}});
-    solution.mortar = solved.x.tail(multipliers);
-  }
-  return result;
+  const Stopwatch watch;
+  const MortarSystem mortar(coupled, options.multigrid, progress);
+  return options.method == solvers::Method::cg ? by_conjugate_gradients(mortar, options, watch, progress)
+                                               : by_minimal_residuals(mortar, options, watch, progress);
 }
 
 }  // namespace isopatch::iga

@@ -9,16 +9,22 @@
 
 namespace isopatch::iga {
 
-/// Solves with multipliers on faces that do not match, without a matrix: minimal residuals for
-/// [[K, B^T], [B, 0]], the patches' matching faces eliminated.
+/// Solves with mortar multipliers, without a matrix; nodes of faces that match share their unknowns.
 ///
-/// K is singular on bodies that multipliers alone hold, but positive definite where B x = 0. The
-/// preconditioner is block diagonal: the multigrid of Nitsche's method for the displacements, and for the
-/// multipliers the inverse of their product in the metric that Nitsche's penalty gives, which is near B
-/// K_N^-1 B^T. So the number of iterations follows from the stability of the multipliers and the quality of
-/// the multigrid.
+/// Both ways use the multigrid of Nitsche's method, whose energy is that of the constrained displacements but
+/// for a bounded factor, however fine the elements are.
 ///
-/// @source  Benzi, Golub, Liesen, Numerical solution of saddle point problems, Acta Numerica 2005, section 10
+/// Method cg: conjugate gradients among the displacements that satisfy the constraints. The inner nodes of
+/// slave faces follow from the others (`MortarProjection`, P): the operator is P^T K P, its preconditioner P
+/// M P^T, and the multipliers are the forces that remain on these nodes.
+///
+/// Method minres: minimal residuals for [[K, B^T], [B, 0]] with a block diagonal preconditioner, M and for
+/// the multipliers the inverse of their product in the metric of Nitsche's penalty. Takes about three times
+/// the iterations, but slave faces may be held by supports.
+///
+/// @throws Error unsupported  as MortarProjection does, with cg
+/// @source  Benzi, Golub, Liesen, Numerical solution of saddle point problems, Acta Numerica 2005, sections 6
+///          and 10
 std::vector<DiscreteSolution> solve_with_mortar(const CoupledProblem& coupled,
                                                 const solvers::SolverOptions& options,
                                                 const Progress& progress);

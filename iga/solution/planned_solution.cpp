@@ -26,9 +26,9 @@ std::vector<DiscreteSolution> solve_by(const SolverPlan& plan, const CoupledProb
   options.method = plan.method;
   options.preconditioner = plan.preconditioner;
   options.form = plan.form;
-  if (plan.method == Method::minres)
-    return coupled.mortar.empty() ? solve_with_multipliers(coupled, options, progress)
-                                  : solve_with_mortar(coupled, options, progress);
+  const bool iterates = plan.method == Method::minres || plan.method == Method::cg;
+  if (iterates && !coupled.mortar.empty()) return solve_with_mortar(coupled, options, progress);
+  if (plan.method == Method::minres) return solve_with_multipliers(coupled, options, progress);
   if (plan.method == Method::cg && plan.preconditioner == Preconditioner::multigrid)
     return solve_eliminated(coupled, options, progress);
   return solve_assembled(coupled, options, progress);
@@ -41,6 +41,8 @@ bool may_go_on(const Error& error, const CoupledProblem& coupled) {
       return true;
     case ErrorCode::singular_system:
       return !has_too_few_points(coupled.discretization(), coupled.points);
+    case ErrorCode::unsupported:
+      return !coupled.mortar.empty();
     case ErrorCode::out_of_memory:
     case ErrorCode::internal:
       return coupled.processes.count() == 1;

@@ -41,15 +41,15 @@ std::string about(double value) {
 
 void check_coupling(Method method, const SizeForecast& size) {
   const bool tied = size.has_multipliers();
-  if (tied && (method == Method::cholmod || method == Method::cg))
-    refuse(fmt::format(
-        "method '{}' cannot treat the multipliers of {}; use 'auto', 'minres', 'mumps' or "
-        "'umfpack', or {}",
-        solvers::name(method), size.has_mortar ? "non_matching = \"mortar\"" : "coupling 'lagrange'",
-        !size.has_mortar                         ? "coupling 'elimination'"
-        : size.coupling == Coupling::elimination ? "non_matching = \"nitsche\""
-                                                 : "coupling 'elimination' and "
-                                                   "non_matching = \"nitsche\""));
+  if (method == Method::cholmod && size.has_mortar)
+    refuse(
+        "method 'cholmod' cannot treat the multipliers of non_matching = \"mortar\"; use 'auto', 'mumps', "
+        "'umfpack', 'cg' or 'minres', or non_matching = \"nitsche\"");
+  if (size.coupling == Coupling::lagrange && (method == Method::cholmod || method == Method::cg))
+    refuse(
+        fmt::format("method '{}' cannot treat the multipliers of coupling 'lagrange'; use 'auto', 'minres', "
+                    "'mumps' or 'umfpack', or coupling 'elimination'",
+                    solvers::name(method)));
   if (!tied && method == Method::minres)
     refuse("method 'minres' is for coupling 'lagrange'; use 'auto' or 'cg' with coupling 'elimination'");
 }
@@ -66,7 +66,8 @@ void check_processes(const solvers::SolverOptions& options, int processes) {
         "preconditioner 'block_jacobi' works on one process, and there are {}; use 'multigrid'", processes));
 }
 
-void check_parts(const solvers::SolverOptions& options, bool tied) {
+void check_parts(const solvers::SolverOptions& options, const SizeForecast& size) {
+  const bool tied = size.has_multipliers();
   const bool direct = options.method != Method::automatic && !is_iterative(options.method);
   const bool jacobi = options.preconditioner == Preconditioner::block_jacobi;
   if (direct && options.form == Operator::matrix_free)
@@ -83,13 +84,17 @@ void check_parts(const solvers::SolverOptions& options, bool tied) {
         "use "
         "preconditioner 'multigrid' or operator 'assembled'");
   if (tied && options.method != Method::mumps && options.method != Method::umfpack) {
-    if (jacobi && options.method == Method::minres)
+    const bool iterates = options.method == Method::minres || options.method == Method::cg;
+    if (jacobi && iterates)
       refuse(
-          "preconditioner 'block_jacobi' cannot treat multipliers; use preconditioner 'multigrid' with "
-          "method "
-          "'minres'");
-    if (options.form == Operator::assembled && options.method == Method::minres)
-      refuse("method 'minres' iterates without a matrix; leave operator = \"auto\"");
+          fmt::format("preconditioner 'block_jacobi' cannot treat multipliers; use preconditioner "
+                      "'multigrid' with method '{}'",
+                      solvers::name(options.method)));
+    if (options.form == Operator::assembled && iterates)
+      refuse(
+          fmt::format("method '{}' iterates without a matrix where there are multipliers; leave operator = "
+                      "\"auto\"",
+                      solvers::name(options.method)));
   }
 }
 
@@ -105,7 +110,9 @@ Method direct_method(const SizeForecast& size) {
 // Iterations in the form that the options ask for, or else in the faster one that fits.
 SolverPlan iterative_plan(const SizeForecast& size, const solvers::SolverOptions& options, double available) {
   SolverPlan plan;
-  plan.method = size.has_multipliers() ? Method::minres : Method::cg;
+  plan.method = options.method != Method::automatic          ? options.method
+                : size.has_multipliers() && !size.has_mortar ? Method::minres
+                                                             : Method::cg;
   plan.preconditioner = options.preconditioner;
   if (options.preconditioner == Preconditioner::block_jacobi) {
     plan.reason = "iterations with block Jacobi";
@@ -115,7 +122,9 @@ SolverPlan iterative_plan(const SizeForecast& size, const solvers::SolverOptions
   plan.reason = "iterations with a multigrid";
   const double with_matrix = multigrid_bytes(size, Operator::assembled);
   plan.form = options.form;
-  if (plan.method == Method::minres) {
+  if (size.has_mortar && plan.method == Method::cg)
+    plan.reason += " among the displacements that satisfy the mortar constraints";
+  if (plan.method == Method::minres || size.has_mortar) {
     plan.form = Operator::matrix_free;
   } else if (options.form == Operator::automatic) {
     const bool cheap = size.matrix_bytes <= cheap_matrix_bytes * static_cast<double>(size.unknowns);
@@ -137,6 +146,12 @@ SolverPlan without_multipliers(const SizeForecast& size) {
       multigrid_bytes(size, Operator::matrix_free),
       "iterations on the displacements that satisfy all ties, with a multigrid; multipliers are the forces "
       "that these leave"};
+}
+
+// Where supports hold nodes that were to follow others.
+SolverPlan with_mortar_multipliers(const SizeForecast& size) {
+  return {Method::minres, Preconditioner::multigrid, Operator::matrix_free,
+          multigrid_bytes(size, Operator::matrix_free), "iterations with a multigrid and mortar multipliers"};
 }
 
 // Flops as "3.2 Gflop".
@@ -180,6 +195,7 @@ std::vector<SolverPlan> automatic_plans(const SizeForecast& size, const solvers:
   // What MUMPS fails on for reasons of its own, LU may do, at twice the cost.
   if (tied && size.processes == 1 && options.form != Operator::matrix_free)
     plans.push_back(direct_plan(size, Method::umfpack, "LU, which pivots more freely"));
+  if (can_iterate && size.has_mortar) plans.push_back(with_mortar_multipliers(size));
   if (tied && can_iterate && !size.has_mortar) plans.push_back(without_multipliers(size));
   return plans;
 }
@@ -228,10 +244,9 @@ std::string advice(const SizeForecast& size, const solvers::SolverOptions& optio
 
 std::vector<SolverPlan> plans_that_fit(const SizeForecast& size, const solvers::SolverOptions& options,
                                        double before, double available) {
-  const bool tied = size.has_multipliers();
   check_coupling(options.method, size);
   check_processes(options, size.processes);
-  check_parts(options, tied);
+  check_parts(options, size);
   const double left = available - before;
   const std::vector<SolverPlan> all = options.method == Method::automatic
                                           ? automatic_plans(size, options, left)

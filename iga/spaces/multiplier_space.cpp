@@ -21,25 +21,33 @@ Eigen::RowVectorXd derivatives(const geometry::KnotVector& knots, int element, i
 
 }  // namespace
 
-Eigen::SparseMatrix<double> multiplier_coefficients(const geometry::KnotVector& knots) {
-  const int size = knots.size(), degree = knots.degree(), elements = knots.element_count();
-  if (size < 3) return Eigen::MatrixXd::Ones(size, 1).sparseView();
-  // What must vanish: the highest derivatives on both ends' elements, scaled alike.
-  Eigen::MatrixXd highest(2, size);
-  highest.row(0) = derivatives(knots, 0, degree);
-  highest.row(1) =
-      elements > 1 ? derivatives(knots, elements - 1, degree) : derivatives(knots, 0, degree - 1);
-  Eigen::Matrix2d of_ends;
-  of_ends << highest.leftCols<1>(), highest.rightCols<1>();
-  const Eigen::MatrixXd of_first_and_last = -of_ends.inverse() * highest;
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int i = 1; i + 1 < size; ++i) {
-    entries.emplace_back(i, i - 1, 1.0);
-    for (const auto& [row, value] :
-         {std::pair(0, of_first_and_last(0, i)), std::pair(size - 1, of_first_and_last(1, i))})
-      if (value != 0) entries.emplace_back(row, i - 1, value);
+Eigen::SparseMatrix<double> multiplier_coefficients(const geometry::KnotVector& knots,
+                                                    const std::array<bool, 2>& reduced) {
+  const int size = knots.size(), degree = knots.degree(), last_element = knots.element_count() - 1;
+  std::vector<int> removed;  // functions
+  if (reduced[0]) removed.push_back(0);
+  if (reduced[1]) removed.push_back(size - 1);
+  const auto ends = static_cast<int>(removed.size());
+  if (size <= ends) return Eigen::MatrixXd::Ones(size, 1).sparseView();
+  // What must vanish: the highest derivatives on the ends' elements.
+  Eigen::MatrixXd highest(ends, size), of_removed(ends, ends);
+  for (int k = 0; k < ends; ++k) {
+    const bool is_second_of_one = k == 1 && last_element == 0;
+    const int element = removed[static_cast<std::size_t>(k)] == 0 ? 0 : last_element;
+    highest.row(k) = derivatives(knots, element, is_second_of_one ? degree - 1 : degree);
   }
-  Eigen::SparseMatrix<double> result(size, size - 2);
+  for (int k = 0; k < ends; ++k) of_removed.col(k) = highest.col(removed[static_cast<std::size_t>(k)]);
+  Eigen::MatrixXd followers(0, size);
+  if (ends > 0) followers = -of_removed.inverse() * highest;
+  std::vector<Eigen::Triplet<double>> entries;
+  int multiplier = 0;
+  for (int i = reduced[0] ? 1 : 0; i < size - (reduced[1] ? 1 : 0); ++i, ++multiplier) {
+    entries.emplace_back(i, multiplier, 1.0);
+    for (int k = 0; k < ends; ++k)
+      if (followers(k, i) != 0)
+        entries.emplace_back(removed[static_cast<std::size_t>(k)], multiplier, followers(k, i));
+  }
+  Eigen::SparseMatrix<double> result(size, size - ends);
   result.setFromTriplets(entries.begin(), entries.end());
   return result;
 }

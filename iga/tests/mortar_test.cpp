@@ -71,7 +71,7 @@ TEST(MultiplierSpace, HasOneDegreeLessAtBothEndsAndAddsUpToOne) {
   for (int degree = 1; degree <= 5; ++degree)
     for (const int elements : {1, 2, 3, 7}) {
       const KnotVector knots = KnotVector::uniform(degree, elements);
-      const Eigen::MatrixXd coefficients = multiplier_coefficients(knots);
+      const Eigen::MatrixXd coefficients = multiplier_coefficients(knots, {true, true});
       SCOPED_TRACE(::testing::PrintToString(std::pair(degree, elements)));
       EXPECT_EQ(coefficients.cols(), std::max(1, knots.size() - 2));
       EXPECT_LT((coefficients.rowwise().sum() - Eigen::VectorXd::Ones(knots.size())).cwiseAbs().maxCoeff(),
@@ -116,10 +116,15 @@ TEST(Mortar, DirectAndIterativeSolversAndBothSidesAgree) {
   EXPECT_LT(difference(direct.field, solved(p, Method::mumps, Coupling::lagrange).field), 1e-9);
   const ElasticitySolution iterated = solved(p, Method::minres);
   EXPECT_LT(difference(direct.field, iterated.field), 1e-7);
-  std::printf("iterations %d\n", iterated.solver.iterations);
-  for (std::size_t f = 0; f < 2; ++f)
+  const ElasticitySolution projected = solved(p, Method::cg);
+  EXPECT_LT(difference(direct.field, projected.field), 1e-8);
+  EXPECT_LT(3 * projected.solver.iterations, 2 * iterated.solver.iterations);
+  for (std::size_t f = 0; f < 2; ++f) {
+    EXPECT_LT((direct.mortar[f].force - projected.mortar[f].force).norm(),
+              1e-6 * direct.mortar[f].force.norm());
     EXPECT_LT((direct.mortar[f].force - iterated.mortar[f].force).norm(),
               1e-6 * direct.mortar[f].force.norm());
+  }
   // The discretization error is some percent.
   const ElasticitySolution other = solved(p, Method::mumps, Coupling::elimination, MortarSide::other);
   EXPECT_GT(difference(direct.field, other.field), 1e-9);
@@ -140,10 +145,41 @@ TEST(Mortar, ForcesAndEnergiesBalance) {
   }
 }
 
-TEST(Mortar, TakesNoMethodForPositiveDefiniteSystems) {
+// Held and moved at nodes that are tied, so that constraints have right sides.
+TEST(Mortar, PrescribedDisplacementsGoThroughTheInterface) {
+  const MultiPatch model = box_below(2);
+  ElasticityProblem p =
+      testing::problem(model, {.degree = {2, 2, 2}, .refine = 1, .spread = false}, testing::steel);
+  Eigen::Matrix3d gradient;
+  gradient << 1e-3, 4e-4, -2e-4, 3e-4, -5e-4, 1e-4, -1e-4, 6e-4, 8e-4;
+  std::vector<PatchFace> all;
+  for (const PatchFace& face : model.boundary_faces()) all.push_back(face);
+  p.supports = {{"all around", all, PrescribedDisplacement{{1e-3, 2e-3, -1e-3}, gradient}}};
+  for (const Method method : {Method::mumps, Method::umfpack, Method::cg, Method::minres}) {
+    const ElasticitySolution s = solved(p, method);
+    double error = 0;
+    for (std::size_t i = 0; i < s.field.patches.size(); ++i) {
+      const Eigen::Matrix3Xd exact =
+          (gradient * s.field.patches[i].control_points()).colwise() + Eigen::Vector3d(1e-3, 2e-3, -1e-3);
+      error = std::max(error, (s.field.displacement[i] - exact).cwiseAbs().maxCoeff());
+    }
+    EXPECT_LT(error, 1e-9 * 1e-3) << solvers::name(method);
+  }
+}
+
+TEST(Mortar, HeldInsideItsFacesIsSolvedWithMultipliers) {
+  ElasticityProblem p = loaded(box_below(2), 2, 1);
+  // The middle of the edge that both upper boxes share is no inner node; a whole upper face is.
+  p.supports.push_back(
+      {"foot", {PatchFace{PatchId(1), Side::front}}, PrescribedDisplacement{{0.0, 0.0, 0.0}, {}}});
+  EXPECT_ANY_THROW(solved(p, Method::cg));
+}
+
+TEST(Mortar, TakesNoCholeskyFactors) {
   const ElasticityProblem p = loaded(box_below(2), 1, 1);
-  EXPECT_ERROR(solved(p, Method::cholmod), ErrorCode::invalid_argument, "non_matching = \"mortar\"");
-  EXPECT_ERROR(solved(p, Method::cg), ErrorCode::invalid_argument, "non_matching = \"nitsche\"");
+  EXPECT_ERROR(solved(p, Method::cholmod), ErrorCode::invalid_argument, "non_matching = \"nitsche\"");
+  EXPECT_ERROR(solved(p, Method::cg, Coupling::lagrange), ErrorCode::invalid_argument,
+               "coupling 'elimination'");
 }
 
 }  // namespace
