@@ -181,7 +181,7 @@ Json mortar_json(const geometry::MultiPatch& model, const std::vector<iga::Morta
     result.push_back({{"face", model.label(tie.face.slave)},
                       {"covered_by", masters},
                       {"reason", tie.face.reason},
-                      {"multipliers", 3 * tie.functions},
+                      {"multipliers", tie.multipliers},
                       {"force", to_json(tie.force)}});
   }
   return result;

@@ -167,19 +167,6 @@ SparseRows matrix_of(const Triplets& entries, Index rows, Index columns) {
   return result;
 }
 
-// The same coefficients for each of three components.
-Sparse three_times(const Sparse& coefficients) {
-  Triplets entries;
-  for (Index k = 0; k < coefficients.outerSize(); ++k)
-    for (Sparse::InnerIterator it(coefficients, k); it; ++it)
-      for (int c = 0; c < 3; ++c)
-        entries.emplace_back(static_cast<int>(3 * it.row() + c), static_cast<int>(3 * it.col() + c),
-                             it.value());
-  Sparse result(3 * coefficients.rows(), 3 * coefficients.cols());
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
-}
-
 // Appends the entries of a matrix.
 template <class Matrix>
 void append(const Matrix& matrix, int first_row, int first_column, Triplets& entries) {
@@ -192,7 +179,7 @@ void append(const Matrix& matrix, int first_row, int first_column, Triplets& ent
 }  // namespace
 
 MortarConstraints mortar_constraints(const std::vector<MortarFace>& faces,
-                                     const std::vector<SharedEdges>& edges,
+                                     const std::vector<std::array<std::optional<SharedEdges>, 3>>& edges,
                                      const std::vector<PatchSpace>& spaces,
                                      const std::vector<Material>& materials, double same_point) {
   const std::vector<int> first_node = first_nodes(spaces);
@@ -203,37 +190,43 @@ MortarConstraints mortar_constraints(const std::vector<MortarFace>& faces,
   MortarConstraints result;
   result.faces = faces;
   result.edges = edges;
-  result.first_function = {0};
+  result.first_row = {0};
   Triplets jumps, compliance;
-  std::vector<double> scale;
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    const MortarFace& face = faces[f];
-    const PatchSide slave = side(face.slave);
-    FaceIntegrals integrals(slave, materials[static_cast<std::size_t>(face.slave.patch.value)]);
-    for (const geometry::PatchFace& master : face.masters) integrals.add(side(master), same_point);
-    const Sparse coefficients = products(multiplier_coefficients(slave.knots(0), edges[f][0]),
-                                         multiplier_coefficients(slave.knots(1), edges[f][1]));
-    const Index splines = coefficients.rows(), functions = coefficients.cols();
-    const SparseRows of_slave =
-        coefficients.transpose() * matrix_of(integrals.of_slave(), splines, first_node.back());
-    const SparseRows of_masters =
-        coefficients.transpose() * matrix_of(integrals.of_masters(), splines, first_node.back());
-    Eigen::VectorXd inverse(functions);
-    for (Index i = 0; i < functions; ++i) {
-      scale.push_back(of_slave.row(i).cwiseAbs().sum());
-      inverse[i] = 1 / scale.back();
+    const PatchSide slave = side(faces[f].slave);
+    FaceIntegrals integrals(slave, materials[static_cast<std::size_t>(faces[f].slave.patch.value)]);
+    for (const geometry::PatchFace& master : faces[f].masters) integrals.add(side(master), same_point);
+    const Index splines = Index{slave.knots(0).size()} * slave.knots(1).size();
+    const SparseRows of_slave = matrix_of(integrals.of_slave(), splines, first_node.back());
+    const SparseRows of_masters = matrix_of(integrals.of_masters(), splines, first_node.back());
+    Triplets of_rows;  // (3 splines, rows of the face)
+    const int first = result.first_row.back();
+    for (int c = 0; c < 3; ++c) {
+      const std::optional<SharedEdges>& shared = edges[f][static_cast<std::size_t>(c)];
+      if (!shared) continue;
+      const Sparse coefficients = products(multiplier_coefficients(slave.knots(0), (*shared)[0]),
+                                           multiplier_coefficients(slave.knots(1), (*shared)[1]));
+      const SparseRows own = coefficients.transpose() * of_slave;
+      Eigen::VectorXd inverse(coefficients.cols());
+      for (Index i = 0; i < inverse.size(); ++i) inverse[i] = 1 / own.row(i).cwiseAbs().sum();
+      const SparseRows both = own + SparseRows(coefficients.transpose() * of_masters);
+      const auto next = static_cast<int>(result.component.size());
+      append(SparseRows(inverse.asDiagonal() * both), next, 0, jumps);
+      const Sparse scaled = coefficients * inverse.asDiagonal();
+      for (Index k = 0; k < scaled.outerSize(); ++k)
+        for (Sparse::InnerIterator it(scaled, k); it; ++it)
+          of_rows.emplace_back(static_cast<int>(3 * it.row() + c), next - first + static_cast<int>(it.col()),
+                               it.value());
+      result.component.insert(result.component.end(), static_cast<std::size_t>(inverse.size()), c);
     }
-    const int first = result.first_function.back();
-    append(SparseRows(inverse.asDiagonal() * SparseRows(of_slave + of_masters)), first, 0, jumps);
-    const Sparse of_three = three_times(coefficients * inverse.asDiagonal());
+    result.first_row.push_back(static_cast<int>(result.component.size()));
+    const Sparse to_rows = matrix_of(of_rows, 3 * splines, result.first_row.back() - first);
     const Sparse of_splines = matrix_of(integrals.of_compliance(), 3 * splines, 3 * splines);
-    append(Sparse(of_three.transpose() * of_splines * of_three), 3 * first, 3 * first, compliance);
-    result.first_function.push_back(first + static_cast<int>(functions));
+    append(Sparse(to_rows.transpose() * of_splines * to_rows), first, first, compliance);
   }
-  const int functions = result.functions();
-  result.scale = Eigen::Map<const Eigen::VectorXd>(scale.data(), functions);
-  result.jumps = matrix_of(jumps, functions, first_node.back());
-  result.compliance.resize(3 * Index{functions}, 3 * Index{functions});
+  const int rows = result.rows();
+  result.jumps = matrix_of(jumps, rows, first_node.back());
+  result.compliance.resize(rows, rows);
   result.compliance.setFromTriplets(compliance.begin(), compliance.end());
   return result;
 }
@@ -241,33 +234,36 @@ MortarConstraints mortar_constraints(const std::vector<MortarFace>& faces,
 solvers::ConstraintMatrix mortar_matrix(const MortarConstraints& constraints, const RowNumbering& numbering,
                                         const std::vector<const SupportFrame*>& frame_of_row) {
   Triplets entries;
-  for (Index i = 0; i < constraints.jumps.rows(); ++i)
+  for (int i = 0; i < constraints.rows(); ++i) {
+    const int c = constraints.component[static_cast<std::size_t>(i)];
     for (SparseRows::InnerIterator it(constraints.jumps, i); it; ++it) {
       const int row = numbering.row_of_node[static_cast<std::size_t>(it.col())];
       const SupportFrame& frame = *frame_of_row[static_cast<std::size_t>(row)];
       for (int k = 0; k < frame.free; ++k)
-        for (int c = 0; c < 3; ++c)
-          if (frame.axes(c, k) != 0)
-            entries.emplace_back(static_cast<int>(3 * i + c), 3 * row + k, it.value() * frame.axes(c, k));
+        if (frame.axes(c, k) != 0) entries.emplace_back(i, 3 * row + k, it.value() * frame.axes(c, k));
     }
-  solvers::ConstraintMatrix result(3 * Index{constraints.functions()}, 3 * Index{numbering.rows});
+  }
+  solvers::ConstraintMatrix result(constraints.rows(), 3 * Index{numbering.rows});
   result.setFromTriplets(entries.begin(), entries.end());
   return result;
 }
 
 Eigen::VectorXd mortar_right_side(const MortarConstraints& constraints, const RowNumbering& numbering,
                                   const Eigen::VectorXd& prescribed) {
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(3 * Index{constraints.functions()});
-  for (Index i = 0; i < constraints.jumps.rows(); ++i)
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(constraints.rows());
+  for (int i = 0; i < constraints.rows(); ++i)
     for (SparseRows::InnerIterator it(constraints.jumps, i); it; ++it)
-      result.segment<3>(3 * i) -=
-          it.value() *
-          prescribed.segment<3>(3 * Index{numbering.row_of_node[static_cast<std::size_t>(it.col())]});
+      result[i] -= it.value() * prescribed[3 * numbering.row_of_node[static_cast<std::size_t>(it.col())] +
+                                           constraints.component[static_cast<std::size_t>(i)]];
   return result;
 }
 
 Eigen::Matrix3Xd mortar_forces(const MortarConstraints& constraints, const Eigen::VectorXd& multipliers) {
-  return multipliers.reshaped(3, constraints.functions()) * constraints.jumps;
+  Eigen::Matrix3Xd result = Eigen::Matrix3Xd::Zero(3, constraints.jumps.cols());
+  for (int i = 0; i < constraints.rows(); ++i)
+    for (SparseRows::InnerIterator it(constraints.jumps, i); it; ++it)
+      result(constraints.component[static_cast<std::size_t>(i)], it.col()) += it.value() * multipliers[i];
+  return result;
 }
 
 std::vector<Eigen::Vector3d> forces_on_slaves(const MortarConstraints& constraints,
@@ -279,9 +275,10 @@ std::vector<Eigen::Vector3d> forces_on_slaves(const MortarConstraints& constrain
     const auto p = static_cast<std::size_t>(constraints.faces[f].slave.patch.value);
     const int first = first_node[p], end = first_node[p + 1];
     Eigen::Vector3d force = Eigen::Vector3d::Zero();
-    for (int i = constraints.first_function[f]; i < constraints.first_function[f + 1]; ++i)
+    for (int i = constraints.first_row[f]; i < constraints.first_row[f + 1]; ++i)
       for (SparseRows::InnerIterator it(constraints.jumps, i); it; ++it)
-        if (it.col() >= first && it.col() < end) force -= it.value() * multipliers.segment<3>(3 * Index{i});
+        if (it.col() >= first && it.col() < end)
+          force[constraints.component[static_cast<std::size_t>(i)]] -= it.value() * multipliers[i];
     result.push_back(force);
   }
   return result;

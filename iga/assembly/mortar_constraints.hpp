@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
+#include <array>
 #include <vector>
 
 #include "iga/coupling/interface_roles.hpp"
@@ -13,29 +14,32 @@
 
 namespace isopatch::iga {
 
-/// What the mortar method asks of displacements: for every multiplier function m_i of a slave face
+/// What the mortar method asks of displacements: for every multiplier function m of a slave face and the
+/// component that it is for
 ///
-///     integral m_i (u_slave - u_masters) = 0,   divided by s_i.
+///     integral m (u_slave - u_masters) = 0,   divided by s.
 ///
 /// The multiplier functions are splines of the slave's own knots with one degree less on elements at edges
-/// that are not the face's alone (`multiplier_coefficients`), polynomial where its displacements are
-/// rational. So there are as many as nodes of the face on none of these edges.
+/// whose displacements are not the face's alone (`multiplier_coefficients`), polynomial where its
+/// displacements are rational. So there are as many as components of nodes on none of these edges.
 struct MortarConstraints {
   std::vector<MortarFace> faces;
-  std::vector<SharedEdges> edges;   ///< of each slave
-  std::vector<int> first_function;  ///< of each face, and their number at the end
-  Eigen::VectorXd scale;            ///< s_i, m^2: the sum of the slave's entries' sizes
-  /// (functions, nodes of all patches): the same for each component of u.
+  std::vector<std::array<std::optional<SharedEdges>, 3>>
+      edges;                   ///< of each slave, per component; nothing where it has no rows
+  std::vector<int> first_row;  ///< of each face, and the number of rows at the end
+  std::vector<int> component;  ///< of each row
+  /// (rows, nodes of all patches), of the row's component; s, in m^2, is the sum of the slave's entries'
+  /// sizes.
   Eigen::SparseMatrix<double, Eigen::RowMajor> jumps;
-  /// (3 functions)^2, m^3/N: integral of m_i m_j / (s_i s_j) by the inverse of Nitsche's penalty, 3 x 3. What
+  /// (rows, rows), m^3/N: integral of m_i m_j / (s_i s_j) by the inverse of Nitsche's penalty. What
   /// multipliers cost in a block diagonal preconditioner.
   Eigen::SparseMatrix<double> compliance;
 
-  int functions() const { return first_function.empty() ? 0 : first_function.back(); }
-  bool empty() const { return functions() == 0; }
+  int rows() const { return first_row.empty() ? 0 : first_row.back(); }
+  bool empty() const { return rows() == 0; }
 };
 
-/// @param edges       one per face
+/// @param edges       of each face's slave, per component
 /// @param spaces      of all patches
 /// @param materials   one per patch
 /// @param same_point  how far faces may be apart, m
@@ -43,24 +47,23 @@ struct MortarConstraints {
 /// @source  Bernardi, Maday, Patera 1994; for splines Brivadis, Buffa, Wohlmuth, Wunderlich, Isogeometric
 ///          mortar methods, 2015
 MortarConstraints mortar_constraints(const std::vector<MortarFace>& faces,
-                                     const std::vector<SharedEdges>& edges,
+                                     const std::vector<std::array<std::optional<SharedEdges>, 3>>& edges,
                                      const std::vector<PatchSpace>& spaces,
                                      const std::vector<Material>& materials, double same_point);
 
-/// B of the constraints for the unknowns x of block rows, u = prescribed + axes * x: three rows for each
-/// function, along the coordinate axes. (3 functions, 3 rows)
-/// @param frame_of_row  one per row of the numbering
+/// B of the constraints for the unknowns x of block rows, u = prescribed + axes * x. (rows, 3 block rows)
+/// @param frame_of_row  one per block row of the numbering
 solvers::ConstraintMatrix mortar_matrix(const MortarConstraints& constraints, const RowNumbering& numbering,
                                         const std::vector<const SupportFrame*>& frame_of_row);
 
-/// What B x must be where supports prescribe displacements: minus the jump of these. (3 functions), m
-/// @param prescribed  of the block rows, (3 rows), m
+/// What B x must be where supports prescribe displacements: minus the jump of these. (rows), m
+/// @param prescribed  of the block rows, (3 block rows), m
 Eigen::VectorXd mortar_right_side(const MortarConstraints& constraints, const RowNumbering& numbering,
                                   const Eigen::VectorXd& prescribed);
 
 /// The forces that the multipliers put on the nodes of all patches, as the stiffness counts them: K u + these
 /// are the loads. (3, nodes), N
-/// @param multipliers  (3 functions), N
+/// @param multipliers  (rows), N
 Eigen::Matrix3Xd mortar_forces(const MortarConstraints& constraints, const Eigen::VectorXd& multipliers);
 
 /// The force of the masters on each slave face, N.

@@ -13,7 +13,7 @@ DiscreteSolution at_nodes(const CoupledProblem& coupled, const AssembledSystem& 
   const solvers::LinearSystem& system = assembled.system;
   DiscreteSolution result;
   result.report = std::move(linear.report);
-  const Eigen::Index of_mortar = 3 * Eigen::Index{coupled.mortar.functions()};
+  const Eigen::Index of_mortar = Eigen::Index{coupled.mortar.rows()};
   result.mortar = linear.multipliers.tail(of_mortar);
   if (coupled.coupling == Coupling::lagrange)
     result.multipliers = of_mortar > 0

@@ -11,7 +11,7 @@ struct DiscreteSolution {
   Eigen::Matrix3Xd displacement;  ///< coefficients of all nodes of all patches, m
   Eigen::VectorXd multipliers;    ///< one per MultiplierRow, N; empty where they were eliminated
   solvers::SolveReport report;
-  Eigen::VectorXd mortar = {};  ///< (3 functions of the mortar constraints), N
+  Eigen::VectorXd mortar = {};  ///< (rows of the mortar constraints), N
 };
 
 }  // namespace isopatch::iga

@@ -78,15 +78,18 @@ std::vector<DiscreteSolution> by_minimal_residuals(const MortarSystem& mortar,
   if (compliance.info() != Eigen::Success)
     throw Error(ErrorCode::singular_system, "multipliers between faces that do not match are no basis");
   const Index displacements = mortar.b.cols(), multipliers = mortar.b.rows();
+  // PETSc wants three unknowns a row, so some that are 0 may follow.
+  const Index more = (3 - multipliers % 3) % 3;
   solvers::OperatorSystem system;
-  system.rows = solvers::SharedRows(mortar.level.rows.local_rows() + constraints.functions());
+  system.rows = solvers::SharedRows(mortar.level.rows.local_rows());
   system.product = [&](const VectorXd& z) {
-    const VectorXd x = z.head(displacements), y = z.tail(multipliers);
-    return joined(mortar.stiffness.apply(x) + mortar.b.transpose() * y, mortar.b * x);
+    const VectorXd x = z.head(displacements), y = z.segment(displacements, multipliers);
+    return joined(mortar.stiffness.apply(x) + mortar.b.transpose() * y, joined(mortar.b * x, z.tail(more)));
   };
   system.preconditioner = [&](const VectorXd& r) {
-    return joined(mortar.multigrid.apply(r.head(displacements)),
-                  share_of_penalty * compliance.solve(r.tail(multipliers)));
+    return joined(
+        mortar.multigrid.apply(r.head(displacements)),
+        joined(share_of_penalty * compliance.solve(r.segment(displacements, multipliers)), r.tail(more)));
   };
   system.costs = {.levels = mortar.multigrid.levels(),
                   .bytes = mortar.multigrid.bytes(),
@@ -95,9 +98,10 @@ std::vector<DiscreteSolution> by_minimal_residuals(const MortarSystem& mortar,
   std::vector<DiscreteSolution> result;
   for (const RightSide& side : mortar.coupled.right_sides) {
     const MortarSystem::Sides sides = mortar.sides(side);
-    solvers::LinearSolution solved = sequence.solve(joined(sides.load, sides.jump), options, progress);
-    result.push_back(mortar.solution(sides, solved.x.head(displacements), solved.x.tail(multipliers),
-                                     std::move(solved.report)));
+    solvers::LinearSolution solved =
+        sequence.solve(joined(sides.load, joined(sides.jump, VectorXd::Zero(more))), options, progress);
+    result.push_back(mortar.solution(sides, solved.x.head(displacements),
+                                     solved.x.segment(displacements, multipliers), std::move(solved.report)));
   }
   return result;
 }

@@ -29,9 +29,8 @@ std::vector<int> inner_nodes(const std::array<int, 3>& sizes, geometry::Side sid
 
 }  // namespace
 
-// Of the scalar matrix (functions, inner nodes), which is the same for all three components.
 struct MortarProjection::Factors {
-  Eigen::SparseLU<Sparse> of_inner;
+  Eigen::SparseLU<Sparse> of_followers;
 };
 
 MortarProjection::MortarProjection(const MortarConstraints& constraints, const solvers::ConstraintMatrix& b,
@@ -45,52 +44,41 @@ MortarProjection::MortarProjection(const MortarConstraints& constraints, const s
                             "\"mumps\" or \"minres\", or halve the elements there",
                             why));
   };
-  std::vector<int> place(frame_of_row.size(), -1);
+  std::vector<int> place(static_cast<std::size_t>(b.cols()), -1);
   for (std::size_t f = 0; f < constraints.faces.size(); ++f) {
     const geometry::PatchFace& face = constraints.faces[f].slave;
     const auto p = static_cast<std::size_t>(face.patch.value);
-    const std::vector<int> nodes = inner_nodes(sizes[p], face.side, constraints.edges[f]);
-    if (static_cast<int>(nodes.size()) != constraints.first_function[f + 1] - constraints.first_function[f])
-      refuse("have no inner nodes to follow the others");
-    for (const int node : nodes) {
-      const int row = row_of_node[static_cast<std::size_t>(first_node[p] + node)];
-      if (frame_of_row[static_cast<std::size_t>(row)]->free < 3) refuse("are held by supports inside");
-      place[static_cast<std::size_t>(row)] = static_cast<int>(inner_.size());
-      inner_.push_back(row);
+    for (int c = 0; c < 3; ++c) {
+      const std::optional<SharedEdges>& shared = constraints.edges[f][static_cast<std::size_t>(c)];
+      if (!shared) continue;
+      for (const int node : inner_nodes(sizes[p], face.side, *shared)) {
+        const int row = row_of_node[static_cast<std::size_t>(first_node[p] + node)];
+        const int axis = free_axis_along(*frame_of_row[static_cast<std::size_t>(row)], c);
+        if (axis < 0) refuse("are held by supports inside");
+        place[static_cast<std::size_t>(3 * row + axis)] = static_cast<int>(followers_.size());
+        followers_.push_back(3 * Index{row} + axis);
+      }
     }
   }
+  const auto count = static_cast<Index>(followers_.size());
+  if (count != b.rows()) refuse("have no inner nodes to follow the others");
   std::vector<Eigen::Triplet<double>> entries;
-  for (Index i = 0; i < b.rows(); i += 3)
+  for (Index i = 0; i < b.rows(); ++i)
     for (solvers::ConstraintMatrix::InnerIterator it(b, i); it; ++it)
-      if (it.col() % 3 == 0 && place[static_cast<std::size_t>(it.col() / 3)] >= 0)
-        entries.emplace_back(static_cast<int>(i / 3), place[static_cast<std::size_t>(it.col() / 3)],
-                             it.value());
-  const auto count = static_cast<Index>(inner_.size());
-  Sparse of_inner(count, count);
-  of_inner.setFromTriplets(entries.begin(), entries.end());
-  factors_->of_inner.compute(of_inner);
-  if (factors_->of_inner.info() != Eigen::Success) refuse("do not determine their inner nodes");
+      if (const int column = place[static_cast<std::size_t>(it.col())]; column >= 0)
+        entries.emplace_back(static_cast<int>(i), column, it.value());
+  Sparse of_followers(count, count);
+  of_followers.setFromTriplets(entries.begin(), entries.end());
+  factors_->of_followers.compute(of_followers);
+  if (factors_->of_followers.info() != Eigen::Success) refuse("do not determine the nodes that follow");
 }
 
 MortarProjection::~MortarProjection() = default;
 
-VectorXd MortarProjection::on_inner(const VectorXd& x) const {
-  VectorXd result(3 * static_cast<Index>(inner_.size()));
-  for (std::size_t i = 0; i < inner_.size(); ++i)
-    result.segment<3>(3 * static_cast<Index>(i)) = x.segment<3>(3 * static_cast<Index>(inner_[i]));
-  return result;
-}
-
-void MortarProjection::add_to_inner(const VectorXd& values, VectorXd& x) const {
-  for (std::size_t i = 0; i < inner_.size(); ++i)
-    x.segment<3>(3 * static_cast<Index>(inner_[i])) += values.segment<3>(3 * static_cast<Index>(i));
-}
-
 VectorXd MortarProjection::particular(const VectorXd& g) const {
-  const Eigen::MatrixX3d of_components = g.reshaped(3, g.size() / 3).transpose();
-  const Eigen::Matrix3Xd solved = factors_->of_inner.solve(of_components).transpose();
+  const VectorXd values = factors_->of_followers.solve(g);
   VectorXd result = VectorXd::Zero(b_->cols());
-  add_to_inner(solved.reshaped(), result);
+  for (std::size_t i = 0; i < followers_.size(); ++i) result[followers_[i]] = values[static_cast<Index>(i)];
   return result;
 }
 
@@ -100,16 +88,14 @@ VectorXd MortarProjection::project(VectorXd x) const {
 }
 
 VectorXd MortarProjection::multipliers(const VectorXd& force) const {
-  const VectorXd here = on_inner(force);
-  const Eigen::MatrixX3d of_components = here.reshaped(3, here.size() / 3).transpose();
-  const Eigen::MatrixX3d solved = factors_->of_inner.transpose().solve(of_components);
-  return Eigen::Matrix3Xd(solved.transpose()).reshaped();
+  const VectorXd here = force(followers_);
+  return factors_->of_followers.transpose().solve(here);
 }
 
 VectorXd MortarProjection::moved_to_masters(VectorXd force) const {
   force -= b_->transpose() * multipliers(force);
   // Nothing but round-off is left there.
-  for (const int row : inner_) force.segment<3>(3 * static_cast<Index>(row)).setZero();
+  for (const Index at : followers_) force[at] = 0;
   return force;
 }
 

@@ -48,7 +48,7 @@ ProblemSize problem_size(const CoupledProblem& coupled) {
             (merged ? 1 : static_cast<std::int64_t>(coupled.global.nodes_of(g).size()));
   size.dofs = merged ? size.dofs_eliminated : size.dofs_uncoupled + size.multipliers;
   size.dofs_free = merged ? free : free + size.multipliers_free;
-  size.mortar_multipliers = 3 * std::int64_t{coupled.mortar.functions()};
+  size.mortar_multipliers = coupled.mortar.rows();
   size.dofs += size.mortar_multipliers;
   size.dofs_free += size.mortar_multipliers;
   return size;
@@ -110,7 +110,7 @@ std::vector<MortarTie> mortar_ties(const CoupledProblem& coupled, const Eigen::V
   const std::vector<Eigen::Vector3d> forces = forces_on_slaves(mortar, coupled.spaces, multipliers);
   std::vector<MortarTie> result;
   for (std::size_t f = 0; f < mortar.faces.size(); ++f)
-    result.push_back({mortar.faces[f], mortar.first_function[f + 1] - mortar.first_function[f], forces[f]});
+    result.push_back({mortar.faces[f], mortar.first_row[f + 1] - mortar.first_row[f], forces[f]});
   return result;
 }
 

@@ -50,7 +50,7 @@ struct ProblemSize {
 /// What holds a face to others that it does not match, by multipliers.
 struct MortarTie {
   MortarFace face;
-  int functions = 0;                                ///< multiplier functions, each with three components
+  int multipliers = 0;
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< of the masters on the slave, N
 };
 

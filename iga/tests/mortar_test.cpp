@@ -167,12 +167,12 @@ TEST(Mortar, PrescribedDisplacementsGoThroughTheInterface) {
   }
 }
 
-TEST(Mortar, HeldInsideItsFacesIsSolvedWithMultipliers) {
+TEST(Mortar, NodesThatSupportsHoldCannotFollowOthers) {
   ElasticityProblem p = loaded(box_below(2), 2, 1);
-  // The middle of the edge that both upper boxes share is no inner node; a whole upper face is.
-  p.supports.push_back(
-      {"foot", {PatchFace{PatchId(1), Side::front}}, PrescribedDisplacement{{0.0, 0.0, 0.0}, {}}});
-  EXPECT_ANY_THROW(solved(p, Method::cg));
+  // In the middle of the first upper box's lower face.
+  p.supports.push_back({"pin", {PatchFace{PatchId(1), Side::front}}, PrescribedDisplacement{}});
+  p.supports.back().region = inside_box({0.3, 0.3, 0.9}, {0.7, 0.7, 1.1});
+  EXPECT_ERROR(solved(p, Method::cg), ErrorCode::unsupported, "held by supports inside");
 }
 
 TEST(Mortar, TakesNoCholeskyFactors) {

@@ -35,6 +35,9 @@ const Tolerance of_plane_interfaces = round_off(3e4, "assembling and solving");
 // 1.6e-10 at p = 3.
 const Tolerance of_curved_interfaces(1e-9, "quadrature of rational functions");
 
+// Elements of the other side that are not straight in the slave's parameters: 1.6e-7.
+const Tolerance of_clipped_cells(1e-6, "cells of the common refinement near lines that are not straight");
+
 struct NonMatchingModel {
   std::string name;
   MultiPatch model;
@@ -80,9 +83,11 @@ bool is_curved(const NonMatchingModel& model) {
   return model.model.patch(PatchId(0)).is_rational();
 }
 
-iga::ElasticityProblem pulled(const NonMatchingModel& m, const LinearField& field, int degree) {
+iga::ElasticityProblem pulled(const NonMatchingModel& m, const LinearField& field, int degree,
+                              int refine = 1) {
   const iga::Material material = iga::isotropic(1e9, 0.3);
-  iga::ElasticityProblem p = unloaded(m.model, {.degree = {degree, degree, degree}, .refine = 1}, material);
+  iga::ElasticityProblem p =
+      unloaded(m.model, {.degree = {degree, degree, degree}, .refine = refine}, material);
   p.supports = {{m.held[0], faces_of(m.model, m.held[0]), field.prescribed()}};
   std::vector<geometry::PatchFace> loaded = m.model.boundary_faces();
   for (const geometry::PatchFace& face : p.supports[0].faces) std::erase(loaded, face);
@@ -118,13 +123,18 @@ TEST(NonMatching, LinearFields) {
       for (const iga::ElasticityOptions& way : ways(m)) {
         const iga::ElasticitySolution solution = iga::solve_elasticity(pulled(m, field, degree), way);
         const std::string of = fmt::format("{}, p = {}, {}", m.name, degree, words(way));
+        const bool is_mortar = way.non_matching == NonMatchingCoupling::mortar;
+        // On curved faces the traction of a linear field is no multiplier.
+        if (is_mortar && is_curved(m)) continue;
         expect(Claim{of + ": largest error of a coefficient of u",
                      "",
                      ReferenceKind::exact,
                      "linear field",
                      0,
                      coefficient_error(solution.field, field),
-                     is_curved(m) ? of_curved_interfaces : of_plane_interfaces,
+                     is_curved(m)                                    ? of_curved_interfaces
+                     : way.mortar_side == iga::MortarSide::automatic ? of_plane_interfaces
+                                                                     : of_clipped_cells,
                      {}});
       }
     }
@@ -148,13 +158,33 @@ TEST(NonMatching, RefusesWhatItCannot) {
   EXPECT_ERROR(iga::solve_elasticity(p, {}), ErrorCode::unsupported, "temperatures are not for");
 }
 
+// With mortar multipliers a linear field comes through a curved interface as well as its traction does among
+// them.
+TEST(NonMatching, MortarOnCurvedInterfacesConverges) {
+  const LinearField field = generic_linear_field();
+  for (const NonMatchingModel& m : models()) {
+    if (!is_curved(m)) continue;
+    for (const int degree : {2, 3}) {
+      std::vector<double> errors;
+      for (const int refine : {1, 2, 3}) {
+        iga::ElasticityProblem p = pulled(m, field, degree, refine);
+        errors.push_back(coefficient_error(
+            iga::solve_elasticity(p, {.non_matching = NonMatchingCoupling::mortar}).field, field));
+      }
+      EXPECT_LT(errors[1], errors[0] / std::pow(2, degree - 0.5)) << m.name << ", p = " << degree;
+      EXPECT_LT(errors[2], errors[1] / std::pow(2, degree - 0.5)) << m.name << ", p = " << degree;
+      EXPECT_LT(errors[2], 2e-5) << m.name << ", p = " << degree;
+    }
+  }
+}
+
 // A part of two materials: the differences of two ways to couple are errors of the discretization.
 iga::ElasticityProblem bent(const NonMatchingModel& m, int degree, int refine) {
   iga::ElasticityProblem p =
       unloaded(m.model, {.degree = {degree, degree, degree}, .refine = refine, .spread = false},
                iga::isotropic(1e9, 0.3));
   p.materials.back() = iga::isotropic(3e9, 0.2);
-  p.supports = {{m.held[0], faces_of(m.model, m.held[0]), iga::PrescribedDisplacement{{0.0, 0.0, 0.0}, {}}}};
+  p.supports = {{m.held[0], faces_of(m.model, m.held[0]), iga::PrescribedDisplacement{}}};
   p.surface_loads = {{"push", faces_of(m.model, m.held[1]),
                       [](const Eigen::Vector3d&, const Eigen::Vector3d&) -> Eigen::Vector3d {
                         return {1e5, 2e5, -1e5};
@@ -167,6 +197,12 @@ double energy(const iga::ElasticityProblem& p, const iga::ElasticityOptions& way
   return results.internal_energy + results.interface_energy;
 }
 
+double difference_of_energies(const NonMatchingModel& m, int refine, const iga::ElasticityOptions& way) {
+  const iga::ElasticityProblem p = bent(m, 2, refine);
+  const double first = energy(p, {});
+  return std::abs(energy(p, way) - first) / first;
+}
+
 TEST(NonMatching, WaysAgreeWithinTheErrorOfTheDiscretization) {
   for (const NonMatchingModel& m : models()) {
     const iga::ElasticityProblem p = bent(m, 2, 2);
@@ -174,7 +210,7 @@ TEST(NonMatching, WaysAgreeWithinTheErrorOfTheDiscretization) {
     const double finer = energy(bent(m, 2, 3), {});
     const double error = std::abs(finer - first) / finer;
     for (const iga::ElasticityOptions& way : ways(m)) {
-      if (way == iga::ElasticityOptions{}) continue;
+      if (way == iga::ElasticityOptions{} || way.mortar_side == iga::MortarSide::other) continue;
       expect(Claim{fmt::format("{}: energy, {}", m.name, words(way)),
                    "J",
                    ReferenceKind::other_method,
@@ -184,6 +220,17 @@ TEST(NonMatching, WaysAgreeWithinTheErrorOfTheDiscretization) {
                    Tolerance(2 * error, "the discretization's error"),
                    {}});
     }
+  }
+}
+
+// A coarse slave gives way by as much as a fine one is too stiff: both come to one limit.
+TEST(NonMatching, SidesComeToOneLimit) {
+  const iga::ElasticityOptions other{.non_matching = NonMatchingCoupling::mortar,
+                                     .mortar_side = iga::MortarSide::other};
+  for (const NonMatchingModel& m : models()) {
+    const double coarse = difference_of_energies(m, 2, other), fine = difference_of_energies(m, 3, other);
+    EXPECT_LT(coarse, 0.15) << m.name;
+    EXPECT_LT(fine, 0.6 * coarse) << m.name;
   }
 }
 
@@ -258,7 +305,7 @@ TEST(FullNonMatching, Orders) {
 
 // The least ratio of sup (m, v) / |v| to |m| over multipliers of a line of unit length, in L2, where v is 0
 // at both ends. Products of two lines have the product of their constants.
-double inf_sup(const geometry::KnotVector& knots, const Eigen::MatrixXd& multipliers,
+double inf_sup(int held, const geometry::KnotVector& knots, const Eigen::MatrixXd& multipliers,
                const geometry::KnotVector& of_multipliers) {
   const iga::DirectionTable v = iga::direction_table(knots, geometry::gauss_legendre(knots.degree() + 1));
   const iga::DirectionTable m =
@@ -276,9 +323,9 @@ double inf_sup(const geometry::KnotVector& knots, const Eigen::MatrixXd& multipl
     mm.block(of_m.first, of_m.first, q, q) += of_m.values.transpose() * weighted;
     mv.block(of_m.first, of_v.first, q, p) += weighted.transpose() * of_v.values;
   }
-  const Eigen::Index inner = knots.size() - 2;
-  const Eigen::MatrixXd b = (multipliers.transpose() * mv).middleCols(1, inner);
-  const Eigen::MatrixXd schur = b * vv.block(1, 1, inner, inner).ldlt().solve(b.transpose());
+  const Eigen::Index inner = knots.size() - 2 * held;
+  const Eigen::MatrixXd b = (multipliers.transpose() * mv).middleCols(held, inner);
+  const Eigen::MatrixXd schur = b * vv.block(held, held, inner, inner).ldlt().solve(b.transpose());
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
       schur, multipliers.transpose() * mm * multipliers, Eigen::EigenvaluesOnly);
   return std::sqrt(std::max(0.0, eigen.eigenvalues()[0]));
@@ -303,7 +350,7 @@ TEST(NonMatching, MultipliersAreStable) {
     double coarse = 0, fine = 0;
     for (const int elements : {4, 8, 16, 32, 64}) {
       const geometry::KnotVector knots = geometry::KnotVector::uniform(degree, elements);
-      const double ours = inf_sup(knots, iga::multiplier_coefficients(knots, {true, true}), knots);
+      const double ours = inf_sup(1, knots, iga::multiplier_coefficients(knots, {true, true}), knots);
       report(stability(
           fmt::format("inf-sup constant of a line's multipliers, p = {}, {} elements", degree, elements),
           ours));
@@ -314,26 +361,21 @@ TEST(NonMatching, MultipliersAreStable) {
   }
 }
 
-// Splines of one degree less than the displacements, which have a multiplier for every inner function and one
-// more, leave one without effect; without the functions at the ends the constant falls as elements get
-// smaller.
+// Splines of one degree less have multipliers with alternating signs that hardly anything feels: the constant
+// falls as elements get smaller.
 TEST(NonMatching, MultipliersOfOneDegreeLessAreNot) {
-  for (const int degree : {2, 3}) {
+  for (const int degree : {2, 3, 4}) {
     std::vector<double> constants;
     for (const int elements : {8, 16, 32}) {
       const geometry::KnotVector knots = geometry::KnotVector::uniform(degree, elements);
       const geometry::KnotVector lower = lowered(knots);
-      Eigen::MatrixXd inner = Eigen::MatrixXd::Identity(lower.size(), lower.size());
-      EXPECT_LT(inf_sup(knots, inner, lower), 1e-6);
-      // The first two as one.
-      inner.col(1) += inner.col(0);
-      constants.push_back(inf_sup(knots, inner.rightCols(lower.size() - 1), lower));
+      constants.push_back(inf_sup(0, knots, Eigen::MatrixXd::Identity(lower.size(), lower.size()), lower));
       report(stability(fmt::format("inf-sup constant with multipliers of degree p - 1, p = {}, {} elements",
                                    degree, elements),
                        constants.back()));
     }
-    EXPECT_LT(constants[2], 0.6 * constants[1]);
-    EXPECT_LT(constants[1], 0.6 * constants[0]);
+    EXPECT_LT(constants[2], 0.8 * constants[1]) << "p = " << degree;
+    EXPECT_LT(constants[1], 0.8 * constants[0]) << "p = " << degree;
   }
 }
 
