@@ -27,10 +27,7 @@ class FaceMap {
 
   const QuadFace& face() const { return face_; }
   FaceMapKind kind() const { return kind_; }
-  /// Length of a side of the face in space, in the order of `QuadFace::sides`; model units.
-  double side_length(int side) const { return arcs_[static_cast<std::size_t>(side)].length(); }
-
-  /// How far a side turns on its way, rad.
+  /// How far a side turns on its way, in the order of `QuadFace::sides`; rad.
   double side_turning(int side) const { return arcs_[static_cast<std::size_t>(side)].turning(); }
 
   /// Extent of the outline in the domain.
