@@ -45,6 +45,10 @@ double narrowest_corner(const FaceMap& map) {
 
 }  // namespace
 
+FaceMap best_face_map(const QuadFace& face) {
+  return best_face_map(face, {});
+}
+
 FaceMap best_face_map(const QuadFace& face, const std::array<SidePace, 4>& paces) {
   const FaceMap blend(face, paces);
   double best = smallest_sine(blend);

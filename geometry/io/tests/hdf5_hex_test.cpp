@@ -111,7 +111,7 @@ TEST_F(Hdf5Hex, ListsThatDoNotBelongTogetherAreRefused) {
   EXPECT_EQ(read_without_last_of("nothing"), sample_complex());
   for (const char* name : {"blocks", "edges", "faces", "t_joints", "split_edges"})
     EXPECT_ERROR(read_without_last_of(name), ErrorCode::invalid_argument,
-                 fmt::format("'/complex/{}' is too short", name));
+                 fmt::format("'/complex/{}' ends within a record", name));
   EXPECT_ERROR(read_without_last_of("sheets"), ErrorCode::invalid_argument, "sheet is");
   EXPECT_ERROR(read_without_last_of("face_gaps"), ErrorCode::invalid_argument, "numbers for 26 faces");
   for (const char* name : {"t_joint_outlines", "split_shares"})

@@ -22,8 +22,9 @@ using SidePace = std::function<double(double)>;
 class FaceMap {
  public:
   /// The blend of the sides.
+  explicit FaceMap(QuadFace face);
   /// @param paces  in the order of `QuadFace::sides`
-  explicit FaceMap(QuadFace face, std::array<SidePace, 4> paces = {});
+  FaceMap(QuadFace face, std::array<SidePace, 4> paces);
 
   const QuadFace& face() const { return face_; }
   FaceMapKind kind() const { return kind_; }
