@@ -7,6 +7,9 @@
 
 namespace isopatch::app {
 
+/// A check of options that take a number above 0. (CLI11's own names its upper bound, all 309 digits of it.)
+CLI::Validator above_zero();
+
 /// The options of commands that read CAD files.
 void add_reading(CLI::App& command, CadReading& reading);
 
