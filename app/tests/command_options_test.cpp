@@ -54,6 +54,14 @@ TEST_F(CommandOptions, TimeLimitsHoldForCutsAndReconstruction) {
   EXPECT_THAT(err_, HasSubstr("time_limit is 0; its range is (0, 1e7] seconds"));
 }
 
+TEST_F(CommandOptions, FilesOfBlocksAreDescribedInTextAlone) {
+  ASSERT_EQ(run({"segment", solid("block"), "-o", file("blocks")}), 0) << err_;
+  ASSERT_EQ(run({"info", file("blocks/blocks.h5")}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("blocks.h5: 1 block\n"));
+  EXPECT_EQ(run({"info", file("blocks/blocks.h5"), "--json"}), 2);
+  EXPECT_THAT(err_, HasSubstr("--json describes patches, solids and studies, not files of blocks"));
+}
+
 TEST_F(CommandOptions, PairsSayHowBlocksMeet) {
   const auto box = [](double from, double to) {
     return fmt::format(
