@@ -35,15 +35,13 @@ class Multigrid {
   Eigen::VectorXd apply(const Eigen::VectorXd& residual) const;
 
   int levels() const { return static_cast<int>(levels_.size()); }
-  /// Largest eigenvalue of the smoothed product per level but the coarsest.
-  const std::vector<double>& largest_eigenvalues() const { return largest_; }
 
  private:
   Eigen::VectorXd cycle(std::size_t level, const Eigen::VectorXd& b) const;
   Eigen::VectorXd smooth(std::size_t level, const Eigen::VectorXd& b) const;
   std::vector<MultigridLevel> levels_;
   LinearOperator coarse_inverse_;
-  std::vector<double> largest_;
+  std::vector<double> largest_;  ///< eigenvalue of the smoothed product, by level but the coarsest
   MultigridOptions options_;
 };
 

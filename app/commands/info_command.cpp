@@ -117,7 +117,7 @@ ExitCode block_info(const InfoCommand& command, const Console& console) {
     throw Error(ErrorCode::unsupported, "--json describes patches, solids and studies, not files of blocks");
   std::map<std::string, int> bodies;
   for (const std::string& body : model.bodies) ++bodies[body];
-  console.out << fmt::format("{}: {} blocks\n", command.input.path.string(), model.solids.size());
+  console.out << fmt::format("{}: {}\n", command.input.path.string(), counted(model.solids.size(), "block"));
   for (const auto& [body, blocks] : bodies) console.out << fmt::format("  {}: {}\n", body, blocks);
   const std::vector<std::string> joints = t_joint_texts(model);
   console.out << (joints.empty() ? "all meet side to side\n"

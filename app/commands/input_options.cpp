@@ -1,8 +1,20 @@
 #include "app/commands/input_options.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <cmath>
 
 namespace isopatch::app {
+
+CLI::Validator above_zero() {
+  const auto problem = [](const std::string& text) {
+    double value = 0;
+    const bool fine = CLI::detail::lexical_cast(text, value) && value > 0 && std::isfinite(value);
+    return fine ? std::string() : fmt::format("'{}' is no number above 0", text);
+  };
+  return {problem, "POSITIVE"};
+}
 
 void add_reading(CLI::App& command, CadReading& reading) {
   command.add_flag("--allow-partial", reading.allow_partial,
@@ -10,12 +22,12 @@ void add_reading(CLI::App& command, CadReading& reading) {
   command
       .add_option("--cad-time-limit", reading.time_limit,
                   "Seconds that a CAD file may take to be read; default: 60, and 10 for each MB")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->type_name("S");
   command
       .add_option("--cad-memory-limit", reading.memory_limit,
                   "Bytes that a CAD file may take to be read; default: three quarters of the memory")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->type_name("BYTES");
 }
 

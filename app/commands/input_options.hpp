@@ -5,7 +5,14 @@
 #include "app/commands/command_line.hpp"
 #include "app/results/load_input.hpp"
 
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's own
+class Validator;
+}
+
 namespace isopatch::app {
+
+/// A check of options that take a number above 0. (CLI11's own names its upper bound, all 309 digits of it.)
+CLI::Validator above_zero();
 
 /// The options of commands that read CAD files.
 void add_reading(CLI::App& command, CadReading& reading);

@@ -174,7 +174,7 @@ void add_segment_command(CLI::App& app, CommandLine& line) {
   add_reading(segment, command->reading);
   segment
       .add_option("--time-limit", command->time_limit, "Seconds of computing that a body may take to be cut")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   segment
       .add_option("--t-joints", command->t_joints,

@@ -214,7 +214,7 @@ const Keys<ModelKeys>& model_keys() {
       quantity_key<ModelKeys>(
           "cad_memory_limit", &ModelKeys::cad_memory_limit, dim::none, {0, 1e15},
           "Bytes of memory that a STEP, IGES or .brep file may take to be read; 0 means three "
-          "quarters of the machine's."),
+          "quarters of the machine's, any other value is 5e7 at least."),
       quantity_key<ModelKeys>(
           "same_point", &ModelKeys::same_point, dim::none, {0, 1e-2, false, false},
           "Points closer than this share of the model's size are one point: faces that agree so well "

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What messages tell a user to write exists: keys of the study, sections, commands and their options.
+"""What messages tell a user to write exists: keys of the study, sections, commands and their options. And some test takes each option.
 
   messages_test.py     with ISOPATCH_PROGRAM and ISOPATCH_SOURCE_DIR in the environment
 """
@@ -39,6 +39,8 @@ NOT_KEYS = {
     "header_type": "VTK XML",
 }
 NOT_OPTIONS = {"--bind-to": "of mpiexec", "--gtest": "of GoogleTest", "--mpi": "of Slurm", "--plot-": "of a page's style", "--isopatch": "the same"}
+# Options that no test takes, and why.
+NOT_TAKEN = {"--remove-blends": "needs triangles with rounds along freeform walls, which only models of others have"}
 ENDINGS = ("cpp", "g2", "h5", "html", "json", "mesh", "png", "so", "svg", "toml", "txt", "vtm", "vtu", "xml", "step", "brep")
 
 
@@ -114,6 +116,14 @@ class Messages(unittest.TestCase):
         every = set().union(*self.options.values(), {"--help", "--version"}, NOT_OPTIONS)
         self.no([f"{place}: there is no option {option}" for place, text in self.messages
                  for option in re.findall(r"(?<![\w-])--[a-z][a-z-]+", text) if option not in every])
+
+    def test_some_test_takes_each_option(self):
+        tests = "".join(path.read_text(encoding="utf-8") for folder in ("app", "verification", "scripts")
+                        for path in sorted((SOURCE / folder).rglob("tests/*.?p*")) if path.name != "messages_test.py")
+        taken = set(re.findall(r"(?<![\w-])--[a-z][a-z-]*[a-z]", tests))
+        every = set().union(*self.options.values()) - {"--help"}
+        self.no([f"no test takes {option}" for option in sorted(every - taken - NOT_TAKEN.keys())])
+        self.no([f"some test takes {option}" for option in sorted(NOT_TAKEN.keys() & taken)])
 
     def test_commands_exist_and_have_the_options_named_with_them(self):
         wrong = []

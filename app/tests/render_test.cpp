@@ -111,6 +111,13 @@ TEST_F(Render, TheBarStandsBesideThePart) {
   EXPECT_GT(with.colours().size(), without.colours().size() + 100);  // the strip has all of viridis
 }
 
+TEST_F(Render, ACaptionIsDrawnAsItIsGiven) {
+  const Pixels without = drawn({"--view", "front", "--caption", ""});
+  EXPECT_GT(without.differences(drawn({"--view", "front"}), 0, 230), 100) << "title and deformation";
+  EXPECT_GT(without.differences(drawn({"--view", "front", "--caption", "case 7"}), 0, 230), 50);
+  EXPECT_EQ(without.differences(drawn({"--view", "front", "--caption", ""}), 0, 320), 0);
+}
+
 TEST_F(Render, DeformationEdgesAndCutsShow) {
   const Pixels plain = drawn({"--view", "front", "--deformation", "0"});
   EXPECT_THAT(out_, HasSubstr("not deformed"));

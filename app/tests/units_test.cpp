@@ -109,8 +109,10 @@ TEST(Units, RefuseWhatIsNoQuantity) {
   EXPECT_THAT(unit_refusal("1 N/"), HasSubstr("a unit is missing"));
   EXPECT_THAT(unit_refusal("1 (N"), HasSubstr("bracket is not closed"));
   EXPECT_THAT(unit_refusal("1 N)"), HasSubstr("unexpected ')'"));
-  EXPECT_THAT(unit_refusal("1 m^99"), HasSubstr("exponent"));
-  EXPECT_THAT(unit_refusal("1 m^"), HasSubstr("exponent"));
+  for (const char* power : {"1 m^99", "1 m^10", "1 m^0", "1 m^-10"})
+    EXPECT_THAT(unit_refusal(power), HasSubstr("an exponent from 1 to 9 or -1 to -9 in the unit")) << power;
+  for (const char* power : {"1 m^", "1 m^x", "1 m^99999999999"})
+    EXPECT_THAT(unit_refusal(power), HasSubstr("a whole exponent in the unit")) << power;
   EXPECT_THAT(unit_refusal("1 " + std::string(1000, '(')), HasSubstr("too many brackets"));
 }
 

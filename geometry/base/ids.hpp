@@ -15,7 +15,6 @@ struct Id {
 };
 
 using PatchId = Id<struct PatchTag>;
-using InterfaceId = Id<struct InterfaceTag>;
 /// Of a solid's boundary: `geometry::Brep` and `geometry::EdgeGraph`.
 using FaceId = Id<struct FaceTag>;
 using EdgeId = Id<struct EdgeTag>;

@@ -20,7 +20,7 @@ struct ReadBrepOptions {
   /// out. Otherwise they are an error.
   bool allow_partial = false;
   /// For the process that reads STEP, IGES and .brep files; 0 s: a minute and ten seconds for each megabyte,
-  /// 0 bytes: three quarters of the machine's memory.
+  /// 0 bytes: three quarters of the machine's memory, otherwise at least 50 MB.
   GuardLimits limits = {.seconds = 0, .bytes = 0};
   Progress progress = {};
 };

@@ -92,6 +92,7 @@ Eigen::Affine3d placement(const XmlText& xml, pugi::xml_node node) {
   try {
     for (int row = 0; row < 4; ++row)
       for (int column = 0; column < 3; ++column) result.matrix()(column, row) = scanner.number("transform");
+    if (!scanner.at_end()) throw Error(ErrorCode::bad_format, "more than twelve");
   } catch (const Error&) {
     xml.fail(node, fmt::format("transform = \"{}\" is no twelve numbers", words));
   }

@@ -19,7 +19,7 @@ struct SprungFace {
   bool is_hold = false;
 };
 
-/// All that springs do.
+/// The springs of a problem, on faces and at points.
 struct Springs {
   std::vector<SprungFace> faces = {};
   std::vector<SprungPoint> points = {};

@@ -17,7 +17,7 @@ struct ModesOptions {
   double memory_limit = 0;    ///< bytes that the process may hold, 0 for what the machine has to spare
 };
 
-/// One way in which a part swings by itself.
+/// A natural mode of vibration: frequency and shape.
 struct NaturalMode {
   double frequency = 0;  ///< Hz; 0 for a rigid motion
   bool is_rigid = false;

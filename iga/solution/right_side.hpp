@@ -11,7 +11,8 @@
 
 namespace isopatch::iga {
 
-/// What acts on a part: everything in its equations that differs from one load case to the other.
+/// The right side of the discrete equations: loads and prescribed displacements, all that differs from one
+/// load case to the other.
 struct RightSide {
   Eigen::Matrix3Xd load;                ///< per node, those of temperatures included, (3, nodes), N
   Eigen::Matrix3Xd prescribed;          ///< what supports prescribe, per global node, (3, global nodes), m

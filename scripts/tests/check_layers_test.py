@@ -168,6 +168,14 @@ class CheckLayers(unittest.TestCase):
                             "iga/tests/c.cpp": "", "app/program/main.cpp": ""}, with_headers=False)
         self.assertEqual((code, output), (1, "iga/spaces/a.cpp:1: has no header of its name\n"))
 
+    def test_rejects_a_header_that_the_table_of_its_folder_lacks(self):
+        table = "# iga\n\n| header | what |\n|---|---|\n| `a`, `b.hpp` | both |\n"
+        self.accepts({"iga/README.md": table, "iga/a.hpp": "", "iga/b.hpp": "", "iga/internal/c.hpp": "",
+                      "iga/tests/d.hpp": ""})
+        self.rejects({"iga/README.md": table, "iga/a.hpp": "", "iga/c.hpp": ""}, "iga/README.md:3",
+                     "the table of headers lacks c")
+        self.accepts({"iga/README.md": "Words alone.\n", "iga/c.hpp": ""})
+
     def test_rejects_a_folder_that_is_no_room(self):
         self.rejects({"tools/a.hpp": ""}, "tools/a.hpp:1", "lies in no room")
 

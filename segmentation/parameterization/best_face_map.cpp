@@ -45,8 +45,12 @@ double narrowest_corner(const FaceMap& map) {
 
 }  // namespace
 
+FaceMap best_face_map(const QuadFace& face) {
+  return best_face_map(face, {});
+}
+
 FaceMap best_face_map(const QuadFace& face, const std::array<SidePace, 4>& paces) {
-  const FaceMap blend(face, paces);
+  FaceMap blend(face, paces);
   double best = smallest_sine(blend);
   if (best > std::min(good_sine, 0.95 * narrowest_corner(blend))) return blend;
   const std::optional<DomainMesh> mesh = face.mesh ? face.mesh() : std::nullopt;

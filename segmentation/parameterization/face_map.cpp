@@ -22,6 +22,8 @@ const char* name(FaceMapKind kind) {
   return kind == FaceMapKind::coons ? "coons" : "mean_value";
 }
 
+FaceMap::FaceMap(QuadFace face) : FaceMap(std::move(face), {}) {}
+
 FaceMap::FaceMap(QuadFace face, std::array<SidePace, 4> paces)
     : face_(std::move(face)), paces_(std::move(paces)) {
   Eigen::AlignedBox2d box;

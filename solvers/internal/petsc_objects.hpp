@@ -39,7 +39,6 @@ class Owner {
 using Matrix = Owner<Mat, MatDestroy>;
 using Vector = Owner<Vec, VecDestroy>;
 using Krylov = Owner<KSP, KSPDestroy>;
-using IndexSet = Owner<IS, ISDestroy>;
 
 /// A vector that uses the memory of an Eigen vector, which must outlive it.
 Vector view(MPI_Comm communicator, const Eigen::VectorXd& values, int block_size);

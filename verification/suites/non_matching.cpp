@@ -154,7 +154,7 @@ TEST(NonMatching, RefusesWhatItCannot) {
   const NonMatchingModel m = models().front();
   iga::ElasticityProblem p = pulled(m, generic_linear_field(), 1);
   EXPECT_ERROR(iga::natural_modes(p, {}), ErrorCode::unsupported, "natural modes are not for");
-  p.temperatures = {{"warm", all_patches(m.model), 100, Eigen::Vector3d::Zero()}};
+  p.temperatures = {{"warm", all_patches(m.model), {100, Eigen::Vector3d::Zero()}}};
   EXPECT_ERROR(iga::solve_elasticity(p, {}), ErrorCode::unsupported, "temperatures are not for");
 }
 

@@ -3,8 +3,6 @@ globalThis.isopatch = globalThis.isopatch || {};
 (function (isopatch) {
   "use strict";
 
-  const fieldOfView = 24;  // degrees
-  const faulty = "#d3222a";
   const lineColour = "#e6007e";
   const calm = "#b4c0cb";  // of finished pieces beside faulty ones
 
@@ -47,15 +45,8 @@ globalThis.isopatch = globalThis.isopatch || {};
   const asksApart = (scene, before, after) => startApart(scene, before) !== startApart(scene, after);
 
   isopatch.pieceColour = (stage, piece) => {
-    if (piece.is_faulty) return faulty;
+    if (piece.is_faulty) return isopatch.faultyColour;
     return stage.pieces.some((other) => other.is_faulty) ? calm : isopatch.categoryOf(piece.index);
-  };
-
-  const geometryOf = (points, index) => {
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute("position", new THREE.BufferAttribute(points, 3));
-    if (index) geometry.setIndex(index);
-    return geometry;
   };
 
   function tube(points, size) {
@@ -69,11 +60,11 @@ globalThis.isopatch = globalThis.isopatch || {};
     const numbers = [];
     for (const edge of edges)
       for (let i = 0; i + 1 < edge.length / 3; ++i) numbers.push(...vector(edge, i), ...vector(edge, i + 1));
-    return geometryOf(new Float32Array(numbers));
+    return isopatch.geometryOf(new Float32Array(numbers));
   }
 
   function pieceObject(stage, piece, scene, inks) {
-    const geometry = geometryOf(piece.points, piece.triangles);
+    const geometry = isopatch.geometryOf(piece.points, piece.triangles);
     geometry.computeVertexNormals();
     const seenThrough = piece.is_faulty && scene.faces.length > 0;  // its faults are faces of it
     const material = new THREE.MeshLambertMaterial({
@@ -116,18 +107,12 @@ globalThis.isopatch = globalThis.isopatch || {};
   function faultyFaces(scene) {
     const group = new THREE.Group();
     for (const face of scene.faces.filter((one) => one.triangles.length))
-      group.add(new THREE.Mesh(geometryOf(face.points, face.triangles), new THREE.MeshBasicMaterial({
-        color: faulty, side: THREE.DoubleSide, transparent: true, opacity: 0.7})));
+      group.add(new THREE.Mesh(isopatch.geometryOf(face.points, face.triangles), new THREE.MeshBasicMaterial({
+        color: isopatch.faultyColour, side: THREE.DoubleSide, transparent: true, opacity: 0.7})));
     return group;
   }
 
   isopatch.makeBlockViewer = function (host, scene) {
-    const canvas = isopatch.element("canvas", {tabindex: "0", role: "img", "aria-label":
-      "The blocks in three dimensions. Arrow keys turn them, shift and arrows move them, plus and minus zoom, 1 to 7 choose a view, 0 fits them in."});
-    const renderer = isopatch.makeRenderer(canvas);
-    if (!renderer) return null;
-    const layer = isopatch.element("div", {class: "marker-layer", "aria-hidden": "true"});
-    host.append(canvas, layer);
     const inks = {edges: new THREE.LineBasicMaterial({}),
                   triangles: new THREE.LineBasicMaterial({color: 0x000000, transparent: true, opacity: 0.25}),
                   lines: new THREE.MeshBasicMaterial({color: lineColour, depthTest: false, transparent: true, opacity: 0.9})};
@@ -139,27 +124,8 @@ globalThis.isopatch = globalThis.isopatch || {};
     });
     const world = new THREE.Scene();
     world.add(...lights(), faultyFaces(scene), ...stages.map((stage) => stage.group));
-    const camera = new THREE.PerspectiveCamera(fieldOfView, 1, 1, 10);
-    const markers = isopatch.makeMarkers(layer, scene.places.map((place) => ({...place, kind: "warning"})));
     const state = {stage: scene.stages.length - 1, apart: startApart(scene, scene.stages.length - 1), lines: true, edges: true, chosen: null};
     const listeners = [];
-    let asked = false;
-
-    function project(point) {
-      const v = new THREE.Vector3(...point).project(camera);
-      if (Math.abs(v.x) > 1 || Math.abs(v.y) > 1 || Math.abs(v.z) > 1) return null;
-      return [((v.x + 1) / 2) * canvas.clientWidth, ((1 - v.y) / 2) * canvas.clientHeight];
-    }
-    function draw() {
-      asked = false;
-      renderer.render(world, camera);
-      markers.update(0, project, () => false, canvas.clientWidth);
-    }
-    function ask() {
-      if (asked) return;
-      asked = true;
-      requestAnimationFrame(draw);
-    }
     const offset = (object) => object.direction.clone().multiplyScalar(state.apart);
 
     function points() {
@@ -181,18 +147,19 @@ globalThis.isopatch = globalThis.isopatch || {};
 
     function pieceAt(x, y) {
       const caster = new THREE.Raycaster();
-      caster.setFromCamera({x: (2 * x) / canvas.clientWidth - 1, y: 1 - (2 * y) / canvas.clientHeight}, camera);
+      caster.setFromCamera({x: (2 * x) / view.canvas.clientWidth - 1, y: 1 - (2 * y) / view.canvas.clientHeight}, view.camera);
       const {objects} = stages[state.stage];
       const [hit] = caster.intersectObjects(objects.map((object) => object.mesh));
       return hit ? objects.findIndex((object) => object.mesh === hit.object) : null;
     }
 
-    const orbit = isopatch.makeOrbit(canvas, camera, {...scene, size: 2.2 * scene.size}, {
-      changed: ask, insets: () => [0, 0], points,
+    const view = isopatch.makeSolidCanvas(host, {...scene, size: 2.2 * scene.size}, {
+      what: "The blocks", world, ink: inks.edges, points, places: scene.places.map((place) => ({...place, kind: "warning"})),
       clicked: (x, y) => {
         const found = pieceAt(x, y);
         change({chosen: found === state.chosen ? null : found});
       }});
+    if (!view) return null;
 
     // Pieces of another stage are others.
     function change(asked) {
@@ -204,36 +171,13 @@ globalThis.isopatch = globalThis.isopatch || {};
       Object.assign(state, wanted);
       stages.forEach((stage, i) => (stage.group.visible = i === state.stage));
       stages[state.stage].objects.forEach(setPiece);
-      if (moves) orbit.fit();
-      ask();
+      if (moves) view.fit();
+      view.ask();
       for (const listener of listeners) listener(state);
     }
 
-    function resize() {
-      const [width, height] = [host.clientWidth, host.clientHeight];
-      if (width === 0 || height === 0) return;
-      renderer.setSize(width, height, false);
-      camera.aspect = width / height;
-      orbit.fit();
-    }
-    function setBackground() {
-      const {backgroundColor, color} = getComputedStyle(host);
-      renderer.setClearColor(new THREE.Color(backgroundColor), 1);
-      inks.edges.color.set(color);
-      ask();
-    }
-    function printed() {
-      renderer.setClearColor(new THREE.Color("white"), 1);
-      inks.edges.color.set("black");
-      draw();
-    }
-    canvas.addEventListener("webglcontextrestored", ask);
-    window.addEventListener("beforeprint", printed);
-    window.addEventListener("afterprint", setBackground);
-    new ResizeObserver(resize).observe(host);
     change({});
-    setBackground();
-    return {canvas, state, change, orbit, draw, setBackground, project, pieceAt, lineColour, on: (listener) => listeners.push(listener),
-            look: orbit.look, fit: orbit.fit, offsetOf: (i) => offset(stages[state.stage].objects[i]).toArray()};
+    return {...view, state, change, pieceAt, lineColour, on: (listener) => listeners.push(listener),
+            offsetOf: (i) => offset(stages[state.stage].objects[i]).toArray()};
   };
 })(globalThis.isopatch);

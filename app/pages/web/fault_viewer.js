@@ -3,9 +3,6 @@ globalThis.isopatch = globalThis.isopatch || {};
 (function (isopatch) {
   "use strict";
 
-  const fieldOfView = 24;  // degrees
-  const faulty = "#d3222a";
-
   // {faces, lines, places} decoded, with what a camera needs to know.
   isopatch.readFaults = function (data) {
     const decoded = (item) => ({...item, points: isopatch.decodeBlock(item.points)});
@@ -18,20 +15,13 @@ globalThis.isopatch = globalThis.isopatch || {};
     return scene;
   };
 
-  const geometryOf = (points, index) => {
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute("position", new THREE.BufferAttribute(points, 3));
-    if (index) geometry.setIndex(index);
-    return geometry;
-  };
-
   // A face that crosses itself has no normal, so faulty ones are not lit. Where an edge is wrong its faces step back.
   function faceObject(face, opacity) {
-    const geometry = geometryOf(face.points, face.triangles);
+    const geometry = isopatch.geometryOf(face.points, face.triangles);
     geometry.computeVertexNormals();
     const look = {side: THREE.DoubleSide, transparent: true};
     const material = face.is_faulty
-      ? new THREE.MeshBasicMaterial({...look, color: faulty, opacity})
+      ? new THREE.MeshBasicMaterial({...look, color: isopatch.faultyColour, opacity})
       : new THREE.MeshLambertMaterial({...look, color: "#9fb3c8", opacity: 0.22, depthWrite: false});
     const mesh = new THREE.Mesh(geometry, material);
     mesh.renderOrder = face.is_faulty ? 1 : 2;
@@ -39,7 +29,7 @@ globalThis.isopatch = globalThis.isopatch || {};
   }
 
   function lineObject(line, scene, ink) {
-    if (!line.is_faulty) return new THREE.Line(geometryOf(line.points), ink);
+    if (!line.is_faulty) return new THREE.Line(isopatch.geometryOf(line.points), ink);
     const corners = [];
     for (let i = 0; i < line.points.length; i += 3) corners.push(new THREE.Vector3(...line.points.slice(i, i + 3)));
     const curve = new THREE.CatmullRomCurve3(corners, false, "centripetal");
@@ -47,7 +37,7 @@ globalThis.isopatch = globalThis.isopatch || {};
     const geometry = curve.getLength() > 1e-6 * scene.size
       ? new THREE.TubeGeometry(curve, 4 * corners.length, 0.006 * scene.size, 8)
       : new THREE.SphereGeometry(0.012 * scene.size).translate(...corners[0].toArray());
-    return new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({color: faulty}));
+    return new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({color: isopatch.faultyColour}));
   }
 
   function worldOf(scene, ink) {
@@ -83,64 +73,17 @@ globalThis.isopatch = globalThis.isopatch || {};
   };
 
   isopatch.makeFaultViewer = function (host, scene) {
-    const canvas = isopatch.element("canvas", {tabindex: "0", role: "img", "aria-label":
-      "The solids in three dimensions. Arrow keys turn them, shift and arrows move them, plus and minus zoom, 1 to 7 choose a view, 0 fits them in."});
-    const renderer = isopatch.makeRenderer(canvas);
-    if (!renderer) return null;
-    const layer = isopatch.element("div", {class: "marker-layer", "aria-hidden": "true"});
-    host.append(canvas, layer);
     const ink = new THREE.LineBasicMaterial({});
-    const world = worldOf(scene, ink);
-    const camera = new THREE.PerspectiveCamera(fieldOfView, 1, 1, 10);
     const places = isopatch.faultPlaces(scene);
-    const markers = isopatch.makeMarkers(layer, places);
-    let asked = false;
+    const view = isopatch.makeSolidCanvas(host, scene, {
+      what: "The solids", world: worldOf(scene, ink), ink, places, points: () => scene.points,
+      clicked: (x, y) => choose(view.markers.at(x, y))});
+    if (!view) return null;
 
-    function project(point) {
-      const v = new THREE.Vector3(...point).project(camera);
-      if (Math.abs(v.x) > 1 || Math.abs(v.y) > 1 || Math.abs(v.z) > 1) return null;
-      return [((v.x + 1) / 2) * canvas.clientWidth, ((1 - v.y) / 2) * canvas.clientHeight];
-    }
-    function draw() {
-      asked = false;
-      renderer.render(world, camera);
-      markers.update(0, project, () => false, canvas.clientWidth);
-    }
-    function ask() {
-      if (asked) return;
-      asked = true;
-      requestAnimationFrame(draw);
-    }
     function choose(place) {
-      markers.setPicked(place);
-      ask();
+      view.markers.setPicked(place);
+      view.ask();
     }
-    const orbit = isopatch.makeOrbit(canvas, camera, scene, {
-      changed: ask, insets: () => [0, 0], points: () => scene.points,
-      clicked: (x, y) => choose(markers.at(x, y))});
-    function resize() {
-      const [width, height] = [host.clientWidth, host.clientHeight];
-      if (width === 0 || height === 0) return;
-      renderer.setSize(width, height, false);
-      camera.aspect = width / height;
-      orbit.fit();
-    }
-    function setBackground() {
-      const {backgroundColor, color} = getComputedStyle(host);
-      renderer.setClearColor(new THREE.Color(backgroundColor), 1);
-      ink.color.set(color);
-      ask();
-    }
-    function printed() {
-      renderer.setClearColor(new THREE.Color("white"), 1);
-      ink.color.set("black");
-      draw();
-    }
-    canvas.addEventListener("webglcontextrestored", ask);
-    window.addEventListener("beforeprint", printed);
-    window.addEventListener("afterprint", setBackground);
-    new ResizeObserver(resize).observe(host);
-    setBackground();
-    return {canvas, places, orbit, choose, draw, setBackground, look: orbit.look, fit: orbit.fit, project};
+    return {...view, places, choose};
   };
 })(globalThis.isopatch);

@@ -164,8 +164,17 @@ std::uint64_t default_bytes() {
   return static_cast<std::uint64_t>(std::max(0.75 * memory, 2e9));
 }
 
+// Of address space: with less the program that reads ends before it can say why.
+constexpr std::uint64_t least_bytes = 50'000'000;
+
 GuardLimits limits_of(const fs::path& path, const ReadBrepOptions& options) {
   GuardLimits limits = options.limits;
+  if (limits.bytes > 0 && limits.bytes < least_bytes)
+    throw Error(
+        ErrorCode::invalid_argument,
+        fmt::format("the memory limit for CAD files is {} bytes; it must be {} or more, without which the "
+                    "CAD library cannot even begin",
+                    limits.bytes, least_bytes));
   if (!(limits.seconds > 0)) limits.seconds = default_seconds(path);
   if (limits.bytes == 0) limits.bytes = default_bytes();
 #if defined(__SANITIZE_ADDRESS__)

@@ -46,10 +46,13 @@ inline std::uint64_t dataset_checksum(const std::vector<hsize_t>& shape, const v
   return content_hash({static_cast<const char*>(data), bytes}, content_hash(extents));
 }
 
-/// Keeps HDF5 from printing its errors while it lives.
+/// Keeps HDF5 from printing its errors while it lives, and for good from closing itself when the program
+/// ends: all that we open is closed by then, and after some damaged files it would print "infinite loop
+/// closing library".
 class Hdf5Silence {
  public:
   Hdf5Silence() {
+    [[maybe_unused]] static const herr_t first_call = H5dont_atexit();
     H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   }

@@ -88,6 +88,37 @@ TEST_F(Hdf5Hex, NumbersThatAreNoComplexAreRefused) {
                "contradicts itself");
 }
 
+TEST_F(Hdf5Hex, ListsThatDoNotBelongTogetherAreRefused) {
+  // The sample with one list that lacks its last number.
+  const auto read_without_last_of = [&](const std::string& shorter) {
+    Hdf5Writer sound;
+    write_hex_topology(sound, "/complex", sample_complex());
+    const Hdf5Reader file = stored(sound);
+    Hdf5Writer writer;
+    writer.write("/complex/vertex_count", file.integer("/complex/vertex_count"));
+    for (const char* name : {"blocks", "edges", "faces", "sheets", "t_joints", "split_edges"}) {
+      std::vector<std::int64_t> numbers = file.integers(std::string("/complex/") + name);
+      if (name == shorter) numbers.pop_back();
+      writer.write(std::string("/complex/") + name, numbers);
+    }
+    for (const char* name : {"face_gaps", "t_joint_outlines", "split_shares"}) {
+      const Eigen::VectorXd values = file.vector(std::string("/complex/") + name);
+      writer.write(std::string("/complex/") + name,
+                   Eigen::VectorXd(values.head(values.size() - (name == shorter ? 1 : 0))));
+    }
+    return read_hex_topology(stored(writer), "/complex");
+  };
+  EXPECT_EQ(read_without_last_of("nothing"), sample_complex());
+  for (const char* name : {"blocks", "edges", "faces", "t_joints", "split_edges"})
+    EXPECT_ERROR(read_without_last_of(name), ErrorCode::invalid_argument,
+                 fmt::format("'/complex/{}' ends within a record", name));
+  EXPECT_ERROR(read_without_last_of("sheets"), ErrorCode::invalid_argument, "sheet is");
+  EXPECT_ERROR(read_without_last_of("face_gaps"), ErrorCode::invalid_argument, "numbers for 26 faces");
+  for (const char* name : {"t_joint_outlines", "split_shares"})
+    EXPECT_ERROR(read_without_last_of(name), ErrorCode::invalid_argument,
+                 fmt::format("'/complex/{}' has too few numbers", name));
+}
+
 TEST_F(Hdf5Hex, ListsThatEndWithinARecordAreRefused) {
   Hdf5Writer shorter;
   shorter.write("/faces/faces", std::vector<std::int64_t>{0, 1, 5});

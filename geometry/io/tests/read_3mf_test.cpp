@@ -91,14 +91,40 @@ TEST(Read3mf, SaysWhatIsWrong) {
   EXPECT_ERROR(read(model(object(1, corner_mesh), item, "unit=\"ell\"")), ErrorCode::bad_format, "ell");
   EXPECT_ERROR(read(model(object(1, "<components><component objectid=\"1\"/></components>"), item)),
                ErrorCode::bad_format, "component of itself");
-  EXPECT_ERROR(read(model(object(1, corner_mesh), "<item objectid=\"1\" transform=\"1 0\"/>")),
-               ErrorCode::bad_format, "transform");
+  for (const char* transform : {"1 0", "1 0 0 0 1 0 0 0 1 0 0 0 7", "1 0 0 0 1 0 0 0 1 0 0 nan"})
+    EXPECT_ERROR(read(model(object(1, corner_mesh),
+                            fmt::format("<item objectid=\"1\" transform=\"{}\"/>", transform))),
+                 ErrorCode::bad_format, "is no twelve numbers");
+  EXPECT_ERROR(read("<svg/>"), ErrorCode::bad_format, "root element is not <model>");
   std::string text = corner;
   text.replace(text.find("10.5"), 4, "nan");
   EXPECT_ERROR(read(text), ErrorCode::bad_format, "x = \"nan\"");
   text = corner;
   text.replace(text.find("v3=\"1\""), 6, "v3=\"4\"");
   EXPECT_ERROR(read(text), ErrorCode::bad_format, "v3");
+}
+
+TEST(Read3mf, SaysWhatIsWrongWithThePackage) {
+  const auto package = [](const std::string& relationships) {
+    return test::zip_bytes({{"_rels/.rels", relationships}, {"3D/part.model", corner}});
+  };
+  EXPECT_ERROR(read_3mf(package("<Relationships/>"), "a.3mf"), ErrorCode::bad_format,
+               "a.3mf: _rels/.rels:1: the package has no 3D model");
+  std::string elsewhere = relations;
+  elsewhere.replace(elsewhere.find("part.model"), 10, "lost.model");
+  EXPECT_ERROR(read_3mf(package(elsewhere), "a.3mf"), ErrorCode::bad_format,
+               "the package has no part '3D/lost.model'");
+
+  // The marks of encryption, in the list of parts at the archive's end, and a byte of what was compressed.
+  const std::string good = package(relations);
+  const std::size_t listed = good.rfind("3D/part.model") - 46;
+  ASSERT_EQ(good.substr(listed, 4), "PK\1\2");
+  std::string encrypted = good;
+  encrypted[listed + 8] = static_cast<char>(encrypted[listed + 8] | 1);
+  EXPECT_ERROR(read_3mf(encrypted, "a.3mf"), ErrorCode::unsupported, "'3D/part.model' is encrypted");
+  std::string damaged = good;
+  damaged[good.find("3D/part.model") + 40] ^= 0x55;
+  EXPECT_ERROR(read_3mf(damaged, "a.3mf"), ErrorCode::bad_format, "'3D/part.model' is damaged");
 }
 
 TEST(Read3mf, RefusesWhatGrowsWithoutEnd) {

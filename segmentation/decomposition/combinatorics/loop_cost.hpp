@@ -48,7 +48,7 @@ struct CostOptions {
 /// @throws Error invalid_argument  naming field, value and range
 void validate(const CostOptions& options);
 
-/// Each term before its weight.
+/// The terms of what a cutting loop costs, each before its weight.
 struct LoopCost {
   double length = 0, auxiliary_edges = 0, auxiliary_vertices = 0, face_size = 0, planarity = 0, direction = 0,
          dihedral = 0, t_joints = 0, flat = 0, hexahedra = 0, non_convex = 0;

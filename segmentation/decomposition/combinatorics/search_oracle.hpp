@@ -29,7 +29,7 @@ struct SearchRound {
   int open = 0;  ///< cells of it that have to be cut
 };
 
-/// What geometry is asked.
+/// What the search for cuts asks of the geometry.
 struct SearchOracle {
   /// Tries one cut. The answer must depend on its arguments alone: it is remembered.
   std::function<CutAnswer(const SearchCell&, const CuttingLoop&)> cut;

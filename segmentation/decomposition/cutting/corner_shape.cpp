@@ -8,8 +8,13 @@
 namespace isopatch::segmentation {
 namespace {
 
-double volume_at(const CellShapes& shapes, const CellSides& sides, const CellIncidence& incidence,
-                 VertexId vertex) {
+// Corners of less volume fold a patch, or let it degenerate.
+constexpr double least_corner_volume = 1e-3;
+
+// The volume that unit vectors along the three edges of a corner span, in [-1, 1]: a hexahedron's Jacobian
+// has its sign there.
+double corner_volume(const CellShapes& shapes, const CellSides& sides, const CellIncidence& incidence,
+                     VertexId vertex) {
   std::array<Eigen::Vector3d, 3> away;
   for (std::size_t k = 0; k < 3; ++k) {
     const EdgeId edge = incidence.edges_at(vertex)[k];
@@ -24,27 +29,13 @@ double volume_at(const CellShapes& shapes, const CellSides& sides, const CellInc
 
 }  // namespace
 
-double corner_volume(const CellShapes& shapes, const CellSides& sides, VertexId vertex) {
-  return volume_at(shapes, sides, CellIncidence(sides.graph), vertex);
-}
-
-VertexId sharpest_corner(const CellShapes& shapes, const CellSides& sides) {
-  const CellIncidence incidence(sides.graph);
-  VertexId result(-1);
-  double least = 2;
-  for (int v = 0; v < sides.graph.vertex_count; ++v) {
-    if (incidence.edges_at(VertexId(v)).size() != 3) continue;
-    const double here = volume_at(shapes, sides, incidence, VertexId(v));
-    if (here >= least) continue;
-    least = here;
-    result = VertexId(v);
-  }
-  return result;
-}
-
 bool corners_open(const CellShapes& shapes, const CellSides& sides) {
-  const VertexId vertex = sharpest_corner(shapes, sides);
-  return vertex.value < 0 || corner_volume(shapes, sides, vertex) > least_corner_volume;
+  const CellIncidence incidence(sides.graph);
+  for (int v = 0; v < sides.graph.vertex_count; ++v)
+    if (incidence.edges_at(VertexId(v)).size() == 3 &&
+        !(corner_volume(shapes, sides, incidence, VertexId(v)) > least_corner_volume))
+      return false;
+  return true;
 }
 
 }  // namespace isopatch::segmentation

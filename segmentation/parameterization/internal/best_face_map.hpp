@@ -11,6 +11,8 @@ namespace isopatch::segmentation {
 /// smooth map is for a face with a corner of more than 180 degrees.
 ///
 /// @source Coons 1967; Floater 2003
-FaceMap best_face_map(const QuadFace& face, const std::array<SidePace, 4>& paces = {});
+FaceMap best_face_map(const QuadFace& face);
+/// The same with paces along the sides.
+FaceMap best_face_map(const QuadFace& face, const std::array<SidePace, 4>& paces);
 
 }  // namespace isopatch::segmentation

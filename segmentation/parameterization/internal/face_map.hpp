@@ -22,15 +22,13 @@ using SidePace = std::function<double(double)>;
 class FaceMap {
  public:
   /// The blend of the sides.
+  explicit FaceMap(QuadFace face);
   /// @param paces  in the order of `QuadFace::sides`
-  explicit FaceMap(QuadFace face, std::array<SidePace, 4> paces = {});
+  FaceMap(QuadFace face, std::array<SidePace, 4> paces);
 
   const QuadFace& face() const { return face_; }
   FaceMapKind kind() const { return kind_; }
-  /// Length of a side of the face in space, in the order of `QuadFace::sides`; model units.
-  double side_length(int side) const { return arcs_[static_cast<std::size_t>(side)].length(); }
-
-  /// How far a side turns on its way, rad.
+  /// How far a side turns on its way, in the order of `QuadFace::sides`; rad.
   double side_turning(int side) const { return arcs_[static_cast<std::size_t>(side)].turning(); }
 
   /// Extent of the outline in the domain.
