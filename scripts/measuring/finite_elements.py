@@ -1,13 +1,12 @@
 """The link of examples/link by gmsh and CalculiX: second-order tetrahedra, direct solver."""
 
 import math
-import os
 import pathlib
 import re
-import subprocess
-import time
 import tomllib
 from typing import NamedTuple
+
+from . import seconds
 
 # Points (barycentric) and weights (sum 1) on a triangle, exact for degree 5. Radon 1948.
 _A, _B = (6 - math.sqrt(15)) / 21, (6 + math.sqrt(15)) / 21
@@ -183,23 +182,14 @@ def energy(path, loads):
     return 0.5e-3 * work
 
 
-def _timed(line, folder, threads, timeout):
-    """Seconds that a program took."""
-    settings = dict(os.environ, OMP_NUM_THREADS=str(threads))
-    start = time.monotonic()
-    subprocess.run(line, cwd=folder, env=settings, check=True, timeout=timeout, stdin=subprocess.DEVNULL,
-                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    return time.monotonic() - start
-
-
 def solve(link, size, *, threads, folder, timeout=None):
     """One mesh of element size `size` (mm): seconds of gmsh and ccx, free unknowns, energy."""
     folder = pathlib.Path(folder)
     (folder / "link.geo").write_text(geometry(link, size))
-    meshing = _timed(["gmsh", "-3", "-order", "2", "-format", "msh22", "-v", "0", "-o", "link.msh", "link.geo"],
-                        folder, threads, timeout)
+    meshing = seconds.of_program(["gmsh", "-3", "-order", "2", "-format", "msh22", "-v", "0", "-o", "link.msh",
+                                  "link.geo"], folder, threads=threads, timeout=timeout).clock
     loads, dofs = write_input(folder / "link.inp", link, read_mesh(folder / "link.msh"))
-    solving = _timed(["ccx", "link"], folder, threads, timeout)
+    solving = seconds.of_program(["ccx", "link"], folder, threads=threads, timeout=timeout).clock
     return {"size_mm": size, "dofs": dofs, "mesh_seconds": meshing, "solve_seconds": solving,
             "energy": energy(folder / "link.dat", loads)}
 
