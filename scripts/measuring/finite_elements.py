@@ -132,23 +132,33 @@ def read_mesh(path, surface_tag=3):
     return Mesh(nodes, tetrahedra, surfaces)
 
 
+def _shares(triangle, nodes):
+    """(share of the area, shape functions) of a curved six-node triangle at the points of the rule."""
+    places = [nodes[number] for number in triangle]
+    for (a, b, c), weight in TRIANGLE_RULE:
+        shape = (a * (2 * a - 1), b * (2 * b - 1), c * (2 * c - 1), 4 * a * b, 4 * b * c, 4 * c * a)
+        along_b = (1 - 4 * a, 4 * b - 1, 0, 4 * (a - b), 4 * c, -4 * c)
+        along_c = (1 - 4 * a, 0, 4 * c - 1, -4 * b, 4 * b, 4 * (a - c))
+        u, v = ([sum(s * place[i] for s, place in zip(along, places)) for i in range(3)]
+                for along in (along_b, along_c))
+        yield 0.5 * weight * math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                                        u[0] * v[1] - u[1] * v[0]), shape
+
+
+def area(triangles, nodes):
+    """Of curved six-node triangles."""
+    return sum(share for triangle in triangles for share, _ in _shares(triangle, nodes))
+
+
 def spread(force, triangles, nodes):
     """{node: force}: a total force spread evenly over curved six-node triangles, by their shape functions."""
-    weights, area = {}, 0.0
+    weights, total = {}, 0.0
     for triangle in triangles:
-        places = [nodes[number] for number in triangle]
-        for (a, b, c), weight in TRIANGLE_RULE:
-            shape = (a * (2 * a - 1), b * (2 * b - 1), c * (2 * c - 1), 4 * a * b, 4 * b * c, 4 * c * a)
-            along_b = (1 - 4 * a, 4 * b - 1, 0, 4 * (a - b), 4 * c, -4 * c)
-            along_c = (1 - 4 * a, 0, 4 * c - 1, -4 * b, 4 * b, 4 * (a - c))
-            u, v = ([sum(s * place[i] for s, place in zip(along, places)) for i in range(3)]
-                    for along in (along_b, along_c))
-            share = 0.5 * weight * math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                                              u[0] * v[1] - u[1] * v[0])
-            area += share
+        for share, shape in _shares(triangle, nodes):
+            total += share
             for number, value in zip(triangle, shape):
                 weights[number] = weights.get(number, 0.0) + share * value
-    return {number: tuple(weight / area * f for f in force) for number, weight in weights.items()}
+    return {number: tuple(weight / total * f for f in force) for number, weight in weights.items()}
 
 
 def write_input(path, link, mesh):

@@ -11,7 +11,7 @@ from . import bored_parts, runs, seconds, solid_elements, tables
 
 TARGETS = (5e-3, 1e-3)  # relative errors of the energy at which both are compared
 STAGES = ("read", "cut", "parameterize")
-GOALS = (0.1, 0.05, 0.03, 0.01)  # of isopatch's runs: estimated errors in the energy norm
+ELEMENTS = (1, 2, 3, 4, 6, 8)    # of isopatch's runs: least number along each direction of each patch, degree 3
 FINER = 1.5                      # sizes of tetrahedra fall by it
 MOST_MESHES = 6
 MOST_REPETITIONS, ENOUGH = 3, 10.0  # no more repetitions of what took the processor so many seconds
@@ -48,14 +48,15 @@ def _run(root, program, study, folder, options, *, threads, timeout):
     return took
 
 
-def _solution(part, run, folder, goal, *options):
-    """One run to a goal: the seconds of all of it, the part of them by the clock that wrote files, and the figures."""
-    took = run(part.study, folder, [*options, "--set", "discretization.refine=0", "--set", f"accuracy.energy={goal}"])
+def _solution(part, run, folder, elements, *options):
+    """One run: the seconds of solving and, by their share of the clock, of writing files, and the figures."""
+    took = run(part.study, folder, [*options, "--set", "discretization.refine=0", "--set",
+                                    f"discretization.elements_per_direction={elements}"])
     summary = json.loads((folder / "summary.json").read_text())
     energy = summary["results"]["internal_energy"]
     writing = summary["timings"]["output"] / summary["timings"]["total"]
-    return {"goal": goal, "dofs": summary["discretization"]["dofs_free"], "patches": summary["model"]["patches"],
-            "energy": energy, "error": error_of(part, energy),
+    return {"elements_per_direction": elements, "patches": summary["model"]["patches"],
+            "dofs": summary["discretization"]["dofs_free"], "energy": energy, "error": error_of(part, energy),
             "estimated_error": summary["results"]["discretization_error"]["energy_norm"] ** 2,
             "clock_of_stages": [stage["seconds"] for stage in summary["stages"]],
             "seconds": {"solve": took.share(1 - writing), "write": took.share(writing)}}
@@ -70,12 +71,12 @@ def before_solving(whole, solution):
 
 
 def by_isopatch(part, run, folder):
-    """Yields an entry for each goal, until one is within the last target. The seconds of an entry are from the file on:
-    solids, hexahedra and patches are made once, and count in each."""
-    whole = repeated(lambda: _solution(part, run, folder, GOALS[0], "--from", "solid"))
+    """Yields an entry for each number of elements, until one is within the last target. The seconds of an entry are
+    from the file on: solids, hexahedra and patches are made once, and count in each."""
+    whole = repeated(lambda: _solution(part, run, folder, ELEMENTS[0], "--from", "solid"))
     before = None
-    for goal in GOALS:
-        entry = repeated(lambda: _solution(part, run, folder, goal, "--from", "solution"))
+    for elements in ELEMENTS:
+        entry = repeated(lambda: _solution(part, run, folder, elements, "--from", "solution"))
         before = before or before_solving(whole, entry)
         entry["seconds"] = {**before, **entry["seconds"]}
         yield entry
@@ -118,7 +119,7 @@ def _until_it_fails(entries, failures, name):
 
 
 def in_turns(sides):
-    """({side: its entries}, {side: why it ended early}) of iterators over entries, one entry of each after the other."""
+    """({side: its entries}, {side: why it ended early}) of iterators over entries, one of each after the other."""
     found, failures = {name: [] for name in sides}, {}
     for turn in itertools.zip_longest(*(_until_it_fails(side, failures, name) for name, side in sides.items())):
         for name, entry in zip(sides, turn):
@@ -206,9 +207,10 @@ def _compared(found, target):
 
 
 def report(found):
-    rows = [_row(f"isopatch, {e['patches']} patches, goal {100 * e['goal']:g} %", e) for e in found["isopatch"]]
+    rows = [_row(f"isopatch, {e['patches']} patches, {e['elements_per_direction']}^3 elements or more", e)
+            for e in found["isopatch"]]
     rows += [_row(f"gmsh + CalculiX, {e['size_mm']:.2g} mm", e) for e in found["finite_elements"]]
-    lines = [f"### The {found['part']}: from its file to figures, {found['threads']} threads, seconds of the processor", ""]
+    lines = [f"### The {found['part']} from its file to figures, {found['threads']} threads, seconds of the processor", ""]
     lines += tables.table(["", "DOFs", *COLUMNS, "total", "clock", "error of energy"], rows) + [""]
     if found["finite_elements"]:
         lines += [_compared(found, target) for target in TARGETS]

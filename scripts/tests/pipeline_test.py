@@ -103,7 +103,7 @@ class Turns(unittest.TestCase):
 class Report(unittest.TestCase):
     def found(self, ours, theirs, failures=None):
         return {"part": "link", "threads": 2, "reference_energy": 1.0, "failures": failures or {},
-                "isopatch": [{**e, "goal": 0.1, "patches": 10, "energy": 1 - e["error"],
+                "isopatch": [{**e, "elements_per_direction": 2, "patches": 10, "energy": 1 - e["error"],
                               "estimated_error": 0.9 * e["error"]} for e in ours],
                 "finite_elements": [{**e, "size_mm": 8 / 2 ** i, "energy": 1 - e["error"]}
                                     for i, e in enumerate(theirs)]}
@@ -121,7 +121,7 @@ class Report(unittest.TestCase):
 
     def test_without_the_others_ours_is_reported(self):
         text = "\n".join(pipeline.report(self.found([entry(4e-3, 2.0)], [])))
-        self.assertIn("isopatch, 10 patches, goal 10 %", text)
+        self.assertIn("isopatch, 10 patches, 2^3 elements or more", text)
         self.assertNotIn("ratio", text)
 
     def test_each_side_has_its_limit(self):
