@@ -13,7 +13,7 @@ TARGETS = (5e-3, 1e-3)  # relative errors of the energy at which both are compar
 STAGES = ("read", "cut", "parameterize")
 ELEMENTS = (1, 2, 3, 4, 6, 8)    # of isopatch's runs: least number along each direction of each patch, degree 3
 FINER = 1.5                      # sizes of tetrahedra fall by it
-MOST_MESHES = 6
+LONGEST = 60.0                   # seconds of the processor; the next mesh would take about six times as many
 MOST_REPETITIONS, ENOUGH = 3, 10.0  # no more repetitions of what took the processor so many seconds
 
 
@@ -94,13 +94,18 @@ def _mesh(part, file, size, folder, bounds):
 
 
 def by_finite_elements(part, file, folder, bounds):
-    """Yields an entry for each size until one is within the last target."""
-    for level in range(MOST_MESHES):
+    """Yields an entry for each size until one is within the last target.
+
+    Raises RuntimeError after a mesh that took very long without being so near.
+    """
+    for level in itertools.count():
         size = part.first_size / FINER ** level
         found = repeated(lambda: _mesh(part, file, size, folder, bounds))
         yield found
         if found["error"] <= min(TARGETS):
             return
+        if total(found).processor > LONGEST:
+            raise RuntimeError(f"error {found['error']:.2g} after {total(found).processor:.0f} s, no finer mesh was made")
 
 
 # ----------------------------------------------------------------- together
@@ -192,17 +197,24 @@ def _row(name, entry):
             number(entry["error"], 2)]
 
 
-def _compared(found, target):
-    """A sentence on both sides at an error."""
-    def words(known):
-        return f"{'at most ' if known[1] else ''}{tables.figure(known[0].processor)} s"
+def with_another_load(entries):
+    """Entries without what a part takes once: patches, or a mesh."""
+    once = (*STAGES, "mesh")
+    return [{**entry, "seconds": {name: took for name, took in entry["seconds"].items() if name not in once}}
+            for entry in entries]
 
-    known = {side: at(target, found[side]) for side in NAMES}
-    text = "; ".join(f"{NAMES[side]} {words(value) if value else 'not reached'}" for side, value in known.items())
-    text = f"Error {target:g}: {text}"
+
+def _compared(words, sides, target):
+    """A sentence on both sides at an error."""
+    def said(known):
+        return f"{'at most ' if known[1] else ''}{tables.figure(known[0].processor)} s" if known else "not reached"
+
+    known = {side: at(target, entries) for side, entries in sides.items()}
+    text = f"{words}, error {target:g}: " + "; ".join(f"{NAMES[side]} {said(value)}" for side, value in known.items())
     if all(known.values()):
-        ratio = [known["finite_elements"][0][i] / known["isopatch"][0][i] for i in (1, 0)]
-        text += f"; ratio {tables.figure(ratio[0], 2)} (clock {tables.figure(ratio[1], 2)})"
+        clock, processor = (theirs / ours for ours, theirs in
+                            zip(known["isopatch"][0], known["finite_elements"][0]))
+        text += f"; ratio {tables.figure(processor, 2)} (clock {tables.figure(clock, 2)})"
     return text + "."
 
 
@@ -213,7 +225,10 @@ def report(found):
     lines = [f"### The {found['part']} from its file to figures, {found['threads']} threads, seconds of the processor", ""]
     lines += tables.table(["", "DOFs", *COLUMNS, "total", "clock", "error of energy"], rows) + [""]
     if found["finite_elements"]:
-        lines += [_compared(found, target) for target in TARGETS]
+        sides = {side: found[side] for side in NAMES}
+        again = {side: with_another_load(entries) for side, entries in sides.items()}
+        lines += [_compared(words, compared, target) for words, compared in
+                  (("From the file", sides), ("Another load", again)) for target in TARGETS]
     lines += [f"{NAMES[side]} ended: {why}." for side, why in found["failures"].items()]
     lines += [f"Energy {found['reference_energy']:.6g} J; " +
               ", ".join(f"{NAMES[side]} towards {limit:.6g} J" for side, limit in limits(found).items()) + "."]

@@ -7,6 +7,7 @@ import sys
 import tempfile
 import tomllib
 import unittest
+import unittest.mock
 
 SCRIPTS = pathlib.Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(SCRIPTS))
@@ -100,6 +101,27 @@ class Turns(unittest.TestCase):
                                     "refused": "face 3 has 2 outlines"})
 
 
+class Meshes(unittest.TestCase):
+    def meshes(self, *entries):
+        part, made = bored_parts.LINK, []
+        with unittest.mock.patch.object(pipeline, "_mesh", side_effect=[*entries]) as mesh:
+            try:
+                for found in pipeline.by_finite_elements(part, pathlib.Path("link.step"), ".", {}):
+                    made.append(found)
+            finally:
+                self.sizes = [call.args[2] for call in mesh.call_args_list]
+        return made
+
+    def test_sizes_fall_until_the_last_target_is_met(self):
+        self.assertEqual(len(self.meshes(entry(1e-2, 20.0), entry(2e-3, 20.0), entry(9e-4, 20.0), entry(1e-4, 20.0))), 3)
+        self.assertEqual(self.sizes, [9.0, 6.0, 4.0])
+
+    def test_no_mesh_follows_one_that_took_long(self):
+        with self.assertRaisesRegex(RuntimeError, "error 0.002 after 70 s"):
+            self.meshes(entry(1e-2, 20.0), entry(2e-3, 70.0), entry(9e-4, 300.0))
+        self.assertEqual(self.sizes, [9.0, 6.0])
+
+
 class Report(unittest.TestCase):
     def found(self, ours, theirs, failures=None):
         return {"part": "link", "threads": 2, "reference_energy": 1.0, "failures": failures or {},
@@ -111,13 +133,22 @@ class Report(unittest.TestCase):
     def test_the_ratio_is_theirs_over_ours(self):
         text = "\n".join(pipeline.report(self.found([entry(8e-3, 2.0), entry(5e-4, 2.0)],
                                                     [entry(8e-3, 10.0), entry(5e-4, 10.0)])))
-        self.assertIn("Error 0.005: isopatch 2 s; gmsh + CalculiX 10 s; ratio 5 (clock 5).", text)
+        self.assertIn("From the file, error 0.005: isopatch 2 s; gmsh + CalculiX 10 s; ratio 5 (clock 5).", text)
 
     def test_what_was_not_reached_is_said(self):
         text = "\n".join(pipeline.report(self.found([entry(4e-3, 2.0)], [entry(8e-3, 1.0)],
                                                     {"finite_elements": "ccx took more than 900 s"})))
-        self.assertIn("Error 0.005: isopatch at most 2 s; gmsh + CalculiX not reached.", text)
+        self.assertIn("From the file, error 0.005: isopatch at most 2 s; gmsh + CalculiX not reached.", text)
         self.assertIn("gmsh + CalculiX ended: ccx took more than 900 s.", text)
+
+    def test_another_load_needs_neither_patches_nor_a_mesh(self):
+        def side(*once):
+            return [{**e, "seconds": {**e["seconds"], **{name: Seconds(90.0, 90.0) for name in once}}}
+                    for e in (entry(8e-3, 2.0), entry(5e-4, 2.0))]
+
+        text = "\n".join(pipeline.report(self.found(side("read", "cut", "parameterize"), side("mesh"))))
+        self.assertIn("Another load, error 0.001: isopatch 2 s; gmsh + CalculiX 2 s; ratio 1 (clock 1).", text)
+        self.assertIn("From the file, error 0.001: isopatch 272 s; gmsh + CalculiX 92 s; ratio 0.34 (clock 0.34).", text)
 
     def test_without_the_others_ours_is_reported(self):
         text = "\n".join(pipeline.report(self.found([entry(4e-3, 2.0)], [])))
