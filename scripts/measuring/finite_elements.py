@@ -1,13 +1,12 @@
 """The link of examples/link by gmsh and CalculiX: second-order tetrahedra, direct solver."""
 
 import math
-import os
 import pathlib
 import re
-import subprocess
-import time
 import tomllib
 from typing import NamedTuple
+
+from . import seconds
 
 # Points (barycentric) and weights (sum 1) on a triangle, exact for degree 5. Radon 1948.
 _A, _B = (6 - math.sqrt(15)) / 21, (6 + math.sqrt(15)) / 21
@@ -133,23 +132,33 @@ def read_mesh(path, surface_tag=3):
     return Mesh(nodes, tetrahedra, surfaces)
 
 
+def _shares(triangle, nodes):
+    """(share of the area, shape functions) of a curved six-node triangle at the points of the rule."""
+    places = [nodes[number] for number in triangle]
+    for (a, b, c), weight in TRIANGLE_RULE:
+        shape = (a * (2 * a - 1), b * (2 * b - 1), c * (2 * c - 1), 4 * a * b, 4 * b * c, 4 * c * a)
+        along_b = (1 - 4 * a, 4 * b - 1, 0, 4 * (a - b), 4 * c, -4 * c)
+        along_c = (1 - 4 * a, 0, 4 * c - 1, -4 * b, 4 * b, 4 * (a - c))
+        u, v = ([sum(s * place[i] for s, place in zip(along, places)) for i in range(3)]
+                for along in (along_b, along_c))
+        yield 0.5 * weight * math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                                        u[0] * v[1] - u[1] * v[0]), shape
+
+
+def area(triangles, nodes):
+    """Of curved six-node triangles."""
+    return sum(share for triangle in triangles for share, _ in _shares(triangle, nodes))
+
+
 def spread(force, triangles, nodes):
     """{node: force}: a total force spread evenly over curved six-node triangles, by their shape functions."""
-    weights, area = {}, 0.0
+    weights, total = {}, 0.0
     for triangle in triangles:
-        places = [nodes[number] for number in triangle]
-        for (a, b, c), weight in TRIANGLE_RULE:
-            shape = (a * (2 * a - 1), b * (2 * b - 1), c * (2 * c - 1), 4 * a * b, 4 * b * c, 4 * c * a)
-            along_b = (1 - 4 * a, 4 * b - 1, 0, 4 * (a - b), 4 * c, -4 * c)
-            along_c = (1 - 4 * a, 0, 4 * c - 1, -4 * b, 4 * b, 4 * (a - c))
-            u, v = ([sum(s * place[i] for s, place in zip(along, places)) for i in range(3)]
-                    for along in (along_b, along_c))
-            share = 0.5 * weight * math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                                              u[0] * v[1] - u[1] * v[0])
-            area += share
+        for share, shape in _shares(triangle, nodes):
+            total += share
             for number, value in zip(triangle, shape):
                 weights[number] = weights.get(number, 0.0) + share * value
-    return {number: tuple(weight / area * f for f in force) for number, weight in weights.items()}
+    return {number: tuple(weight / total * f for f in force) for number, weight in weights.items()}
 
 
 def write_input(path, link, mesh):
@@ -183,23 +192,14 @@ def energy(path, loads):
     return 0.5e-3 * work
 
 
-def _timed(line, folder, threads, timeout):
-    """Seconds that a program took."""
-    settings = dict(os.environ, OMP_NUM_THREADS=str(threads))
-    start = time.monotonic()
-    subprocess.run(line, cwd=folder, env=settings, check=True, timeout=timeout, stdin=subprocess.DEVNULL,
-                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    return time.monotonic() - start
-
-
 def solve(link, size, *, threads, folder, timeout=None):
     """One mesh of element size `size` (mm): seconds of gmsh and ccx, free unknowns, energy."""
     folder = pathlib.Path(folder)
     (folder / "link.geo").write_text(geometry(link, size))
-    meshing = _timed(["gmsh", "-3", "-order", "2", "-format", "msh22", "-v", "0", "-o", "link.msh", "link.geo"],
-                        folder, threads, timeout)
+    meshing = seconds.of_program(["gmsh", "-3", "-order", "2", "-format", "msh22", "-v", "0", "-o", "link.msh",
+                                  "link.geo"], folder, threads=threads, timeout=timeout).clock
     loads, dofs = write_input(folder / "link.inp", link, read_mesh(folder / "link.msh"))
-    solving = _timed(["ccx", "link"], folder, threads, timeout)
+    solving = seconds.of_program(["ccx", "link"], folder, threads=threads, timeout=timeout).clock
     return {"size_mm": size, "dofs": dofs, "mesh_seconds": meshing, "solve_seconds": solving,
             "energy": energy(folder / "link.dat", loads)}
 

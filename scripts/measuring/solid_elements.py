@@ -59,28 +59,17 @@ def imported(file, size):
                       "Mesh.MeshSizeFromCurvature = 0;", "Mesh.HighOrderOptimize = 1;"]) + "\n"  # unfolds elements at rounds
 
 
-def surfaces_with(mesh, places, tolerance):
-    """Triangles of the surface whose nodes include all these places."""
+def surface_with(mesh, places, wanted, tolerance):
+    """Triangles of the surface whose nodes include all these places; of several, as around a seam, of that whose area
+    is nearest to `wanted` (mm^2)."""
     found = []
     for triangles in mesh.surfaces.values():
         nodes = [mesh.nodes[number] for number in {number for triangle in triangles for number in triangle}]
         if all(min(math.dist(place, node) for node in nodes) < tolerance for place in places):
             found.append(triangles)
-    if len(found) != 1:
-        raise RuntimeError(f"{len(found)} surfaces have the corners {places}")
-    return found[0]
-
-
-def area(triangles, nodes):
-    """Of six-node triangles, mm^2."""
-    # A stress of one in x makes a force of the area; spread() spreads a total, so measure by its corners and middles.
-    total = 0.0
-    for a, b, c, ab, bc, ca in triangles:
-        for corners in ((a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca)):
-            p, q, r = (nodes[number] for number in corners)
-            u, v = ([y - x for x, y in zip(p, other)] for other in (q, r))
-            total += 0.5 * math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
-    return total
+    if not found:
+        raise RuntimeError(f"no surface has the corners {places}")
+    return min(found, key=lambda triangles: abs(finite_elements.area(triangles, mesh.nodes) - wanted))
 
 
 def solve(solid, file, held, loaded, traction, size, *, folder, timeout=None):
@@ -94,16 +83,16 @@ def solve(solid, file, held, loaded, traction, size, *, folder, timeout=None):
                     "solid.geo"], cwd=folder, check=True, timeout=timeout)
     mesh = finite_elements.read_mesh(folder / "solid.msh", surface_tag=4)
     tolerance = 1e-5 * size
+    areas = {face: solid["faces"][face]["area"] * MM ** 2 for side in (held, loaded) for face in sides[side]}
     chosen = {}
-    for number, side in ((2, held), (3, loaded)):
-        chosen[number] = [triangle for face in sides[side] for triangle in surfaces_with(
-            mesh, [[MM * x for x in place] for place in cut_solids.corners(solid, face)], tolerance)]
+    for number, name, side in ((2, "clamped", held), (3, "loaded", loaded)):
+        chosen[number] = [triangle for face in sides[side] for triangle in surface_with(
+            mesh, [[MM * x for x in place] for place in cut_solids.corners(solid, face)], areas[face], tolerance)]
+        total, meshed = sum(areas[face] for face in sides[side]), finite_elements.area(chosen[number], mesh.nodes)
+        if abs(meshed / total - 1) > 1e-2:
+            raise RuntimeError(f"the {name} side has {meshed:g} mm^2 in the mesh, not {total:g}")
     mesh = mesh._replace(surfaces=chosen)
-    total = sum(solid["faces"][face]["area"] for face in sides[loaded]) * MM ** 2
-    meshed = area(chosen[3], mesh.nodes)
-    if abs(meshed / total - 1) > 1e-2:
-        raise RuntimeError(f"the loaded side has {meshed:g} mm^2 in the mesh, not {total:g}")
-    part = Steel(tuple(t * total for t in traction))
+    part = Steel(tuple(t * sum(areas[face] for face in sides[loaded]) for t in traction))
     loads, _ = finite_elements.write_input(folder / "solid.inp", part, mesh)
     subprocess.run(["ccx", "solid"], cwd=folder, check=True, timeout=timeout, stdout=subprocess.DEVNULL)
     used = {number for element in mesh.tetrahedra for number in element}

@@ -10,7 +10,7 @@ SCRIPTS = pathlib.Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(SCRIPTS))
 sys.dont_write_bytecode = True
 
-from measuring import cut_solids, polyhedra, solid_elements, tables  # noqa: E402
+from measuring import cut_solids, finite_elements, polyhedra, solid_elements, tables  # noqa: E402
 
 
 def script(name):
@@ -134,6 +134,18 @@ class References(unittest.TestCase):
         edges = solid_elements.singular_edges(solid, [0])
         self.assertEqual({i for i, edge in enumerate(solid["edges"]) if edge["convexity"] == "non-convex" or 0 in edge["faces"]},
                          set(edges))
+
+    def test_a_surface_is_found_by_its_corners_and_of_several_by_its_area(self):
+        # A disc's edge is closed: its one vertex is the corner of the wall around it too.
+        nodes = dict(enumerate([(0, 0, 0), (2, 0, 0), (0, 2, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0),
+                                (0, 0, 9), (0, 0, 4.5), (1, 0, 4.5)]))
+        base, wall = [[0, 1, 2, 3, 4, 5]], [[0, 1, 6, 3, 8, 7]]
+        mesh = finite_elements.Mesh(nodes, [], {1: base, 2: wall})
+        self.assertEqual(solid_elements.surface_with(mesh, [(0, 0, 0)], 2.1, 1e-6), base)
+        self.assertEqual(solid_elements.surface_with(mesh, [(0, 0, 0)], 8.5, 1e-6), wall)
+        self.assertEqual(solid_elements.surface_with(mesh, [(0, 0, 0), (0, 2, 0)], 8.5, 1e-6), base)
+        with self.assertRaisesRegex(RuntimeError, "no surface has the corners"):
+            solid_elements.surface_with(mesh, [(5, 0, 0)], 2.0, 1e-6)
 
 
 class Verdicts(unittest.TestCase):
