@@ -29,8 +29,10 @@ std::optional<Fillet> fillet_at(const Brep& solid, FaceId face, const Eigen::Vec
   else
     centre += out.dot(carrier->axis) * carrier->axis;
   const Eigen::Vector3d to_centre = centre - middle;
-  if (solid.outward_normal(face, uv).dot(to_centre) < 0.9 * to_centre.norm()) return std::nullopt;
-  return Fillet{face, torus ? carrier->second_radius : carrier->radius, centre, to_centre.dot(along) > 0};
+  const double towards = solid.outward_normal(face, uv).dot(to_centre);
+  if (std::abs(towards) < 0.9 * to_centre.norm()) return std::nullopt;
+  return Fillet{face, torus ? carrier->second_radius : carrier->radius, centre, to_centre.dot(along) > 0,
+                towards < 0};
 }
 
 }  // namespace

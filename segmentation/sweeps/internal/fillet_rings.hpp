@@ -24,6 +24,12 @@ struct FilletRings {
   std::map<int, double> offsets;
   std::map<int, int> radials;  ///< by vertex under a fillet: the edge from there across the ring
   std::map<int, int> rings;    ///< by edge under a fillet: its quadrilateral
+  /// A ring that was divided along its edge.
+  struct Halves {
+    int outer, inner, between;  ///< quadrilaterals from the edge on, and the edge between them
+  };
+  std::map<int, Halves> halves;               ///< by edge under a fillet; the outer one is its ring
+  std::map<int, int> middles, inner_radials;  ///< by vertex under one: where its radial is divided, the rest
 };
 
 /// Quadrilaterals that were there keep their numbers, and so do edges but those that end beside a fillet.
@@ -32,5 +38,10 @@ struct FilletRings {
 /// @throws Error unsupported  rings that end inside the drawing, lie across other outlines or turn sharply
 FilletRings fillet_rings(const Profile& profile, const Quadrangulation& quads,
                          const std::vector<FilletPiece>& pieces, double tolerance);
+
+/// Divides rings along their edges.
+/// @param share  of the ring's width that the outer half gets
+/// @throws Error unsupported  where a divided ring meets one that is not
+void divide_rings(FilletRings& rings, const std::vector<int>& edges, double share);
 
 }  // namespace isopatch::segmentation
