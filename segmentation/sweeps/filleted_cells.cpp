@@ -460,10 +460,17 @@ std::optional<SweptCells> along_direction(const Brep& solid, const Eigen::Vector
 
 std::optional<SweptCells> filleted_cells(const Brep& solid, const QuadrangulationOptions& options) {
   std::optional<SweptCells> best;
+  std::optional<Error> refusal;
   for (const Eigen::Vector3d& along : floor_directions(solid)) {
-    std::optional<SweptCells> made = along_direction(solid, along, options);
-    if (made && (!best || made->complex.cells.size() < best->complex.cells.size())) best = std::move(made);
+    try {
+      std::optional<SweptCells> made = along_direction(solid, along, options);
+      if (made && (!best || made->complex.cells.size() < best->complex.cells.size())) best = std::move(made);
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::internal) throw;
+      refusal = error;
+    }
   }
+  if (!best && refusal) throw *refusal;
   return best;
 }
 

@@ -24,10 +24,11 @@ namespace isopatch::geometry::test {
 /// across (made_solids/slotted.cpp): "slotted_bar", "slotted_wing" (freeform walls and slot),
 /// "pocketed_wing", "slotted_lens" (round walls), "bored_lens", "flatted_pin" (bored through two flats under
 /// a chamfer). Stacks but for their rounds (made_solids/rounds.cpp): "filleted_boss", "filleted_step",
-/// "filleted_pocket" (concave ones along floors), "rounded_boss" (a convex one). Turned with branches across
+/// "filleted_pocket" (concave ones along floors), "rounded_boss", "rounded_plate", "eased_block" (convex ones),
+/// "rounded_boss_on_fillet" (one above the other). Turned with branches across
 /// (made_solids/branched.cpp): "bossed_bar", "bossed_oblique", "tapped_boss", "two_bosses", "cross_bored",
 /// "beside_the_axis", "oil_bore", "pinned_tube", "sunk_bar", "keyed_bar", "tee", "boss_near_the_end",
-/// "oil_bores_at_120", "bolted_cap" (with bores beside the axis); "wide_boss" and "boss_at_the_end", for
+/// "oil_bores_at_120", "bolted_cap" (with bores beside the axis), "bolted_close" (near a raised face); "wide_boss" and "boss_at_the_end", for
 /// which there is no room. Turned (made_solids/turned.cpp): "ball_on_rod" (along x), "bored_ball",
 /// "hollow_ball", "domed_rod", "round_cup", "flat_cup", "pointed_rod", "ring_in_halves" (all faces),
 /// "sheave", "round_ring", "vessel_head" (ellipsoids), and by an angle "bent_rod" (120 degrees), "bent_tube"
