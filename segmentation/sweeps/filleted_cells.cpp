@@ -21,6 +21,7 @@
 #include "segmentation/sweeps/internal/divided_drawing.hpp"
 #include "segmentation/sweeps/internal/fillet_rings.hpp"
 #include "segmentation/sweeps/internal/fillets.hpp"
+#include "segmentation/sweeps/internal/halved_rings.hpp"
 #include "segmentation/sweeps/internal/offset_curve.hpp"
 #include "segmentation/sweeps/piece_of_curve.hpp"
 

@@ -1,7 +1,8 @@
-#include <algorithm>
+#include "segmentation/sweeps/internal/halved_rings.hpp"
+
+#include <map>
 
 #include "geometry/base/error.hpp"
-#include "segmentation/sweeps/internal/fillet_rings.hpp"
 
 namespace isopatch::segmentation {
 namespace {

@@ -20,7 +20,7 @@ namespace isopatch::geometry::test {
 /// (the same, bent round), "fork" (with a pin's bore and one across it), "rod_fork" (on a rod that is wider
 /// than its slot), "lugs" (two on a plate), "flanged_bend" (a pipe). Blocks along x with bores across
 /// (made_solids/drilled.cpp): "port", "ports" (through), "three_bores", "sunk_port", "blind_bore",
-/// "port_beside" (the axis), and "wide_port", which is wider than the bore that it ends in. Stacks with slots
+/// "port_beside" (the axis), and "wide_port", which is wider than the bore that it ends in; "vee_block" along y. Stacks with slots
 /// across (made_solids/slotted.cpp): "slotted_bar", "slotted_wing" (freeform walls and slot),
 /// "pocketed_wing", "slotted_lens" (round walls), "bored_lens", "flatted_pin" (bored through two flats under
 /// a chamfer). Stacks but for their rounds (made_solids/rounds.cpp): "filleted_boss", "filleted_step",

@@ -81,7 +81,8 @@ INSTANTIATE_TEST_SUITE_P(CrossBored, SolidsWithBranches,
                                          Sample{"pocketed_wing", 21, 1, cross_bored, 0.2, 1},
                                          Sample{"slotted_lens", 14, 1, cross_bored, 0.2, 1},
                                          Sample{"bored_lens", 9, 1, cross_bored, 0.2},
-                                         Sample{"flatted_pin", 160, 1, cross_bored, 0.2}),
+                                         Sample{"flatted_pin", 160, 1, cross_bored, 0.2},
+                                         Sample{"vee_block", 42, 2, cross_bored, 0.2}),
                          name_of_sample);
 
 TEST(BranchedCells, AreNoneOfSolidsWithoutATurnedBody) {

@@ -39,9 +39,4 @@ struct FilletRings {
 FilletRings fillet_rings(const Profile& profile, const Quadrangulation& quads,
                          const std::vector<FilletPiece>& pieces, double tolerance);
 
-/// Divides rings along their edges.
-/// @param share  of the ring's width that the outer half gets
-/// @throws Error unsupported  where a divided ring meets one that is not
-void divide_rings(FilletRings& rings, const std::vector<int>& edges, double share);
-
 }  // namespace isopatch::segmentation
