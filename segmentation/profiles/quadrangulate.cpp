@@ -107,7 +107,8 @@ DraftedQuadrangulation& DraftedQuadrangulation::operator=(DraftedQuadrangulation
 DraftedQuadrangulation::~DraftedQuadrangulation() = default;
 
 double DraftedQuadrangulation::cost() const {
-  return parts_->draft.is_valid ? parts_->draft.cost : planar::refused;
+  if (!parts_->draft.is_valid) return planar::refused;
+  return parts_->draft.cost;
 }
 
 Quadrangulation DraftedQuadrangulation::finished() const {
