@@ -98,12 +98,14 @@ class RoomFinder {
       if (n != 4) numbers.push_back(n);
     for (const int n : numbers) {
       made_.request.sectors = n;
-      if (!outside_of_middles() && !too_wide()) {
+      if (!outside_of_middles() && !too_wide() && !bulges_into_a_frame()) {
         if (is_solid_) find_core();
         return;
       }
     }
     made_.request.sectors = 4;
+    if (const Branch* branch = bulges_into_a_frame())
+      refuse(*branch, "is so near to what is round inside of it that no straight line leads past that");
     if (const Branch* branch = too_wide())
       refuse(*branch,
              fmt::format("is too wide for its body: with the room beside it, it takes {:.0f} % of the width "
@@ -151,6 +153,23 @@ class RoomFinder {
         result = std::max(result, half_width_on(branch, face) / solid_.carrier(face)->radius);
     }
     return (1 + least_room) * result / sine();
+  }
+
+  /// The first bore along the axis whose side's inner edge, an arc, would cut off the straight line from its
+  /// end to the bore; none if there is none.
+  const Branch* bulges_into_a_frame() const {
+    for (const Branch& branch : body_.branches)
+      if (branch.along_axis && angle_at_arc(branch) < least_at_arc) return &branch;
+    return nullptr;
+  }
+
+  /// Between the inner edge of a bore's side and the shortest line from its end to the bore, rad.
+  double angle_at_arc(const Branch& branch) const {
+    const double inner = ends(branch)[0], middle = (branch.low + branch.high) / 2;
+    const double half = std::numbers::pi / made_.request.sectors;
+    const Eigen::Vector2d out(std::cos(half), std::sin(half)), along(std::sin(half), -std::cos(half));
+    const Eigen::Vector2d to_middle = Eigen::Vector2d(middle, 0) - inner * out;
+    return std::atan2(to_middle.dot(out), to_middle.dot(along));
   }
 
   double sine() const { return std::sin(std::numbers::pi / made_.request.sectors); }
@@ -302,6 +321,7 @@ class RoomFinder {
 
   /// Wider than of bodies without branches, so that drawings are squeezed less on their way through.
   static constexpr int most_sectors = 16;
+  static constexpr double least_at_arc = 5 * std::numbers::pi / 180;
   static constexpr double usual_core = 0.7, largest_core = 0.85, smallest_core = 0.3;
   /// Of a floor's ring: how far the column along the axis reaches there.
   static constexpr double below_floors = 0.85;

@@ -161,6 +161,7 @@ void look(const Look& at, std::optional<KnownCells>& best, std::string& why_not)
 /// What stopped a solid that looks as if it would do.
 struct WhyNot {
   std::string stopped_by;
+  std::string not_swept;     ///< one that looks like a stack, maybe but for rounds
   std::string not_branched;  ///< one that looks turned with branches
   std::string not_bored;     ///< one that looks like a stack with bores across
 
@@ -173,7 +174,8 @@ struct WhyNot {
 /// @param seconds  to look for planes that cut it into pieces
 std::optional<KnownCells> known_cells(const geometry::Brep& solid, double seconds, WhyNot& why) {
   std::optional<KnownCells> best;
-  if (!planes_are_divided(solid)) look([&] { return swept_cells(solid); }, best, why.stopped_by);
+  if (!planes_are_divided(solid)) look([&] { return swept_cells(solid); }, best, why.not_swept);
+  why.stopped_by = why.not_swept;
   look([&] { return turned_cells(solid); }, best, why.stopped_by);
   // Where it is swept, but poorly, it may do better.
   if (!best || geometry::least_quality(best->complex) < good_quality)
@@ -273,6 +275,8 @@ KnownShape known_shape(const geometry::Brep& solid, const DecompositionOptions& 
     result.decomposition = decomposition_of(std::move(*made), watch.seconds());
   else if (result.why_not = no_stack(solid, options); result.why_not.empty() && !why.stopped_by.empty())
     result.why_not = "It looks swept or turned, but " + why.stopped_by;
+  else if (!result.decomposition && !result.why_not.empty() && !why.not_swept.empty())
+    result.why_not += ". Without its rounds it would be one, but " + why.not_swept;
   if (!result.decomposition && !why.not_bored.empty())
     result.why_not = "It looks like a stack with bores across, but " + why.not_bored +
                      (result.why_not.empty() ? "" : ". " + result.why_not);

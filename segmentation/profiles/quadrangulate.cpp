@@ -77,16 +77,48 @@ planar::CellMesh moved_back(planar::CellMesh mesh, const planar::StandardPositio
 
 }  // namespace
 
-Quadrangulation quadrangulate(const Profile& profile, const QuadrangulationOptions& options) {
+/// Refers to itself, so it stays where it is.
+struct DraftedQuadrangulation::Parts {
+  Parts(const Profile& given, const QuadrangulationOptions& with)
+      : profile(given),
+        options(with),
+        standard(planar::standard_position(profile)),
+        curves(planar::curves_of(standard.profile)),
+        input{planar::ShapeRules(options), curves, planar::shared_edges(profile),
+              planar::candidates_of(standard.profile, curves), options.thorough},
+        draft(planar::drafted_mesh(input, standard.profile, options)) {}
+
+  Profile profile;
+  QuadrangulationOptions options;
+  planar::StandardPosition standard;
+  std::vector<planar::Curve> curves;
+  planar::SearchInput input;
+  planar::DraftedMesh draft;
+};
+
+DraftedQuadrangulation::DraftedQuadrangulation(const Profile& profile,
+                                               const QuadrangulationOptions& options) {
   validate(profile);
   validate(options);
-  const planar::StandardPosition standard = planar::standard_position(profile);
-  const std::vector<planar::Curve> curves = planar::curves_of(standard.profile);
-  const planar::SearchInput input{planar::ShapeRules(options), curves, planar::shared_edges(profile),
-                                  planar::candidates_of(standard.profile, curves), options.thorough};
-  const planar::CellMesh best = planar::best_mesh(input, standard.profile, options);
-  const std::vector<planar::Curve> curves_there = planar::curves_of(profile);
-  return result_of(curves_there, moved_back(best, standard, profile, curves_there));
+  parts_ = std::make_unique<Parts>(profile, options);
+}
+DraftedQuadrangulation::DraftedQuadrangulation(DraftedQuadrangulation&&) noexcept = default;
+DraftedQuadrangulation& DraftedQuadrangulation::operator=(DraftedQuadrangulation&&) noexcept = default;
+DraftedQuadrangulation::~DraftedQuadrangulation() = default;
+
+double DraftedQuadrangulation::cost() const {
+  if (!parts_->draft.is_valid) return planar::refused;
+  return parts_->draft.cost;
+}
+
+Quadrangulation DraftedQuadrangulation::finished() const {
+  const planar::CellMesh best = planar::finished_mesh(parts_->input, parts_->draft, parts_->options);
+  const std::vector<planar::Curve> curves_there = planar::curves_of(parts_->profile);
+  return result_of(curves_there, moved_back(best, parts_->standard, parts_->profile, curves_there));
+}
+
+Quadrangulation quadrangulate(const Profile& profile, const QuadrangulationOptions& options) {
+  return DraftedQuadrangulation(profile, options).finished();
 }
 
 }  // namespace isopatch::segmentation

@@ -57,6 +57,9 @@ class ColumnComplex {
   double height(int level) const { return layers_.levels[static_cast<std::size_t>(level)]; }
 
   VertexId vertex(int number, int level) {
+    if (const auto same = rounding_.same_vertices.find({number, level});
+        same != rounding_.same_vertices.end())
+      return vertex(same->second.first, same->second.second);
     const auto [found, fresh] =
         vertices_.try_emplace({number, level}, static_cast<int>(complex_.vertices.size()));
     if (!fresh) return found->second;
@@ -67,6 +70,9 @@ class ColumnComplex {
   }
 
   EdgeId level_edge(int number, int level) {
+    if (const auto same = rounding_.same_level_edges.find({number, level});
+        same != rounding_.same_level_edges.end())
+      return level_edge(same->second.first, same->second.second);
     const auto known = level_edges_.find({number, level});
     if (known != level_edges_.end()) return known->second;
     const VertexId from = vertex(drawn(number).start, level), to = vertex(drawn(number).end, level);
@@ -90,15 +96,21 @@ class ColumnComplex {
     return NurbsCurve(curve.knots(), std::move(points), curve.weights());
   }
 
-  EdgeId upright_edge(int number, int low, int high) {
+  /// As it is run through from low to high.
+  EdgeUse upright_edge(int number, int low, int high) {
+    if (const auto leaning = rounding_.leaning_edges.find({number, low, high});
+        leaning != rounding_.leaning_edges.end())
+      return {level_edge(leaning->second.flat.first, leaning->second.flat.second), leaning->second.reversed};
     const auto known = upright_edges_.find({number, low, high});
-    if (known != upright_edges_.end()) return known->second;
+    if (known != upright_edges_.end()) return {known->second, false};
     const VertexId from = vertex(number, low), to = vertex(number, high);
     const auto rounded = rounding_.upright_edges.find({number, low, high});
     NurbsCurve shape = rounded == rounding_.upright_edges.end()
                            ? geometry::segment(complex_.vertex(from), complex_.vertex(to))
                            : rounded->second;
-    return upright_edges_[{number, low, high}] = complex_.add_edge({std::move(shape)}, from, to);
+    const EdgeId made = complex_.add_edge({std::move(shape)}, from, to);
+    upright_edges_[{number, low, high}] = made;
+    return {made, false};
   }
 
   /// Of a quadrilateral in a level; looks up, or out of the solid.
@@ -168,6 +180,8 @@ class ColumnComplex {
     return add_on(turned ? reversed(side.surface, 0) : side.surface, std::move(loop), side.origin);
   }
 
+  static EdgeUse back(EdgeUse use) { return {use.edge, !use.reversed}; }
+
   static void turn(std::vector<EdgeUse>& loop) {
     std::reverse(loop.begin(), loop.end());
     for (EdgeUse& use : loop) use.reversed = !use.reversed;
@@ -181,10 +195,10 @@ class ColumnComplex {
     const bool outer = cells_at_.at({number, low, high}) == 1;
     const bool turned = outer && side.reversed;
     const EdgeId bottom = level_edge(number, low), top = level_edge(number, high);
-    const EdgeId at_start = upright_edge(drawn(number).start, low, high);
-    const EdgeId at_end = upright_edge(drawn(number).end, low, high);
-    std::vector<EdgeUse> loop{{bottom, false}, {at_end, false}, {top, true}, {at_start, true}};
-    if (turned) loop = {{bottom, true}, {at_start, false}, {top, false}, {at_end, true}};
+    const EdgeUse at_start = upright_edge(drawn(number).start, low, high);
+    const EdgeUse at_end = upright_edge(drawn(number).end, low, high);
+    std::vector<EdgeUse> loop{{bottom, false}, at_end, {top, true}, back(at_start)};
+    if (turned) loop = {{bottom, true}, at_start, {top, false}, back(at_end)};
     const auto rounded = rounding_.walls.find({number, low, high});
     FaceId made(0);
     if (rounded != rounding_.walls.end())
@@ -258,6 +272,12 @@ class ColumnComplex {
     add(level_face(quad, layer.low, layer.bottom, !layer.bottom), !layer.bottom);
     add(level_face(quad, layer.high, layer.top, true), false);
     for (const EdgeUse& side : quads_.quads[static_cast<std::size_t>(quad)].sides) {
+      if (const auto leaning = rounding_.leaning_walls.find({side.edge.value, layer.low, layer.high});
+          leaning != rounding_.leaning_walls.end()) {
+        add(level_face(leaning->second.flat.first, leaning->second.flat.second, {}, true),
+            leaning->second.reversed);
+        continue;
+      }
       const bool outer = cells_at_.at({side.edge.value, layer.low, layer.high}) == 1;
       add(wall(side, layer.low, layer.high), !outer && side.reversed);
     }

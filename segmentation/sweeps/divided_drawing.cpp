@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <future>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -40,7 +41,8 @@ double cost_of(const Quadrangulation& quads, double least) {
 }
 
 /// Of a drawing whose walls are inclined: divided where they are lowest, and half-way up, where what moves is
-/// nowhere far from where it is divided; thorough ones several times. The best of them at all heights.
+/// nowhere far from where it is divided; thorough ones several times, of which the most promising are
+/// finished. The best of them at all heights.
 class InclinedWalls {
  public:
   InclinedWalls(const geometry::Brep& solid, const SweepFrame& frame, SweptDrawing drawing)
@@ -50,18 +52,12 @@ class InclinedWalls {
   }
 
   DividedDrawing divided(QuadrangulationOptions options) {
-    constexpr unsigned most = 4;
-    if (options.thorough) options.good_jacobian = std::max(options.good_jacobian, at_one_height);
-    const double enough = options.thorough ? at_one_height : good;
-    for (unsigned again = 0; again < (options.thorough ? most : 1U); ++again, ++options.seed) {
-      // Beside the other, since each takes seconds where it is thorough.
-      std::future<Quadrangulation> half_way =
-          std::async(options.thorough ? std::launch::async | std::launch::deferred : std::launch::deferred,
-                     [&] { return divided_half_way(options); });
-      consider([&] { return quadrangulate(drawing_.profile, options); });
-      if (!options.thorough && best_ && least_ >= enough) break;
-      consider([&] { return half_way.get(); });
-      if (best_ && least_ >= enough) break;
+    if (!options.thorough) {
+      consider(draft_at_lowest(options));
+      if (!best_ || least_ < good) consider(draft_half_way(options));
+    } else {
+      options.good_jacobian = std::max(options.good_jacobian, at_one_height);
+      divide_again_and_again(options);
     }
     if (!best_) throw *refusal_;
     return {std::move(drawing_), *std::move(best_)};
@@ -70,11 +66,86 @@ class InclinedWalls {
  private:
   /// Of a scaled Jacobian where a drawing is divided, so that it is good at other heights.
   static constexpr double at_one_height = 0.4;
+  /// Of further drafts, which are made where the first two do not do.
+  static constexpr int further = 6, finished_of_them = 2;
+
+  struct Draft {
+    std::optional<DraftedQuadrangulation> quads;  ///< none where it was refused
+    std::optional<Error> refusal;
+    bool half_way = false;
+
+    double cost() const { return quads ? quads->cost() : 1e300; }
+  };
+
+  static Draft draft_of(const Profile& profile, const QuadrangulationOptions& options, bool half_way) {
+    Draft result{std::nullopt, std::nullopt, half_way};
+    try {
+      result.quads.emplace(profile, options);
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::internal) throw;
+      result.refusal = error;
+    }
+    return result;
+  }
+  Draft draft_at_lowest(const QuadrangulationOptions& options) const {
+    return draft_of(drawing_.profile, options, false);
+  }
+  Draft draft_half_way(const QuadrangulationOptions& options) const {
+    return draft_of(profile_at(solid_, frame_, drawing_, half_way_), options, true);
+  }
+
+  void divide_again_and_again(QuadrangulationOptions options) {
+    consider_all(both_drafts(options));
+    if (best_ && least_ >= at_one_height) return;
+    std::vector<Draft> drafts;
+    while (static_cast<int>(drafts.size()) < further) {
+      ++options.seed;
+      for (Draft& draft : both_drafts(options)) drafts.push_back(std::move(draft));
+    }
+    std::stable_sort(drafts.begin(), drafts.end(),
+                     [](const Draft& a, const Draft& b) { return a.cost() < b.cost(); });
+    // Where none of the best will do, the others may.
+    while (!drafts.empty()) {
+      const auto rest = drafts.begin() + finished_of_them;
+      consider_all({std::make_move_iterator(drafts.begin()), std::make_move_iterator(rest)});
+      drafts.erase(drafts.begin(), rest);
+      if (best_) return;
+    }
+  }
+
+  /// One beside the other, since each takes seconds.
+  std::vector<Draft> both_drafts(const QuadrangulationOptions& options) const {
+    const Profile there = profile_at(solid_, frame_, drawing_, half_way_);
+    std::future<Draft> half_way = std::async(std::launch::async | std::launch::deferred,
+                                             [&] { return draft_of(there, options, true); });
+    std::vector<Draft> result;
+    result.push_back(draft_at_lowest(options));
+    result.push_back(half_way.get());
+    return result;
+  }
+
+  /// Likewise.
+  void consider_all(const std::vector<Draft>& drafts) {
+    std::vector<std::future<Quadrangulation>> finished;
+    for (const Draft& draft : drafts)
+      finished.push_back(
+          std::async(std::launch::async | std::launch::deferred, [&] { return finished_of(draft); }));
+    for (std::size_t i = 0; i < drafts.size(); ++i) enter(drafts[i], [&] { return finished[i].get(); });
+  }
+  void consider(const Draft& draft) {
+    enter(draft, [&] { return finished_of(draft); });
+  }
+
+  static Quadrangulation finished_of(const Draft& draft) {
+    if (draft.refusal) throw Error(*draft.refusal);
+    return draft.quads->finished();
+  }
 
   template <class Make>
-  void consider(const Make& make) {
+  void enter(const Draft& draft, const Make& make) {
     try {
       Quadrangulation made = make();
+      if (draft.half_way) made = as_drawn(solid_, frame_, drawing_, std::move(made), half_way_);
       const double least = least_over_heights(solid_, frame_, drawing_, made);
       if (best_ && cost_of(*best_, least_) <= cost_of(made, least)) return;
       best_ = std::move(made);
@@ -83,11 +154,6 @@ class InclinedWalls {
       if (error.code() == ErrorCode::internal) throw;
       if (!refusal_) refusal_ = error;
     }
-  }
-
-  Quadrangulation divided_half_way(const QuadrangulationOptions& options) const {
-    const Profile there = profile_at(solid_, frame_, drawing_, half_way_);
-    return as_drawn(solid_, frame_, drawing_, quadrangulate(there, options), half_way_);
   }
 
   const geometry::Brep& solid_;

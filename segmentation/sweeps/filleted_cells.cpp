@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <numbers>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,7 @@
 #include "segmentation/sweeps/internal/divided_drawing.hpp"
 #include "segmentation/sweeps/internal/fillet_rings.hpp"
 #include "segmentation/sweeps/internal/fillets.hpp"
+#include "segmentation/sweeps/internal/halved_rings.hpp"
 #include "segmentation/sweeps/internal/offset_curve.hpp"
 #include "segmentation/sweeps/piece_of_curve.hpp"
 
@@ -68,13 +70,18 @@ class FilletedStack {
                                  [&](const SweptDrawing& drawing) { return widened_profile(drawing); })) {
     find_pieces(divided_.quads);
     rings_ = fillet_rings(drawing_.profile, divided_.quads, ring_pieces(), tolerance());
+    divide_rings(rings_, on_rims(), mitre);
   }
 
   SweptCells make() {
     const MovingDrawing moving(sharp_, frame_, drawing_, rings_.quads, rings_.offsets);
-    const Layers found = layers(rings_.quads, drawing_.slabs, moving, asked(), 1e-7 * solid_.size());
+    Layers found = layers(rings_.quads, drawing_.slabs, moving, asked(), 1e-7 * solid_.size());
     require_whole(sharp_, frame_, rings_.quads, moving, found);
-    for (const FilletOver& over : overs_) round(over, found);
+    for (const FilletOver& over : overs_)
+      if (over.fillet->convex)
+        round_rim(over, found);
+      else
+        round(over, found);
     require_all_rounds();
     SweptCells result{column_complex(sharp_, frame_, rings_.quads, moving, found, rounding_), frame_.along,
                       static_cast<int>(rings_.quads.quads.size()), static_cast<int>(found.levels.size()),
@@ -204,6 +211,16 @@ class FilletedStack {
     return pieces;
   }
 
+  /// Edges under rounds on rims.
+  std::vector<int> on_rims() const {
+    std::set<int> result, others;
+    for (const FilletOver& over : overs_) (over.fillet->convex ? result : others).insert(over.edge);
+    for (const int edge : result)
+      if (others.contains(edge))
+        throw Error(ErrorCode::unsupported, "an outline has rounds both on its rim and in its corner");
+    return {result.begin(), result.end()};
+  }
+
   /// The quadrilateral on the wall's side of a piece under a round.
   int wall_quad(int edge) const {
     for (int q = 0; q < static_cast<int>(rings_.quads.quads.size()); ++q)
@@ -215,10 +232,19 @@ class FilletedStack {
   /// Walls are divided where rounds end.
   std::vector<std::vector<double>> asked() const {
     std::vector<std::vector<double>> result(rings_.quads.quads.size());
-    for (const FilletOver& over : overs_)
-      result[static_cast<std::size_t>(wall_quad(over.edge))].push_back(
-          floor_of(*over.fillet) + rise(*over.fillet) * over.fillet->radius);
+    for (const FilletOver& over : overs_) {
+      const Fillet& fillet = *over.fillet;
+      const int beside = fillet.convex ? rings_.rings.at(over.edge) : wall_quad(over.edge);
+      std::vector<double>& heights = result[static_cast<std::size_t>(beside)];
+      heights.push_back(height_from_floor(fillet, 1));
+      if (fillet.convex) heights.push_back(height_from_floor(fillet, mitre));
+    }
     return result;
+  }
+
+  /// @param share  of its radius
+  double height_from_floor(const Fillet& fillet, double share) const {
+    return floor_of(fillet) + rise(fillet) * share * fillet.radius;
   }
 
   static int level_at(const Layers& layers, double height) {
@@ -318,6 +344,60 @@ class FilletedStack {
     }
   }
 
+  /// On a rim the section of a round is a quarter of a disc: three hexahedra around a line inside of it. So
+  /// the one that has the sharp edge is left out, and its sides on the left and below become one, which leads
+  /// from that line to the middle of the round.
+  void round_rim(const FilletOver& over, Layers& layers) {
+    const Fillet& fillet = *over.fillet;
+    const FilletRings::Halves& halves = rings_.halves.at(over.edge);
+    const QuadEdge& drawn = rings_.quads.edges[static_cast<std::size_t>(over.edge)];
+    const FaceId origin(static_cast<int>(sharp_.faces().size()) +
+                        static_cast<int>(&fillet - fillets_.data()));
+    const int floor = level_at(layers, floor_of(fillet)),
+              far = level_at(layers, height_from_floor(fillet, 1)),
+              inside = level_at(layers, height_from_floor(fillet, mitre));
+    leave_out(layers.columns[static_cast<std::size_t>(halves.outer)], floor, inside, far, fillet);
+    const auto between = [](int a, int b) { return std::pair(std::min(a, b), std::max(a, b)); };
+    const auto [wall_low, wall_high] = between(far, inside);
+    const auto [low, high] = between(inside, floor);
+    const NurbsSurface up = surface_over(over, on_wall, middle), in = surface_over(over, middle, on_floor);
+    const NurbsCurve along = curve_at(over, section(fillet.radius, on_wall, middle).points[2]).value();
+    rounding_.walls.insert_or_assign({over.edge, wall_low, wall_high},
+                                     Rounding::Side{{over.edge, far}, up, origin});
+    rounding_.floors.insert_or_assign({halves.inner, floor},
+                                      Rounding::Side{{halves.between, floor}, in, origin});
+    rounding_.level_edges.insert_or_assign({over.edge, inside}, along);
+    rounding_.same_level_edges[{halves.between, floor}] = {over.edge, inside};
+    rounding_.leaning_walls[{halves.between, low, high}] = {{halves.outer, inside}, !fillet.rises};
+    for (const bool at_end : {false, true}) {
+      const int vertex = at_end ? drawn.end : drawn.start, middle_vertex = rings_.middles.at(vertex),
+                radial = rings_.radials.at(vertex), rest = rings_.inner_radials.at(vertex);
+      const NurbsCurve rising = section_at(up, at_end), leading_in = section_at(in, at_end);
+      const Eigen::Vector3d place = rising.point(rising.high());
+      rounding_.vertices[{vertex, inside}] = rounding_.vertices[{middle_vertex, floor}] = place;
+      rounding_.same_vertices[{middle_vertex, floor}] = {vertex, inside};
+      rounding_.upright_edges.insert_or_assign({vertex, wall_low, wall_high},
+                                               wall_low == far ? rising : reversed(rising, 0));
+      const bool outwards = rings_.quads.edges[static_cast<std::size_t>(radial)].start == vertex;
+      rounding_.level_edges.insert_or_assign({rest, floor}, outwards ? leading_in : reversed(leading_in, 0));
+      rounding_.leaning_edges[{middle_vertex, low, high}] = {{radial, inside}, outwards != fillet.rises};
+    }
+  }
+
+  /// The hexahedron at a sharp edge.
+  void leave_out(std::vector<Layer>& column, int floor, int inside, int far, const Fillet& fillet) const {
+    const auto is_between = [](int a, int b) {
+      return
+          [a, b](const Layer& layer) { return layer.low == std::min(a, b) && layer.high == std::max(a, b); };
+    };
+    const auto at_edge = std::find_if(column.begin(), column.end(), is_between(floor, inside));
+    if (at_edge == column.end() || std::none_of(column.begin(), column.end(), is_between(inside, far)))
+      throw Error(ErrorCode::unsupported,
+                  fmt::format("{} is beside something else that begins or ends at its height",
+                              describe(solid_, fillet.face)));
+    column.erase(at_edge);
+  }
+
   void require_all_rounds() {
     for (const Fillet& fillet : fillets_)
       if (!(std::abs(areas_[fillet.face] - solid_.area(fillet.face)) < 1e-3 * solid_.area(fillet.face)))
@@ -338,6 +418,8 @@ class FilletedStack {
   }
 
   static constexpr double probes[] = {0.1, 0.5, 0.9};
+  /// Of a radius, from both ends of a round on a rim: where the line inside of it is.
+  static constexpr double mitre = 0.6;
   const Brep& solid_;
   const Brep& sharp_;
   SweepFrame frame_;
@@ -379,10 +461,17 @@ std::optional<SweptCells> along_direction(const Brep& solid, const Eigen::Vector
 
 std::optional<SweptCells> filleted_cells(const Brep& solid, const QuadrangulationOptions& options) {
   std::optional<SweptCells> best;
+  std::optional<Error> refusal;
   for (const Eigen::Vector3d& along : floor_directions(solid)) {
-    std::optional<SweptCells> made = along_direction(solid, along, options);
-    if (made && (!best || made->complex.cells.size() < best->complex.cells.size())) best = std::move(made);
+    try {
+      std::optional<SweptCells> made = along_direction(solid, along, options);
+      if (made && (!best || made->complex.cells.size() < best->complex.cells.size())) best = std::move(made);
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::internal) throw;
+      refusal = error;
+    }
   }
+  if (!best && refusal) throw *refusal;
   return best;
 }
 

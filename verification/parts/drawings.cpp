@@ -5,6 +5,7 @@
 #include "verification/parts/internal/chair_stand.hpp"
 #include "verification/parts/internal/demonstrator.hpp"
 #include "verification/parts/internal/drawn_later.hpp"
+#include "verification/parts/internal/held_out.hpp"
 #include "verification/parts/internal/shop_parts.hpp"
 #include "verification/parts/internal/turned_parts.hpp"
 
@@ -54,6 +55,22 @@ const std::vector<Drawing>& drawings() {
       {"bent_pipe", "turned", "a pipe, bent", bent_pipe},
       {"bent_bar", "turned", "a round bar, bent", bent_bar},
       {"shell_octant", "turned", "an eighth of a hollow ball", shell_octant},
+      {"motor_mount", "held_out", "an angle for a motor, with slots in its foot", motor_mount},
+      {"angle_bracket", "held_out", "an angle with a gusset at each side", angle_bracket},
+      {"split_housing", "held_out", "the lower half of a bearing housing", split_housing},
+      {"bell_crank", "held_out", "two arms at right angles with three hubs", bell_crank},
+      {"weld_neck_flange", "held_out", "a flange with a tapered neck and a raised face", weld_neck_flange},
+      {"gear_blank", "held_out", "a gear's blank with lightening holes and a keyway", gear_blank},
+      {"hydraulic_block", "held_out", "drilled bores that meet, with their tips", hydraulic_block},
+      {"rod_end", "held_out", "a fork on a shank with a thread", rod_end},
+      {"vee_block", "held_out", "a vee block with slots and bores", vee_block},
+      {"vise_jaw", "held_out", "a jaw with two vees that cross", vise_jaw},
+      {"cap_screw", "held_out", "a screw with a hexagon socket", cap_screw},
+      {"spindle", "held_out", "a spindle with groove, keyway and cross hole", spindle},
+      {"u_channel", "held_out", "a channel with bores and slots", u_channel},
+      {"lid", "held_out", "a lid with a round edge, a rim and a groove", lid},
+      {"eye_bolt", "held_out", "an eye bolt", eye_bolt},
+      {"swing_plate", "held_out", "a lever with a bent slot and a round edge", swing_plate},
       {"demonstrator", "models", "the TERRIFIC demonstrator, from its dimensions", demonstrator},
       {"car_part", "models", "a wishbone of a car, of sharp edges", car_part},
       {"chair_stand", "models", "one fifth of a chair's base, from its dimensions", chair_stand},

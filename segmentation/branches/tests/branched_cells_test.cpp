@@ -66,7 +66,8 @@ INSTANTIATE_TEST_SUITE_P(Branched, SolidsWithBranches,
                                          Sample{"oil_bore", 15, 1}, Sample{"pinned_tube", 18, 2},
                                          Sample{"sunk_bar", 62, 1}, Sample{"keyed_bar", 116, 1},
                                          Sample{"tee", 20, 1}, Sample{"boss_near_the_end", 39, 1},
-                                         Sample{"oil_bores_at_120", 30, 3}, Sample{"bolted_cap", 30, 2}),
+                                         Sample{"oil_bores_at_120", 30, 3}, Sample{"bolted_cap", 30, 2},
+                                         Sample{"bolted_close", 60, 4, branched, 0.2}),
                          name_of_sample);
 
 INSTANTIATE_TEST_SUITE_P(CrossBored, SolidsWithBranches,
@@ -80,7 +81,8 @@ INSTANTIATE_TEST_SUITE_P(CrossBored, SolidsWithBranches,
                                          Sample{"pocketed_wing", 21, 1, cross_bored, 0.2, 1},
                                          Sample{"slotted_lens", 14, 1, cross_bored, 0.2, 1},
                                          Sample{"bored_lens", 9, 1, cross_bored, 0.2},
-                                         Sample{"flatted_pin", 160, 1, cross_bored, 0.2}),
+                                         Sample{"flatted_pin", 160, 1, cross_bored, 0.2},
+                                         Sample{"vee_block", 42, 2, cross_bored, 0.2}),
                          name_of_sample);
 
 TEST(BranchedCells, AreNoneOfSolidsWithoutATurnedBody) {

@@ -223,11 +223,15 @@ void mend(RegionSearches::Whole& whole, const SearchInput& input, const Quadrang
   if (search.is_valid()) whole = {search.mesh(), search.cost(), {}};
 }
 
+bool any_is_shared(const SearchInput& input) {
+  return std::any_of(input.shared.begin(), input.shared.end(), [](bool shared) { return shared; });
+}
+
 }  // namespace
 
-CellMesh best_mesh(const SearchInput& input, const Profile& profile, const QuadrangulationOptions& options) {
-  const bool any_shared =
-      std::any_of(input.shared.begin(), input.shared.end(), [](bool shared) { return shared; });
+DraftedMesh drafted_mesh(const SearchInput& input, const Profile& profile,
+                         const QuadrangulationOptions& options) {
+  const bool any_shared = any_is_shared(input);
   RegionSearches searches(input, profile, options, any_shared ? 3 : 4);
   std::optional<RegionSearches::Whole> best;
   const auto consider = [&](const SharedCuts& way) {
@@ -256,11 +260,16 @@ CellMesh best_mesh(const SearchInput& input, const Profile& profile, const Quadr
     last.improve(static_cast<int>(options.effort * (last.mesh().cells.size() + 5) / 80));
     last.polish();
   }
-  if (!last.is_valid()) return last_resort(input, last.mesh());
+  return {last.mesh(), last.cost(), last.is_valid()};
+}
+
+CellMesh finished_mesh(const SearchInput& input, const DraftedMesh& draft,
+                       const QuadrangulationOptions& options) {
+  if (!draft.is_valid) return last_resort(input, draft.mesh);
   // The search of a single region sees its strips itself.
-  if (!any_shared || !options.thorough) return last.mesh();
-  const int windows = static_cast<int>(options.effort * (last.mesh().cells.size() + 5) / 40);
-  return with_fewer_strips(input, last.mesh(), windows);
+  if (!any_is_shared(input) || !options.thorough) return draft.mesh;
+  const int windows = static_cast<int>(options.effort * (draft.mesh.cells.size() + 5) / 40);
+  return with_fewer_strips(input, draft.mesh, windows);
 }
 
 }  // namespace isopatch::segmentation::planar

@@ -5,8 +5,18 @@
 
 namespace isopatch::segmentation::planar {
 
-/// The best of several searches, in quadrilaterals; if all of them leave triangles, the best one with each
-/// cell divided around its middle.
-CellMesh best_mesh(const SearchInput& input, const Profile& profile, const QuadrangulationOptions& options);
+/// The best of several searches.
+struct DraftedMesh {
+  CellMesh mesh;
+  double cost = 0;
+  bool is_valid = false;  ///< else it has triangles, or poor quadrilaterals
+};
+DraftedMesh drafted_mesh(const SearchInput& input, const Profile& profile,
+                         const QuadrangulationOptions& options);
+
+/// In quadrilaterals: of a thorough search without rows that are not needed; if no search was successful,
+/// with each cell divided around its middle.
+CellMesh finished_mesh(const SearchInput& input, const DraftedMesh& draft,
+                       const QuadrangulationOptions& options);
 
 }  // namespace isopatch::segmentation::planar

@@ -59,6 +59,7 @@ class Joint {
     collect_gone();
     if (!place_nodes() || !replace_sides()) return std::nullopt;
     CellMesh result{nodes_, {}};
+    std::set<SideKey> met;
     for (std::size_t c = 0; c < mesh_.cells.size(); ++c) {
       if (gone_.contains(static_cast<int>(c))) continue;
       Cell cell = mesh_.cells[c];
@@ -67,6 +68,7 @@ class Joint {
         cell.sides[k] = moved(cell.sides[k]);
         corners.insert(cell.sides[k].from);
         if (cell.sides[k].curve >= 0 && cell.sides[k].low >= cell.sides[k].high) return std::nullopt;
+        if (!met.insert(key_of(cell.sides[k])).second) return std::nullopt;  // cells would lie on another
       }
       if (corners.size() < 4) return std::nullopt;
       result.cells.push_back(cell);

@@ -39,6 +39,17 @@ TEST(Quadrangulate, PolygonsAreDividedByFewChords) {
   EXPECT_LE(count_of(h_shape()), 7U);
 }
 
+// What is finished of a draft is what is divided at once, which costs no more than the draft.
+TEST(DraftedQuadrangulation, IsFinishedAsQuadrangulateDoes) {
+  const Profile profile = drawings::plate_with_pocket();
+  const QuadrangulationOptions options{.thorough = true};
+  const DraftedQuadrangulation draft(profile, options);
+  const Quadrangulation finished = draft.finished(), at_once = quadrangulate(profile, options);
+  EXPECT_LE(static_cast<double>(finished.quads.size()), draft.cost());
+  EXPECT_EQ(finished.vertices, at_once.vertices);
+  EXPECT_EQ(finished.quads.size(), at_once.quads.size());
+}
+
 TEST(Quadrangulate, ABlockWithABoreIsFour) {
   EXPECT_EQ(count_of(row_of_bores(1)), 4U);
 }

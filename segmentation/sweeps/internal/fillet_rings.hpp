@@ -24,6 +24,12 @@ struct FilletRings {
   std::map<int, double> offsets;
   std::map<int, int> radials;  ///< by vertex under a fillet: the edge from there across the ring
   std::map<int, int> rings;    ///< by edge under a fillet: its quadrilateral
+  /// A ring that was divided along its edge.
+  struct Halves {
+    int outer, inner, between;  ///< quadrilaterals from the edge on, and the edge between them
+  };
+  std::map<int, Halves> halves;               ///< by edge under a fillet; the outer one is its ring
+  std::map<int, int> middles, inner_radials;  ///< by vertex under one: where its radial is divided, the rest
 };
 
 /// Quadrilaterals that were there keep their numbers, and so do edges but those that end beside a fillet.

@@ -7,14 +7,15 @@
 
 namespace isopatch::segmentation {
 
-/// A concave round between a floor and an upright wall: a piece of a torus about the direction of a stack or
-/// of a cylinder across it.
+/// A round between a floor and an upright wall: a piece of a torus about the direction of a stack or of a
+/// cylinder across it.
 struct Fillet {
   FaceId face;
   double radius;  ///< m
   Eigen::Vector3d
-      tube;    ///< on the line through the centres of its sections: its height along the direction counts
-  bool rises;  ///< its wall stands on its floor; else it hangs from it
+      tube;     ///< on the line through the centres of its sections: its height along the direction counts
+  bool rises;   ///< its wall goes up from its floor, else down
+  bool convex;  ///< it is on a rim; else in a corner
 };
 
 /// All faces of a solid that are neither across a direction nor along it, if they are such rounds; nothing

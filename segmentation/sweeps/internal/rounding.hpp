@@ -24,6 +24,14 @@ struct Rounding {
   std::map<Upright, geometry::NurbsCurve> upright_edges;  ///< by vertex, from low to high
   std::map<Flat, Side> floors;                            ///< by quadrilateral
   std::map<Upright, Side> walls;                          ///< by edge
+
+  /// What is one because a hexahedron between them has been left out: the first is made, the second is not.
+  std::map<Flat, Flat> same_vertices, same_level_edges;  ///< the second's number: the first's
+  struct Leaning {
+    Flat flat;      ///< of a level
+    bool reversed;  ///< as an edge: it runs from the high to the low end; as a side: it looks into the cell
+  };
+  std::map<Upright, Leaning> leaning_edges, leaning_walls;  ///< edges and quadrilaterals of a level instead
 };
 
 }  // namespace isopatch::segmentation

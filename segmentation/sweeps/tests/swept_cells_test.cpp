@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "geometry/base/tests/expect_error.hpp"
 #include "geometry/brep/hexahedra_quality.hpp"
 #include "geometry/brep/make_brep.hpp"
 #include "geometry/brep/tests/made_solids.hpp"
@@ -36,7 +37,8 @@ INSTANTIATE_TEST_SUITE_P(Solids, SweptCells,
                                          Sample{"drafted_boss", 14}, Sample{"shaft", 29},
                                          Sample{"bored_boss", 12}, Sample{"wavy", 5},
                                          Sample{"filleted_boss", 40}, Sample{"filleted_step", 90},
-                                         Sample{"filleted_pocket", 60}),
+                                         Sample{"filleted_pocket", 60}, Sample{"rounded_boss", 108},
+                                         Sample{"rounded_plate", 176}, Sample{"eased_block", 30}),
                          [](const auto& info) { return std::string(info.param.name); });
 
 // What a cone cuts off is no polynomial: the solid's own volume is off by 1e-8.
@@ -50,8 +52,13 @@ TEST(SweptCells, EndOnConesThatCutWallsOff) {
 }
 
 TEST(SweptCells, AreNoneOfOtherSolids) {
-  for (const char* name : {"sphere", "torus", "spring", "round_corner", "rounded_boss"})
+  for (const char* name : {"sphere", "torus", "spring", "round_corner"})
     EXPECT_FALSE(swept_cells(geometry::test::made_brep(name))) << name;
+}
+
+TEST(SweptCells, HaveNoRoomForRoundsOnBothSidesOfAnOutline) {
+  EXPECT_ERROR(swept_cells(geometry::test::made_brep("rounded_boss_on_fillet")), ErrorCode::unsupported,
+               "on the other side");
 }
 
 TEST(SweptCells, KnowNarrowWallsFromTheirNeighbours) {

@@ -11,7 +11,7 @@ namespace isopatch::parts {
 /// A line of the table of parts.
 struct Drawing {
   std::string name;  ///< of the file too
-  std::string set;   ///< basic, shop, later, turned, models or assemblies
+  std::string set;   ///< basic, shop, later, turned, held_out, models or assemblies
   std::string what;
   Part (*draw)();
   std::optional<int> hexahedra = {};  ///< that its decomposition takes at most

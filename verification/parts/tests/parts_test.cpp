@@ -81,6 +81,10 @@ TEST(Parts, TurnedOnesAreSoundHaveTheirNamesAndTheirVolume) {
   expect_all_of("turned");
 }
 
+TEST(Parts, HeldOutOnesAreSoundHaveTheirNamesAndTheirVolume) {
+  expect_all_of("held_out");
+}
+
 TEST(Parts, ModelsAreSoundAndHaveTheirNames) {
   expect_all_of("models");
 }

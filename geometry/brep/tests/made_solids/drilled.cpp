@@ -1,8 +1,11 @@
 #include "geometry/brep/tests/made_solids/drilled.hpp"
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <vector>
 
 namespace {
@@ -25,6 +28,24 @@ TopoDS_Shape block_with(const std::vector<Drill>& drills) {
   return result;
 }
 
+// A vee of 90 degrees with its relief and a slot along each side, two bores up into the slots: along y a
+// stack but for these, along z one with walls of 45 degrees.
+TopoDS_Shape vee_block() {
+  constexpr double half[][2] = {{30, 0},  {30, 14}, {20, 14}, {20, 22}, {30, 22},
+                                {30, 50}, {26, 50}, {2, 26},  {2, 20}};
+  BRepBuilderAPI_MakePolygon outline;
+  for (const auto& corner : half) outline.Add(gp_Pnt(corner[0], 0, corner[1]));
+  for (int i = 8; i >= 0; --i) outline.Add(gp_Pnt(-half[i][0], 0, half[i][1]));
+  outline.Close();
+  TopoDS_Shape result =
+      BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0, 50, 0)).Shape();
+  for (const double x : {-25.0, 25.0})
+    result = BRepAlgoAPI_Cut(result,
+                             BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(x, 25, -1), gp::DZ()), 2.5, 16).Shape())
+                 .Shape();
+  return result;
+}
+
 }  // namespace
 
 std::map<std::string, TopoDS_Shape> drilled() {
@@ -37,6 +58,7 @@ std::map<std::string, TopoDS_Shape> drilled() {
       {"sunk_port", block_with({gallery, {{30, 20, 20}, gp::DZ(), 4, 21}, {{30, 20, 34}, gp::DZ(), 7, 7}})},
       {"blind_bore", block_with({gallery, {{30, 20, 33}, gp::DZ(), 4, 8}})},
       {"port_beside", block_with({gallery, {{30, 22, 20}, gp::DZ(), 5, 21}})},
+      {"vee_block", vee_block()},
       {"wide_port", block_with({gallery, {{30, 20, 20}, gp::DZ(), 9, 21}})},
   };
 }

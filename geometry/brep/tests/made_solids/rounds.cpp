@@ -71,6 +71,32 @@ TopoDS_Shape rounded_boss() {
                        [](const gp_Pnt& p) { return is_near(p.Z(), 18); });
 }
 
+// The same, sharp at its top's corners but round, with a fillet of 1 around its foot as well.
+TopoDS_Shape rounded_boss_on_fillet() {
+  return rounded_where(rounded_boss(), 1, [](const gp_Pnt& p) {
+    return is_near(p.Z(), 10) && p.X() > 1 && p.X() < 29 && p.Y() > 1 && p.Y() < 19;
+  });
+}
+
+// Round corners of 4, a bore; rounds of 1.5 around its top and its base, and around the bore's top.
+TopoDS_Shape rounded_plate() {
+  const TopoDS_Shape plate = rounded_where(brick(0, 0, 0, 30, 20, 8), 4, [](const gp_Pnt& p) {
+    return (is_near(p.X(), 0) || is_near(p.X(), 30)) && (is_near(p.Y(), 0) || is_near(p.Y(), 20));
+  });
+  const auto is_bore = [](const gp_Pnt& p) { return is_near(std::hypot(p.X() - 15, p.Y() - 10), 4); };
+  TopoDS_Shape solid = less(plate, rod(15, 10, -1, 4, 10));
+  solid = rounded_where(solid, 1.5, [&](const gp_Pnt& p) { return is_near(p.Z(), 8) && is_bore(p); });
+  return rounded_where(solid, 1.5, [](const gp_Pnt& p) {
+    return (is_near(p.Z(), 8) || is_near(p.Z(), 0)) && std::hypot(p.X() - 15, p.Y() - 10) > 6;
+  });
+}
+
+// A block with a bore from above; one edge of its top is round, from wall to wall.
+TopoDS_Shape eased_block() {
+  return rounded_where(less(brick(0, 0, 0, 30, 20, 10), rod(15, 12, -1, 4, 12)), 3,
+                       [](const gp_Pnt& p) { return is_near(p.Y(), 0) && is_near(p.Z(), 10); });
+}
+
 // A step across the block with a fillet of 2, a blind hole from above with one of 1.5 on its floor, and one
 // from below with one of 1 on its ceiling.
 TopoDS_Shape filleted_step() {
@@ -95,6 +121,9 @@ TopoDS_Shape filleted_pocket() {
 std::map<std::string, TopoDS_Shape> rounds() {
   return {{"filleted_boss", filleted_boss()},
           {"rounded_boss", rounded_boss()},
+          {"rounded_boss_on_fillet", rounded_boss_on_fillet()},
+          {"rounded_plate", rounded_plate()},
+          {"eased_block", eased_block()},
           {"filleted_step", filleted_step()},
           {"filleted_pocket", filleted_pocket()}};
 }
