@@ -121,12 +121,12 @@ Brep plate_with_round_end(double gap) {
                            {{use(i, false), use(8 + (i + 1) % 4, false), use(4 + i, true), use(8 + i, true)}},
                            {}});
   }
-  return make_brep(solid, 3e-6);
+  return make_brep(solid, 2 * gap);
 }
 
 TEST(Overlay, JoinsEdgesThatTouchWithinTheToleranceOfTheirCorner) {
-  // 5e-7 of the size, as what is made of triangles with coordinates of seven digits.
-  const double gap = 2e-6;
+  // The circle through an arc ends a tenth of that beside its corner: 6e-7 of the size.
+  const double gap = 2e-5;
   const Brep solid = plate_with_round_end(gap);
   const Overlay laid = overlay(solid, floors(solid), {0, 0, 0}, {0, 0, 1});
   ASSERT_EQ(laid.sheet.faces().size(), 1U);
