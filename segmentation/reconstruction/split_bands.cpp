@@ -24,6 +24,7 @@ constexpr std::size_t most_divisions = 4;
 constexpr double spacing_change = 4;
 // Of its length: a seam's vertices are no farther from the line between its ends.
 constexpr double seam_bend = 0.01;
+constexpr double parallel = 1e-6;
 
 MeshEdge mesh_edge(int a, int b) {
   return {std::min(a, b), std::max(a, b)};
@@ -34,15 +35,18 @@ class Band {
  public:
   Band(const geometry::TriangleMesh& mesh, const geometry::MeshNeighbours& neighbours, const Regions& regions,
        int region)
-      : mesh_(mesh), neighbours_(neighbours) {
+      : mesh_(mesh), neighbours_(neighbours), regions_(regions) {
     for (const int t : regions.regions[static_cast<std::size_t>(region)].triangles)
       for (int i = 0; i < 3; ++i) {
         const TriangleSide other = across({t, i});
         const int a = mesh.triangles(i, t), b = mesh.triangles((i + 1) % 3, t);
-        if (regions.of_triangle[static_cast<std::size_t>(other.triangle)] != region)
-          next_.emplace(a, b);
-        else
+        const int there = regions.of_triangle[static_cast<std::size_t>(other.triangle)];
+        if (there == region) {
           beside_[a].push_back(b);
+        } else {
+          next_.emplace(a, b);
+          beyond_[a] = there;
+        }
       }
     std::set<int> done;
     for (const auto& [first, second] : next_) {
@@ -77,7 +81,9 @@ class Band {
         // The two borders run against each other.
         if (used.contains(v) || used.contains(w) || !is_change(w, change, !grows)) continue;
         const bool is_edge = is_beside(v, w);
-        if (!is_edge && !(is_change(v, wider, grows) && is_change(w, wider, !grows))) continue;
+        if (!is_edge &&
+            !(is_change(v, wider, grows) && is_change(w, wider, !grows) && is_between_planes(v, w)))
+          continue;
         const std::vector<int> way = is_edge ? std::vector<int>{v, w} : straight_way(v, w);
         if (way.empty()) continue;
         result.push_back(edges_along(way));
@@ -126,6 +132,15 @@ class Band {
     const auto found = beside_.find(v);
     return found != beside_.end() &&
            std::find(found->second.begin(), found->second.end(), w) != found->second.end();
+  }
+
+  /// Whether two vertices of the border are on planes that are parallel and apart.
+  bool is_between_planes(int v, int w) const {
+    const int low = beyond_.at(v), high = beyond_.at(w);
+    const auto& first = regions_.regions[static_cast<std::size_t>(low)].carrier;
+    const auto& second = regions_.regions[static_cast<std::size_t>(high)].carrier;
+    return low != high && first && second && first->kind == geometry::SurfaceKind::plane &&
+           second->kind == geometry::SurfaceKind::plane && first->axis.cross(second->axis).norm() < parallel;
   }
 
   /// By vertex of the first loop: the length of the `count` edges after it over that of those before it.
@@ -252,7 +267,9 @@ class Band {
 
   const geometry::TriangleMesh& mesh_;
   const geometry::MeshNeighbours& neighbours_;
+  const Regions& regions_;
   std::multimap<int, int> next_;            // along the border
+  std::map<int, int> beyond_;               // the region across it, by the vertex before
   std::map<int, std::vector<int>> beside_;  // across an inner edge
   std::vector<std::vector<int>> loops_;
 };
