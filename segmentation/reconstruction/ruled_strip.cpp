@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <utility>
 #include <vector>
@@ -25,6 +26,8 @@ using geometry::NurbsCurve;
 
 // Normals of triangles between rounded vertices are off by the rounding over their width.
 constexpr double upright_slope = 1e-4;
+// Curves may be farther from the sides of triangles than the chord error, which is estimated, by this factor.
+constexpr double chord_slack = 1.5;
 // A wall is straight from plane to plane if it bends between them by no more than this share of its height.
 constexpr double straight_share = 4e-3;
 
@@ -152,18 +155,27 @@ class StripMaker {
   }
 
   /// Curves as near to their points as they can be without waves between them, and no farther than the
-  /// triangles say; nothing without such.
+  /// triangles say: between the points too, if any are; nothing without steady ones.
   std::optional<RuledCurves> steadiest(const CurveSample& low, const CurveSample& high,
                                        const RuledPoints& all) const {
+    std::optional<RuledCurves> result;
+    double least = std::numeric_limits<double>::infinity();
     for (double near = tolerance_; near <= largest_on_curves(); near *= 2) {
       const FittedCurves fit = fit_curves({low, high}, near);
       const RuledCurves plain = {fit.curves[0], fit.curves[1],
                                  std::max(fit.largest, off_inside(fit.curves, all)), fit.largest};
-      for (const RuledCurves& curves : {slide_rulings({fit.curves[0], fit.curves[1]}, all, near), plain})
-        if (is_near(curves) && is_steady(curves.low, low.points) && is_steady(curves.high, high.points))
-          return curves;
+      for (const RuledCurves& curves : {slide_rulings({fit.curves[0], fit.curves[1]}, all, near), plain}) {
+        if (!is_near(curves) || !is_steady(curves.low, low.points) || !is_steady(curves.high, high.points))
+          continue;
+        const double off = std::max(farthest(curves.low, low.points), farthest(curves.high, high.points));
+        if (off < least) {
+          least = off;
+          result = curves;
+        }
+        if (off <= chord_slack * largest_on_curves()) return curves;
+      }
     }
-    return std::nullopt;
+    return result;
   }
   double largest_on_curves() const { return std::max(3 * tolerance_, chord()); }
   bool is_near(const RuledCurves& curves) const {

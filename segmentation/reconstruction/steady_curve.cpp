@@ -34,22 +34,36 @@ double length_of_arcs(const Eigen::Matrix3Xd& polygon) {
   return result;
 }
 
+struct NearestSide {
+  double distance = std::numeric_limits<double>::infinity();
+  Eigen::Vector3d along;
+};
+
+NearestSide nearest_side(const Eigen::Vector3d& point, const Eigen::Matrix3Xd& polygon) {
+  NearestSide result;
+  for (Eigen::Index k = 0; k + 1 < polygon.cols(); ++k) {
+    const Eigen::Vector3d side = way(polygon, k), arm = point - polygon.col(k);
+    const double share = std::clamp(arm.dot(side) / side.squaredNorm(), 0.0, 1.0);
+    const double distance = (arm - share * side).norm();
+    if (distance < result.distance) result = {distance, side};
+  }
+  return result;
+}
+
+int samples_of(const geometry::NurbsCurve& curve, const Eigen::Matrix3Xd& polygon) {
+  return points_for_each * static_cast<int>(std::max<Eigen::Index>(polygon.cols(), curve.size()));
+}
+
+geometry::Parameter<1> sample(const geometry::NurbsCurve& curve, int i, int count) {
+  return curve.low() + (curve.high() - curve.low()) * i / count;
+}
+
 /// Whether a curve turns against the polygon of its points.
 bool runs_back(const geometry::NurbsCurve& curve, const Eigen::Matrix3Xd& polygon) {
-  const int count = points_for_each * static_cast<int>(std::max<Eigen::Index>(polygon.cols(), curve.size()));
+  const int count = samples_of(curve, polygon);
   for (int i = 0; i <= count; ++i) {
-    const geometry::Parameter<1> at(curve.low() + (curve.high() - curve.low()) * i / count);
-    const Eigen::Vector3d point = curve.point(at), tangent = curve.derivative(at, {1});
-    double nearest = std::numeric_limits<double>::infinity();
-    Eigen::Vector3d along = tangent;
-    for (Eigen::Index k = 0; k + 1 < polygon.cols(); ++k) {
-      const Eigen::Vector3d side = way(polygon, k), arm = point - polygon.col(k);
-      const double share = std::clamp(arm.dot(side) / side.squaredNorm(), 0.0, 1.0);
-      if (!((arm - share * side).norm() < nearest)) continue;
-      nearest = (arm - share * side).norm();
-      along = side;
-    }
-    if (!(tangent.dot(along) > 0)) return true;
+    const geometry::Parameter<1> at = sample(curve, i, count);
+    if (!(curve.derivative(at, {1}).dot(nearest_side(curve.point(at), polygon).along) > 0)) return true;
   }
   return false;
 }
@@ -64,11 +78,17 @@ double waviness(const Eigen::Matrix3Xd& line, const Eigen::Matrix3Xd& polygon) {
   return length_of(line) / length_of_arcs(polygon);
 }
 
+double farthest(const geometry::NurbsCurve& curve, const Eigen::Matrix3Xd& polygon) {
+  double result = 0;
+  for (int i = 0, count = samples_of(curve, polygon); i <= count; ++i)
+    result = std::max(result, nearest_side(curve.point(sample(curve, i, count)), polygon).distance);
+  return result;
+}
+
 bool is_steady(const geometry::NurbsCurve& curve, const Eigen::Matrix3Xd& polygon) {
-  const int count = points_for_each * static_cast<int>(std::max<Eigen::Index>(polygon.cols(), curve.size()));
+  const int count = samples_of(curve, polygon);
   Eigen::Matrix3Xd line(3, count + 1);
-  for (int i = 0; i <= count; ++i)
-    line.col(i) = curve.point(curve.low() + (curve.high() - curve.low()) * i / count);
+  for (int i = 0; i <= count; ++i) line.col(i) = curve.point(sample(curve, i, count));
   return waviness(line, polygon) < most_waviness && !runs_back(curve, polygon);
 }
 

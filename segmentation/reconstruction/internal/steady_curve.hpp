@@ -19,6 +19,11 @@ double waviness(const Eigen::Matrix3Xd& line, const Eigen::Matrix3Xd& polygon);
 /// What `waviness` smooth curves stay below.
 constexpr double most_waviness = 1.01;
 
+/// Distance of a curve from a polygon along it, between the vertices too, m.
+/// @param polygon  (3, n), n >= 2, neighbours apart
+/// @cost  O(n^2)
+double farthest(const geometry::NurbsCurve& curve, const Eigen::Matrix3Xd& polygon);
+
 /// Whether a curve along a polygon has no waves between its vertices and does not run back on itself.
 /// @param polygon  (3, n), n >= 2, neighbours apart
 /// @cost  O(n^2)

@@ -58,6 +58,13 @@ TEST(SteadyCurve, HasNoWavesAndDoesNotRunBack) {
 
 constexpr int columns = 16, rows = 2;
 
+TEST(SteadyCurve, FarthestFromItsPolygonIsMeasuredBetweenVertices) {
+  // An arc is off its chords by 1 - cos of half their angle.
+  const Eigen::Matrix3Xd polygon = half_circle(12);
+  const geometry::NurbsCurve arc = fit_curves({by_length(half_circle(200))}, 1e-7).curves.front();
+  EXPECT_NEAR(farthest(arc, polygon), 1 - std::cos(std::numbers::pi / 24), 1e-4);
+}
+
 /// Three columns of vertices to the left of the middle, thirteen to the right.
 double column(double u) {
   return u < 3.0 / 16 ? u * 8 / 3 : 0.5 + (u - 3.0 / 16) * 8 / 13;
