@@ -14,6 +14,7 @@
 #include "segmentation/reconstruction/internal/freeform_edges.hpp"
 #include "segmentation/reconstruction/internal/region_map.hpp"
 #include "segmentation/reconstruction/internal/ruled_strip.hpp"
+#include "segmentation/reconstruction/internal/steady_curve.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -142,33 +143,23 @@ class TrimmedFace {
   int region_;
 };
 
-double length_of(const Eigen::Matrix3Xd& points) {
-  return (points.rightCols(points.cols() - 1) - points.leftCols(points.cols() - 1)).colwise().norm().sum();
-}
-
-double length_of(const std::vector<Eigen::Vector3d>& points) {
-  double length = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
-  return length;
-}
-
-/// A smooth edge is hardly longer than the straight pieces between its vertices, by 3 % where these turn by
-/// 45 degrees in each: one that is has waves between them, which no distance of vertices shows.
+/// Edges of freeform faces have no waves between the vertices that they run along.
 void require_steady_edges(const geometry::TriangleMesh& mesh, const Wireframe& wires,
                           const Regions& regions) {
-  constexpr double longest = 1.05;
   for (const WireEdge& edge : wires.edges) {
     if (!edge.curve || edge.points.size() < 2) continue;
+    const Eigen::Map<const Eigen::Matrix3Xd> polygon(edge.points.front().data(), 3,
+                                                     static_cast<Eigen::Index>(edge.points.size()));
     for (const int r : edge.regions) {
       const Region& region = regions.regions[static_cast<std::size_t>(r)];
       if (region.carrier) continue;
-      const double curved = length_of(points_along(edge)), straight = length_of(edge.points);
-      if (curved > longest * straight)
+      const Eigen::Matrix3Xd line = points_along(edge);
+      if (waviness(line, polygon) > most_waviness)
         refuse_freeform(
             mesh, region,
             fmt::format("an edge of it has waves between its vertices: {:.3g} m of curve for "
                         "{:.3g} m of edges of triangles; more triangles along it would tell its way",
-                        curved, straight));
+                        length_of(line), length_of(polygon)));
     }
   }
 }

@@ -15,6 +15,7 @@
 #include "segmentation/reconstruction/internal/fit_curves.hpp"
 #include "segmentation/reconstruction/internal/nearest_on_spline.hpp"
 #include "segmentation/reconstruction/internal/slide_rulings.hpp"
+#include "segmentation/reconstruction/internal/steady_curve.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -25,6 +26,10 @@ using geometry::NurbsCurve;
 
 // Normals of triangles between rounded vertices are off by the rounding over their width.
 constexpr double upright_slope = 1e-4;
+// Curves may be farther from the sides of triangles than the chord error, which is estimated, by this factor.
+constexpr double chord_slack = 1.5;
+// A wall is straight from plane to plane if it bends between them by no more than this share of its height.
+constexpr double straight_share = 4e-3;
 
 NurbsCurve line_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   return NurbsCurve({geometry::KnotVector()}, (Eigen::Matrix3Xd(3, 2) << from, to).finished());
@@ -87,13 +92,15 @@ class StripMaker {
     return height_ > 10 * tolerance_;
   }
 
-  /// Whether the second edge and the fourth are lines, on the carriers beside them too.
+  /// Whether the second edge and the fourth are lines, on the carriers beside them too; seams beside other
+  /// freeform faces are as straight as walls.
   bool has_straight_ends() const {
     for (const std::size_t i : {1, 3}) {
       const std::vector<Eigen::Vector3d> all = points(i);
       const Eigen::Vector3d way = all.back() - all.front();
+      const double near = beside(i) ? tolerance_ : std::max(tolerance_, straight_share * height_);
       for (const Eigen::Vector3d& p : all)
-        if (way.cross(p - all.front()).norm() > tolerance_ * way.norm()) return false;
+        if (way.cross(p - all.front()).norm() > near * way.norm()) return false;
       if (!beside(i)) continue;
       for (const double share : {0.25, 0.5, 0.75})
         if (std::abs(carrier_distance(*beside(i), all.front() + share * way).value) > tolerance_)
@@ -135,8 +142,7 @@ class StripMaker {
                        fit.largest, fit.largest};
   }
 
-  RuledCurves inclined_curves(const CurveSample& low, const CurveSample& high) const {
-    const FittedCurves fit = fit_curves({low, high}, tolerance_);
+  std::optional<RuledCurves> inclined_curves(const CurveSample& low, const CurveSample& high) const {
     RuledPoints all{Eigen::Matrix3Xd(3, low.t.size() + high.t.size()), {}, up_};
     all.points << low.points, high.points;
     const std::vector<int> inside = vertices_inside();
@@ -145,46 +151,36 @@ class StripMaker {
     for (std::size_t i = 0; i < inside.size(); ++i)
       all.points.col(known + static_cast<Eigen::Index>(i)) = mesh_.vertices.col(inside[i]);
     all.v = ((up_.transpose() * (all.points.colwise() - low.points.col(0))) / height_).transpose();
-    const RuledCurves slid = slide_rulings({fit.curves[0], fit.curves[1]}, all, tolerance_);
-    if (!runs_back(slid, low, high)) return slid;
-    return smoother(low, high, all);
+    return steadiest(low, high, all);
   }
 
-  /// Curves no nearer to their points than the triangles say, where nearer ones run back on themselves.
-  RuledCurves smoother(const CurveSample& low, const CurveSample& high, const RuledPoints& all) const {
-    RuledCurves result;
+  /// Curves as near to their points as they can be without waves between them, and no farther than the
+  /// triangles say: between the points too, if any are; nothing without steady ones.
+  std::optional<RuledCurves> steadiest(const CurveSample& low, const CurveSample& high,
+                                       const RuledPoints& all) const {
+    std::optional<RuledCurves> result;
+    double least = std::numeric_limits<double>::infinity();
     for (double near = tolerance_; near <= largest_on_curves(); near *= 2) {
       const FittedCurves fit = fit_curves({low, high}, near);
-      result = {fit.curves[0], fit.curves[1], std::max(fit.largest, off_inside(fit.curves, all)),
-                fit.largest};
-      if (!runs_back(result, low, high)) return result;
+      const RuledCurves plain = {fit.curves[0], fit.curves[1],
+                                 std::max(fit.largest, off_inside(fit.curves, all)), fit.largest};
+      for (const RuledCurves& curves : {slide_rulings({fit.curves[0], fit.curves[1]}, all, near), plain}) {
+        if (!is_near(curves) || !is_steady(curves.low, low.points) || !is_steady(curves.high, high.points))
+          continue;
+        const double off = std::max(farthest(curves.low, low.points), farthest(curves.high, high.points));
+        if (off < least) {
+          least = off;
+          result = curves;
+        }
+        if (off <= chord_slack * largest_on_curves()) return curves;
+      }
     }
-    result.largest_on_curves = std::numeric_limits<double>::infinity();
     return result;
   }
   double largest_on_curves() const { return std::max(3 * tolerance_, chord()); }
-
-  static bool runs_back(const RuledCurves& curves, const CurveSample& low, const CurveSample& high) {
-    return runs_back(curves.low, low.points) || runs_back(curves.high, high.points);
-  }
-  /// Whether a curve turns against the polygon of its points.
-  static bool runs_back(const NurbsCurve& curve, const Eigen::Matrix3Xd& polygon) {
-    const int count = 8 * static_cast<int>(std::max<Eigen::Index>(polygon.cols(), curve.size()));
-    for (int i = 0; i <= count; ++i) {
-      const geometry::Parameter<1> at(double(i) / count);
-      const Eigen::Vector3d point = curve.point(at), tangent = curve.derivative(at, {1});
-      double nearest = std::numeric_limits<double>::infinity();
-      Eigen::Vector3d along = tangent;
-      for (Eigen::Index k = 0; k + 1 < polygon.cols(); ++k) {
-        const Eigen::Vector3d way = polygon.col(k + 1) - polygon.col(k), arm = point - polygon.col(k);
-        const double share = std::clamp(arm.dot(way) / way.squaredNorm(), 0.0, 1.0);
-        if (!((arm - share * way).norm() < nearest)) continue;
-        nearest = (arm - share * way).norm();
-        along = way;
-      }
-      if (!(tangent.dot(along) > 0)) return true;
-    }
-    return false;
+  bool is_near(const RuledCurves& curves) const {
+    return curves.largest_on_curves <= largest_on_curves() &&
+           curves.largest <= tolerance_ + std::max(chord(), straight_share * height_);
   }
 
   /// Distance of the points between two curves from the surface between them.
@@ -214,8 +210,7 @@ class StripMaker {
     std::optional<RuledCurves> curves;
     if (is_upright()) curves = upright_curves(low, high);
     if (!curves) curves = inclined_curves(low, high);
-    if (curves->largest_on_curves > largest_on_curves() || curves->largest > tolerance_ + chord())
-      return std::nullopt;
+    if (!curves || !is_near(*curves)) return std::nullopt;
     const NurbsCurve &below = curves->low, &above = curves->high;
     RuledStrip strip{geometry::ruled(below, above), {}, {}};
     const auto ends = [](const NurbsCurve& curve) {

@@ -22,6 +22,9 @@ constexpr double least_turn = 0.5;  // rad
 constexpr double least_apart = 0.04;
 constexpr std::size_t most_divisions = 4;
 constexpr double spacing_change = 4;
+// Of its length: a seam's vertices are no farther from the line between its ends.
+constexpr double seam_bend = 0.01;
+constexpr double parallel = 1e-6;
 
 MeshEdge mesh_edge(int a, int b) {
   return {std::min(a, b), std::max(a, b)};
@@ -32,15 +35,18 @@ class Band {
  public:
   Band(const geometry::TriangleMesh& mesh, const geometry::MeshNeighbours& neighbours, const Regions& regions,
        int region)
-      : mesh_(mesh), neighbours_(neighbours) {
+      : mesh_(mesh), neighbours_(neighbours), regions_(regions) {
     for (const int t : regions.regions[static_cast<std::size_t>(region)].triangles)
       for (int i = 0; i < 3; ++i) {
         const TriangleSide other = across({t, i});
         const int a = mesh.triangles(i, t), b = mesh.triangles((i + 1) % 3, t);
-        if (regions.of_triangle[static_cast<std::size_t>(other.triangle)] != region)
-          next_.emplace(a, b);
-        else
+        const int there = regions.of_triangle[static_cast<std::size_t>(other.triangle)];
+        if (there == region) {
           beside_[a].push_back(b);
+        } else {
+          next_.emplace(a, b);
+          beyond_[a] = there;
+        }
       }
     std::set<int> done;
     for (const auto& [first, second] : next_) {
@@ -57,28 +63,31 @@ class Band {
   /// One loop that no vertex is twice on.
   bool is_disc() const { return loops_.size() == 1 && next_.size() == loops_[0].size(); }
 
-  /// Edges from border to border where the spacing of vertices changes at both ends to the same side, as
-  /// where faces of a CAD program met that continue each other.
+  /// Ways from border to border where the spacing of vertices changes at both ends to the same side, as where
+  /// faces of a CAD program met that continue each other: single edges, or several with vertices of the seam
+  /// between them.
   std::vector<std::vector<MeshEdge>> changes() const {
-    const std::vector<int>& loop = loops_[0];
-    const std::size_t n = loop.size();
-    std::map<int, double> change;  // length after over length before
-    for (std::size_t i = 0; i < n; ++i)
-      change[loop[i]] = (point(loop[(i + 1) % n]) - point(loop[i])).norm() /
-                        (point(loop[i]) - point(loop[(i + n - 1) % n])).norm();
+    const std::map<int, double> change = changes_of_spacing(1), wider = changes_of_spacing(2);
+    const auto is_change = [&](int v, const std::map<int, double>& ratios, bool grows) {
+      const double ratio = ratios.at(v);
+      return grows ? ratio > spacing_change : ratio < 1 / spacing_change;
+    };
     std::vector<std::vector<MeshEdge>> result;
     std::set<int> used;
     for (const auto& [v, ratio] : change) {
-      const auto beside = beside_.find(v);
-      if (beside == beside_.end() || (ratio < spacing_change && ratio > 1 / spacing_change)) continue;
-      for (const int w : beside->second) {
-        const auto other = change.find(w);
-        if (other == change.end() || used.contains(v) || used.contains(w)) continue;
+      const bool grows = ratio > 1;
+      if (!is_change(v, change, grows)) continue;
+      for (const auto& [w, other] : change) {
         // The two borders run against each other.
-        const bool same = ratio > 1 ? other->second < 1 / spacing_change : other->second > spacing_change;
-        if (!same) continue;
-        result.push_back({mesh_edge(v, w)});
-        used.insert({v, w});
+        if (used.contains(v) || used.contains(w) || !is_change(w, change, !grows)) continue;
+        const bool is_edge = is_beside(v, w);
+        if (!is_edge &&
+            !(is_change(v, wider, grows) && is_change(w, wider, !grows) && is_between_planes(v, w)))
+          continue;
+        const std::vector<int> way = is_edge ? std::vector<int>{v, w} : straight_way(v, w);
+        if (way.empty()) continue;
+        result.push_back(edges_along(way));
+        used.insert(way.begin(), way.end());
       }
     }
     return result;
@@ -95,8 +104,7 @@ class Band {
       const std::vector<int> way = shortest_way(near_end(place, ends, used), used, ends);
       if (way.empty()) continue;
       ends.insert({way.front(), way.back()});
-      result.emplace_back();
-      for (std::size_t i = 0; i + 1 < way.size(); ++i) result.back().push_back(mesh_edge(way[i], way[i + 1]));
+      result.push_back(edges_along(way));
       used.insert(way.begin(), way.end());
     }
     return result;
@@ -112,6 +120,66 @@ class Band {
     for (std::size_t i = 0; i < loop.size(); ++i)
       result += (point(loop[(i + 1) % loop.size()]) - point(loop[i])).norm();
     return result;
+  }
+
+  static std::vector<MeshEdge> edges_along(const std::vector<int>& way) {
+    std::vector<MeshEdge> result;
+    for (std::size_t i = 0; i + 1 < way.size(); ++i) result.push_back(mesh_edge(way[i], way[i + 1]));
+    return result;
+  }
+
+  bool is_beside(int v, int w) const {
+    const auto found = beside_.find(v);
+    return found != beside_.end() &&
+           std::find(found->second.begin(), found->second.end(), w) != found->second.end();
+  }
+
+  /// Whether two vertices of the border are on planes that are parallel and apart.
+  bool is_between_planes(int v, int w) const {
+    const int low = beyond_.at(v), high = beyond_.at(w);
+    const auto& first = regions_.regions[static_cast<std::size_t>(low)].carrier;
+    const auto& second = regions_.regions[static_cast<std::size_t>(high)].carrier;
+    return low != high && first && second && first->kind == geometry::SurfaceKind::plane &&
+           second->kind == geometry::SurfaceKind::plane && first->axis.cross(second->axis).norm() < parallel;
+  }
+
+  /// By vertex of the first loop: the length of the `count` edges after it over that of those before it.
+  std::map<int, double> changes_of_spacing(std::size_t count) const {
+    const std::vector<int>& loop = loops_[0];
+    const std::size_t n = loop.size();
+    std::map<int, double> result;
+    for (std::size_t i = 0; i < n; ++i) {
+      double after = 0, before = 0;
+      for (std::size_t k = 0; k < count; ++k) {
+        after += (point(loop[(i + k + 1) % n]) - point(loop[(i + k) % n])).norm();
+        before += (point(loop[(i + n - k) % n]) - point(loop[(i + 2 * n - k - 1) % n])).norm();
+      }
+      result[loop[i]] = after / before;
+    }
+    return result;
+  }
+
+  /// Vertices between two of the border across the inside, each the one beside the last that is nearest to
+  /// the line to the goal and ahead; empty if one is far from the line between the two.
+  std::vector<int> straight_way(int from, int to) const {
+    const Eigen::Vector3d line = point(to) - point(from);
+    std::vector<int> way{from};
+    while (way.back() != to) {
+      const auto beside = beside_.find(way.back());
+      if (beside == beside_.end()) return {};
+      int best = -1;
+      double least = seam_bend * line.norm();
+      for (const int v : beside->second) {
+        const double ahead = line.dot(point(v) - point(way.back()));
+        const double off = line.cross(point(v) - point(from)).norm() / line.norm();
+        if (!(ahead > 0) || !(off < least) || (v != to && next_.contains(v))) continue;
+        least = off;
+        best = v;
+      }
+      if (best < 0) return {};
+      way.push_back(best);
+    }
+    return way;
   }
 
   /// Where the first loop turns most, and at least two places.
@@ -199,7 +267,9 @@ class Band {
 
   const geometry::TriangleMesh& mesh_;
   const geometry::MeshNeighbours& neighbours_;
+  const Regions& regions_;
   std::multimap<int, int> next_;            // along the border
+  std::map<int, int> beyond_;               // the region across it, by the vertex before
   std::map<int, std::vector<int>> beside_;  // across an inner edge
   std::vector<std::vector<int>> loops_;
 };

@@ -3,6 +3,7 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_Curve.hxx>
 #include <TopExp_Explorer.hxx>
@@ -19,6 +20,9 @@
 
 namespace isopatch::geometry {
 namespace {
+
+// Of the size: narrow sides are longer.
+constexpr double farthest_end = 1e-6;
 
 class Overlayer {
  public:
@@ -75,15 +79,25 @@ class Overlayer {
                                   std::max(source.first, source.last));
     if (!maker.IsDone()) fail();
     const BRep_Builder shapes;
-    for (const TopoDS_Vertex& end : {maker.Vertex1(), maker.Vertex2()}) shapes.UpdateVertex(end, joined());
+    const double near = joined(source.edge);
+    for (const TopoDS_Vertex& end : {maker.Vertex1(), maker.Vertex2()}) shapes.UpdateVertex(end, near);
     return TopoDS::Edge(source.first < source.last ? maker.Shape() : maker.Shape().Reversed());
   }
 
   /// Ends of neighbouring edges are one vertex within this: a wire leaves out what does not begin where the
   /// last one ended, and reports success.
-  double joined() const {
+  double joined() const { return share_of_size(2e-7); }
+  /// Where edges of the solid end farther from their vertices, as lines and arcs that touch within the
+  /// tolerance of a reconstruction do.
+  double joined(const TopoDS_Edge& source) const {
+    double farthest = 0;
+    for (TopExp_Explorer vertex(source, TopAbs_VERTEX); vertex.More(); vertex.Next())
+      farthest = std::max(farthest, BRep_Tool::Tolerance(TopoDS::Vertex(vertex.Current())));
+    return std::clamp(farthest, joined(), share_of_size(farthest_end));
+  }
+  double share_of_size(double share) const {
     const auto& box = source_.tables().box;
-    return 2e-7 * (box[1] - box[0]).norm() / metres_;
+    return share * (box[1] - box[0]).norm() / metres_;
   }
 
   /// A whole circle has a vertex where it begins, which must be none but where a line ends or crosses it.
@@ -195,8 +209,8 @@ class Overlayer {
     BRepBuilderAPI_MakeEdge maker(circle, forwards ? start : end, forwards ? end : start);
     if (!maker.IsDone()) fail();
     const BRep_Builder shapes;
-    for (const TopoDS_Vertex& vertex : {maker.Vertex1(), maker.Vertex2()})
-      shapes.UpdateVertex(vertex, joined());
+    const double near = joined(source.edge);
+    for (const TopoDS_Vertex& vertex : {maker.Vertex1(), maker.Vertex2()}) shapes.UpdateVertex(vertex, near);
     return forwards ? maker.Edge() : TopoDS::Edge(maker.Edge().Reversed());
   }
 
