@@ -40,8 +40,8 @@ struct ContractionStages {
 ContractionStages field_stages(int fields, bool values);
 
 /// The stages from forces at the points, which multiply D1, D3, D2 (and V) of the test functions, to three
-/// sums per function: the transpose of field_stages(3, values).
-ContractionStages force_stages(bool values);
+/// sums per function: the transpose of field_stages(fields, values), with three fields for each displacement.
+ContractionStages force_stages(bool values, int fields = 3);
 
 /// The stages from the points to the integrals of products of two derivatives of the same function, for
 /// diagonal blocks: kind (i, j), i <= j, in 1 .. 3 or, with values, 0 .. 3, has six vectors at a point, in
