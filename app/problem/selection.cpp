@@ -66,8 +66,8 @@ void check_boundary(const MultiPatch& model, const PatchFace& face, const std::s
 
 /// Boundary faces, as isopatch names them.
 std::vector<PatchFace> named_faces(const MultiPatch& model, const std::string& text, const Place& place) {
-  const auto faces = faces_named(text, model.patch_count(), model.boundaries(), place,
-                                 [&](const PatchFace& face) { return model.from_input(face); });
+  auto faces = faces_named(text, model.patch_count(), model.boundaries(), place,
+                           [&](const PatchFace& face) { return model.from_input(face); });
   for (const PatchFace& face : faces) check_boundary(model, face, text, place);
   return faces;
 }

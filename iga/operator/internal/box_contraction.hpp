@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "iga/internal/lanes.hpp"
@@ -13,6 +14,13 @@ namespace isopatch::iga {
 struct ElementBox {
   std::array<int, 3> begin;
   std::array<int, 3> end;
+};
+
+/// The functions of a patch that live in a box, a grid of their own, direction 1 fastest.
+struct BoxFunctions {
+  std::array<int, 3> first;
+  std::array<int, 3> sizes;
+  std::ptrdiff_t count() const { return static_cast<std::ptrdiff_t>(sizes[0]) * sizes[1] * sizes[2]; }
 };
 
 /// One product of a stage: of each function (or point) the fields from .. from + count - 1, multiplied by the

@@ -22,13 +22,6 @@ struct PatchOperatorScratch {
   std::vector<PointMap> maps;    // of a line
 };
 
-/// The functions of a patch that live in a box, a grid of their own, direction 1 fastest.
-struct BoxFunctions {
-  std::array<int, 3> first;
-  std::array<int, 3> sizes;
-  std::ptrdiff_t count() const { return static_cast<std::ptrdiff_t>(sizes[0]) * sizes[1] * sizes[2]; }
-};
-
 /// The stiffness of one patch as an operator, in boxes of elements.
 class PatchOperator {
  public:
