@@ -21,19 +21,13 @@ constexpr double margin = 0.8;
 // Directions of length 1 that leave this share of energy beside the others are combinations of them.
 constexpr double least_energy = 1e-12;
 
-MatrixXd of_columns(const LinearOperator& apply, const MatrixXd& x) {
-  MatrixXd result(x.rows(), x.cols());
-  for (Index j = 0; j < x.cols(); ++j) result.col(j) = apply(x.col(j));
-  return result;
-}
-
 // Directions that are orthonormal in A, and A times them.
 struct Directions {
   MatrixXd p, ap;
 };
 
-Directions orthonormal(const MatrixXd& p, const LinearOperator& product, int step) {
-  const MatrixXd ap = of_columns(product, p);
+Directions orthonormal(const MatrixXd& p, const VectorsOperator& product, int step) {
+  const MatrixXd ap = product.of_each(p);
   const MatrixXd energies = p.transpose() * ap;
   const SymmetricEigen parts = symmetric_eigen(0.5 * (energies + energies.transpose()));
   const double largest = parts.values[parts.values.size() - 1];
@@ -100,7 +94,11 @@ class Iteration {
       const Index j = left_[static_cast<std::size_t>(k)];
       x_.col(j) += dx.col(k);
       r_.col(j) -= dr.col(k);
-      z_.col(j) = system_->preconditioner(r_.col(j));
+    }
+    const MatrixXd z = system_->preconditioner.of_each(chosen(r_, left_));
+    for (Index k = 0; k < dx.cols(); ++k) {
+      const Index j = left_[static_cast<std::size_t>(k)];
+      z_.col(j) = z.col(k);
       error_[j] = std::sqrt(std::max(0.0, r_.col(j).dot(z_.col(j)))) / first_[j];
     }
   }

@@ -25,7 +25,9 @@ struct BlockSolution {
 /// @param loads           a column each, none zero, that do not depend on each other
 /// @param preconditioned  M times them
 /// @throws Error singular_system  a direction without positive energy
-/// @cost   one product and one preconditioner for each load and iteration; seven vectors for each load
+/// @cost   one product and one preconditioner for each load and iteration, all loads at once; nine vectors
+/// for
+///         each load
 /// @source O'Leary, Linear Algebra Appl. 29 (1980); Dubrulle, ETNA 12 (2001)
 BlockSolution solve_with_block_cg(const OperatorSystem& system, const Eigen::MatrixXd& loads,
                                   const Eigen::MatrixXd& preconditioned, const SolverOptions& options,

@@ -1,12 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <functional>
+
+#include "solvers/linear_operator.hpp"
 
 namespace isopatch::solvers {
-
-/// A linear operator on several vectors at once: columns in, columns out.
-using BlockOperator = std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>;
 
 struct LanczosOptions {
   int count = 10;            ///< eigenpairs wanted, positive

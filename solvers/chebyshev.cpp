@@ -41,16 +41,16 @@ double largest_of_tridiagonal(const std::vector<double>& alpha, const std::vecto
   return tridiagonal_eigen(diagonal, beside).values[n - 1];
 }
 
-}  // namespace
-
-Eigen::VectorXd chebyshev(const LinearOperator& product, const LinearOperator& preconditioner,
-                          const Eigen::VectorXd& b, const ChebyshevInterval& interval) {
+// Of a vector, or of each column of a matrix.
+template <class Vectors, class Product, class Preconditioner>
+Vectors chebyshev_steps(const Product& product, const Preconditioner& preconditioner, const Vectors& b,
+                        const ChebyshevInterval& interval) {
   const double middle = 0.5 * (interval.high + interval.low);
   const double half = 0.5 * (interval.high - interval.low);
   double rho = half / middle;
-  Eigen::VectorXd step = preconditioner(b) / middle;
-  Eigen::VectorXd x = step;
-  Eigen::VectorXd residual = b;
+  Vectors step = preconditioner(b) / middle;
+  Vectors x = step;
+  Vectors residual = b;
   for (int k = 1; k < interval.degree; ++k) {
     residual -= product(step);
     const double next = 1 / (2 * middle / half - rho);
@@ -61,7 +61,20 @@ Eigen::VectorXd chebyshev(const LinearOperator& product, const LinearOperator& p
   return x;
 }
 
-double largest_eigenvalue(const LinearOperator& product, const LinearOperator& preconditioner,
+}  // namespace
+
+Eigen::VectorXd chebyshev(const VectorsOperator& product, const VectorsOperator& preconditioner,
+                          const Eigen::VectorXd& b, const ChebyshevInterval& interval) {
+  return chebyshev_steps(product, preconditioner, b, interval);
+}
+
+Eigen::MatrixXd chebyshev_of_each(const VectorsOperator& product, const VectorsOperator& preconditioner,
+                                  const Eigen::MatrixXd& b, const ChebyshevInterval& interval) {
+  return chebyshev_steps([&](const Eigen::MatrixXd& x) { return product.of_each(x); },
+                         [&](const Eigen::MatrixXd& r) { return preconditioner.of_each(r); }, b, interval);
+}
+
+double largest_eigenvalue(const VectorsOperator& product, const VectorsOperator& preconditioner,
                           const SharedRows& rows, int steps) {
   Eigen::VectorXd residual = product(rough_vector(rows));
   Eigen::VectorXd preconditioned = preconditioner(residual);

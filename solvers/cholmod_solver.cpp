@@ -237,9 +237,10 @@ BlockOperator cholmod_block_inverse(SymmetricBlockMatrix matrix) {
   return [inverse](const Eigen::MatrixXd& b) { return inverse->cholesky.solve(b); };
 }
 
-LinearOperator cholmod_inverse(SymmetricBlockMatrix matrix) {
+VectorsOperator cholmod_inverse(SymmetricBlockMatrix matrix) {
   const auto inverse = std::make_shared<Inverse>(std::move(matrix));
-  return [inverse](const Eigen::VectorXd& b) -> Eigen::VectorXd { return inverse->cholesky.solve(b); };
+  return {[inverse](const Eigen::VectorXd& b) -> Eigen::VectorXd { return inverse->cholesky.solve(b); },
+          [inverse](const Eigen::MatrixXd& b) { return inverse->cholesky.solve(b); }};
 }
 
 }  // namespace isopatch::solvers

@@ -29,7 +29,7 @@ std::vector<LinearSolution> solve_with_cholmod(const ScaledSystems& systems, con
 /// A factorization to be used many times, without refinement: the coarsest level of a multigrid. Any positive
 /// pivot will do, since who iterates judges the result by the true residual.
 /// @throws Error singular_system, out_of_memory  for pivots that are not positive, and as solve_with_cholmod
-LinearOperator cholmod_inverse(SymmetricBlockMatrix matrix);
+VectorsOperator cholmod_inverse(SymmetricBlockMatrix matrix);
 
 /// The same for several right sides at once, and with the pivots checked as `solve_with_cholmod` does.
 BlockOperator cholmod_block_inverse(SymmetricBlockMatrix matrix);

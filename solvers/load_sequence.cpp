@@ -24,6 +24,12 @@ double root(double square) {
   return square <= 0 ? 0 : std::sqrt(square);  // what is no number stays none
 }
 
+Eigen::MatrixXd columns(std::span<const VectorXd> vectors) {
+  Eigen::MatrixXd result(vectors.front().size(), static_cast<Eigen::Index>(vectors.size()));
+  for (std::size_t i = 0; i < vectors.size(); ++i) result.col(static_cast<Eigen::Index>(i)) = vectors[i];
+  return result;
+}
+
 }  // namespace
 
 LinearSolution LoadSequence::solve_alone(const VectorXd& load, const SolverOptions& options,
@@ -35,9 +41,9 @@ LinearSolution LoadSequence::solve_alone(const VectorXd& load, const SolverOptio
 }
 
 // What is left of a load beside the directions known, and its parts along them.
-LoadSequence::Split LoadSequence::split(const VectorXd& load) const {
+LoadSequence::Split LoadSequence::split(const VectorXd& load, VectorXd preconditioned) const {
   const SharedRows& rows = system_->rows;
-  Split result{load, system_->preconditioner(load), {}, 0, 0};
+  Split result{load, std::move(preconditioned), {}, 0, 0};
   result.size = root(rows.dot(result.rest, result.preconditioned));
   for (const Direction& one : known_) {
     const double part = rows.dot(result.rest, one.preconditioned);
@@ -67,7 +73,7 @@ LinearSolution LoadSequence::solve(const VectorXd& load, const SolverOptions& op
     const double size = root(rows.dot(first_load_, preconditioned));
     known_.push_back({first_load_ / size, preconditioned / size, first_.x / size});
   }
-  Split split = this->split(load);
+  Split split = this->split(load, system_->preconditioner(load));
   if (split.size == 0) return solve_alone(load, options, progress);
   LinearSolution result{VectorXd::Zero(load.size()), {}, first_.report};
   for (std::size_t k = 0; k < split.parts.size(); ++k) result.x += split.parts[k] * known_[k].solution;
@@ -80,7 +86,14 @@ LinearSolution LoadSequence::solve(const VectorXd& load, const SolverOptions& op
     known_.push_back({split.rest / split.across, split.preconditioned / split.across, part.x / split.across});
     add(part, split.across / split.size, result);
   }
-  return finished(std::move(result), load, split.size, watch, options, progress);
+  Rest rest = rest_of(load, result.x);
+  return finished(std::move(result), load, split.size, std::move(rest), watch, options, progress);
+}
+
+LoadSequence::Rest LoadSequence::rest_of(const VectorXd& load, const VectorXd& x) const {
+  VectorXd rest = load - system_->product(x);
+  const double size = root(system_->rows.dot(rest, system_->preconditioner(rest)));
+  return {std::move(rest), size};
 }
 
 // Adds the solution of a rest, whose error was such a share of the load's.
@@ -91,28 +104,26 @@ void LoadSequence::add(const LinearSolution& part, double share, LinearSolution&
 }
 
 // Goes on from the true residual of a start until the error is small enough.
-LinearSolution LoadSequence::finished(LinearSolution result, const VectorXd& load, double size,
+LinearSolution LoadSequence::finished(LinearSolution result, const VectorXd& load, double size, Rest rest,
                                       const Stopwatch& watch, const SolverOptions& options,
                                       const Progress& progress) const {
   const SharedRows& rows = system_->rows;
   for (int round = 0; round < most_rounds; ++round) {
-    const VectorXd rest = load - system_->product(result.x);
-    const double left = root(rows.dot(rest, system_->preconditioner(rest)));
-    result.report.energy_error = left / size;
-    result.report.relative_residual = std::sqrt(rows.dot(rest, rest) / rows.dot(load, load));
+    if (round > 0) rest = rest_of(load, result.x);
+    result.report.energy_error = rest.size / size;
+    result.report.relative_residual = std::sqrt(rows.dot(rest.load, rest.load) / rows.dot(load, load));
     result.report.residual_history.push_back(result.report.energy_error);
     result.report.solve_seconds = watch.seconds();
-    if (left <= options.tolerance * size) return result;
+    if (rest.size <= options.tolerance * size) return result;
     SolverOptions own = options;
-    own.tolerance = std::min(0.5 * options.tolerance * size / left, largest_tolerance);
-    add(solve_alone(rest, own, progress), left / size, result);
+    own.tolerance = std::min(0.5 * options.tolerance * size / rest.size, largest_tolerance);
+    add(solve_alone(rest.load, own, progress), rest.size / size, result);
   }
   // Combinations do not get there where round-off is as large as the tolerance.
   return solve_alone(load, options, progress);
 }
 
-// Those that are new become directions, all of them
-// are combinations of directions then.
+// Those that are new become directions; all of them are combinations of directions then.
 std::vector<LinearSolution> LoadSequence::solve_together(std::span<const VectorXd> loads,
                                                          const SolverOptions& options,
                                                          const Progress& progress) {
@@ -120,8 +131,10 @@ std::vector<LinearSolution> LoadSequence::solve_together(std::span<const VectorX
   const std::size_t before = known_.size();
   std::vector<Split> splits;
   std::vector<std::size_t> direction_of;  // or none: the number of all
-  for (const VectorXd& load : loads) {
-    const Split& split = splits.emplace_back(this->split(load));
+  const Eigen::MatrixXd all = columns(loads);
+  const Eigen::MatrixXd all_preconditioned = system_->preconditioner.of_each(all);
+  for (Eigen::Index i = 0; i < all.cols(); ++i) {
+    const Split& split = splits.emplace_back(this->split(all.col(i), all_preconditioned.col(i)));
     const bool is_new = split.across > least_share * split.size;
     direction_of.push_back(is_new ? known_.size() : static_cast<std::size_t>(-1));
     if (is_new) known_.push_back({split.rest / split.across, split.preconditioned / split.across, {}});
@@ -141,12 +154,10 @@ std::vector<LinearSolution> LoadSequence::solve_together(std::span<const VectorX
       known_[before + static_cast<std::size_t>(k)].solution = found.x.col(k);
   }
   std::vector<LinearSolution> result;
+  Eigen::MatrixXd rests = all;
   for (std::size_t i = 0; i < loads.size(); ++i) {
-    if (splits[i].size == 0) {
-      result.push_back(solve_alone(loads[i], options, progress));
-      continue;
-    }
-    LinearSolution start{VectorXd::Zero(loads[i].size()), {}, first_report(*system_, Method::cg)};
+    LinearSolution& start = result.emplace_back(
+        LinearSolution{VectorXd::Zero(loads[i].size()), {}, first_report(*system_, Method::cg)});
     for (std::size_t k = 0; k < splits[i].parts.size(); ++k)
       start.x += splits[i].parts[k] * known_[k].solution;
     start.report.residual_history = {1};
@@ -157,7 +168,17 @@ std::vector<LinearSolution> LoadSequence::solve_together(std::span<const VectorX
         start.report.residual_history.push_back(errors[k] * splits[i].across / splits[i].size);
       start.report.iterations = static_cast<int>(errors.size()) - 1;
     }
-    result.push_back(finished(std::move(start), loads[i], splits[i].size, watch, options, progress));
+    rests.col(static_cast<Eigen::Index>(i)) = start.x;
+  }
+  rests = all - system_->product.of_each(rests);
+  const Eigen::MatrixXd rests_preconditioned = system_->preconditioner.of_each(rests);
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    const VectorXd rest = rests.col(k);
+    result[i] = splits[i].size == 0 ? solve_alone(loads[i], options, progress)
+                                    : finished(std::move(result[i]), loads[i], splits[i].size,
+                                               {rest, root(rows.dot(rest, rests_preconditioned.col(k)))},
+                                               watch, options, progress);
   }
   return result;
 }

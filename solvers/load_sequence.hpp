@@ -46,11 +46,18 @@ class LoadSequence {
     std::vector<double> parts;  // along the directions known
     double size, across;        // of the load and of the rest, in the norm of M
   };
-  Split split(const Eigen::VectorXd& load) const;
+  /// @param preconditioned  M times the load
+  Split split(const Eigen::VectorXd& load, Eigen::VectorXd preconditioned) const;
+  // What a solution leaves of its load, and its size in the norm of M.
+  struct Rest {
+    Eigen::VectorXd load;
+    double size;
+  };
+  Rest rest_of(const Eigen::VectorXd& load, const Eigen::VectorXd& x) const;
   LinearSolution solve_alone(const Eigen::VectorXd& load, const SolverOptions& options,
                              const Progress& progress) const;
 
-  LinearSolution finished(LinearSolution start, const Eigen::VectorXd& load, double size,
+  LinearSolution finished(LinearSolution start, const Eigen::VectorXd& load, double size, Rest rest,
                           const Stopwatch& watch, const SolverOptions& options,
                           const Progress& progress) const;
   static void add(const LinearSolution& part, double share, LinearSolution& to);

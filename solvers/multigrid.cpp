@@ -1,8 +1,27 @@
 #include "solvers/multigrid.hpp"
 
 namespace isopatch::solvers {
+namespace {
 
-Multigrid::Multigrid(std::vector<MultigridLevel> levels, LinearOperator coarse_inverse,
+Eigen::VectorXd applied(const VectorsOperator& map, const Eigen::VectorXd& x) {
+  return map(x);
+}
+Eigen::MatrixXd applied(const VectorsOperator& map, const Eigen::MatrixXd& x) {
+  return map.of_each(x);
+}
+
+Eigen::VectorXd smoothed(const MultigridLevel& level, const Eigen::VectorXd& b,
+                         const ChebyshevInterval& interval) {
+  return chebyshev(level.product, level.smoother, b, interval);
+}
+Eigen::MatrixXd smoothed(const MultigridLevel& level, const Eigen::MatrixXd& b,
+                         const ChebyshevInterval& interval) {
+  return chebyshev_of_each(level.product, level.smoother, b, interval);
+}
+
+}  // namespace
+
+Multigrid::Multigrid(std::vector<MultigridLevel> levels, VectorsOperator coarse_inverse,
                      const MultigridOptions& options)
     : levels_(std::move(levels)), coarse_inverse_(std::move(coarse_inverse)), options_(options) {
   for (std::size_t l = 0; l + 1 < levels_.size(); ++l)
@@ -14,20 +33,26 @@ Eigen::VectorXd Multigrid::apply(const Eigen::VectorXd& residual) const {
   return cycle(0, residual);
 }
 
-Eigen::VectorXd Multigrid::smooth(std::size_t level, const Eigen::VectorXd& b) const {
-  // The estimate is from below, and beyond the interval the polynomial would amplify.
-  const double high = 1.1 * largest_[level];
-  return chebyshev(levels_[level].product, levels_[level].smoother, b,
-                   {high / options_.smoothing_range, high, options_.smoothing_degree});
+Eigen::MatrixXd Multigrid::apply_each(const Eigen::MatrixXd& residuals) const {
+  return residuals.cols() == 1 ? Eigen::MatrixXd(apply(residuals.col(0))) : cycle(0, residuals);
 }
 
-Eigen::VectorXd Multigrid::cycle(std::size_t level, const Eigen::VectorXd& b) const {
-  if (level + 1 == levels_.size()) return coarse_inverse_(b);
+ChebyshevInterval Multigrid::interval(std::size_t level) const {
+  // The estimate is from below, and beyond the interval the polynomial would amplify.
+  const double high = 1.1 * largest_[level];
+  return {high / options_.smoothing_range, high, options_.smoothing_degree};
+}
+
+template <class Vectors>
+Vectors Multigrid::cycle(std::size_t level, const Vectors& b) const {
+  if (level + 1 == levels_.size()) return applied(coarse_inverse_, b);
   const MultigridLevel& here = levels_[level];
   const MultigridLevel& coarser = levels_[level + 1];
-  Eigen::VectorXd x = smooth(level, b);
-  x += coarser.to_finer(cycle(level + 1, coarser.from_finer(b - here.product(x))));
-  x += smooth(level, b - here.product(x));
+  Vectors x = smoothed(here, b, interval(level));
+  const Vectors rest = b - applied(here.product, x);
+  x += applied(coarser.to_finer, cycle(level + 1, applied(coarser.from_finer, rest)));
+  const Vectors left = b - applied(here.product, x);
+  x += smoothed(here, left, interval(level));
   return x;
 }
 

@@ -13,10 +13,10 @@ namespace isopatch::solvers {
 /// One level of a multigrid. All operators take and give consistent local vectors.
 struct MultigridLevel {
   SharedRows rows;
-  LinearOperator product;     ///< A of this level
-  LinearOperator smoother;    ///< B, a symmetric positive definite approximate inverse of A's rough part
-  LinearOperator to_finer;    ///< prolongation to the level above; empty on the finest
-  LinearOperator from_finer;  ///< its transpose
+  VectorsOperator product;     ///< A of this level
+  VectorsOperator smoother;    ///< B, a symmetric positive definite approximate inverse of A's rough part
+  VectorsOperator to_finer;    ///< prolongation to the level above; empty on the finest
+  VectorsOperator from_finer;  ///< its transpose
 };
 
 /// One symmetric V-cycle: a preconditioner whose quality does not depend on the number of unknowns.
@@ -28,19 +28,23 @@ class Multigrid {
   /// @param levels          finest first; `product` and `smoother` of the coarsest are not used
   /// @param coarse_inverse  solves on the coarsest level
   /// @throws Error singular_system  if a level's product or smoother is not positive definite
-  Multigrid(std::vector<MultigridLevel> levels, LinearOperator coarse_inverse,
+  Multigrid(std::vector<MultigridLevel> levels, VectorsOperator coarse_inverse,
             const MultigridOptions& options = {});
 
   /// @cost  2 degree products with A and B on every level
   Eigen::VectorXd apply(const Eigen::VectorXd& residual) const;
 
+  /// The same of each column.
+  Eigen::MatrixXd apply_each(const Eigen::MatrixXd& residuals) const;
+
   int levels() const { return static_cast<int>(levels_.size()); }
 
  private:
-  Eigen::VectorXd cycle(std::size_t level, const Eigen::VectorXd& b) const;
-  Eigen::VectorXd smooth(std::size_t level, const Eigen::VectorXd& b) const;
+  template <class Vectors>
+  Vectors cycle(std::size_t level, const Vectors& b) const;
+  ChebyshevInterval interval(std::size_t level) const;
   std::vector<MultigridLevel> levels_;
-  LinearOperator coarse_inverse_;
+  VectorsOperator coarse_inverse_;
   std::vector<double> largest_;  ///< eigenvalue of the smoothed product, by level but the coarsest
   MultigridOptions options_;
 };

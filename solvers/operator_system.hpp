@@ -26,8 +26,8 @@ struct OperatorCosts {
 /// local ones.
 struct OperatorSystem {
   SharedRows rows;
-  LinearOperator product;  ///< A
-  LinearOperator
+  VectorsOperator product;  ///< A
+  VectorsOperator
       preconditioner;    ///< symmetric positive definite, near the inverse of A (of |A| if indefinite)
   Eigen::VectorXd load;  ///< b
   OperatorCosts costs = {};

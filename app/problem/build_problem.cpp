@@ -83,7 +83,10 @@ CaughtFaces caught_faces(const FaceSelection& selection, const std::string& name
   const MultiPatch& model = built.problem.discretization.model;
   SelectedFaces selected = select_faces(model, selection);
   CaughtFaces caught{std::move(selected.faces), part_of(selection)};
-  if (selection.part) caught.faces = faces_reaching_into(caught.region, model, caught.faces, selection.place);
+  if (selection.part) {
+    caught.faces = faces_reaching_into(caught.region, model, caught.faces, selection.place);
+    refuse_covered_part(caught.region, model, caught.faces, selection.place);
+  }
   regions.push_back(region_of(name, kind, caught.faces, built.report));
   regions.back().given = selection.faces;
   if (selection.part) {
@@ -472,6 +475,7 @@ BuiltProblem build_problem(const Study& study, const LoadedModel& loaded, const 
   for (Warning& warning : loose_body_warnings(model, patch_names(built.parameterization)))
     built.warnings.push_back(std::move(warning));
   for (Warning& warning : input_warnings(study)) built.warnings.push_back(std::move(warning));
+  for (Warning& warning : idle_refinement_warnings(study)) built.warnings.push_back(std::move(warning));
   for (const SupportInput& support : study.supports) add_support(support, built);
   for (Warning& warning : held_part_warnings(built.problem)) built.warnings.push_back(std::move(warning));
   for (const AppliedLoad& load : study.loads) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <vector>
+
+#include "app/base/warning.hpp"
 #include "app/study/study.hpp"
 #include "geometry/multi_patch.hpp"
 
@@ -8,5 +11,9 @@ namespace isopatch::app {
 /// The discretization of a study, with the patches that it names.
 /// @throws Error invalid_argument  patches that do not exist, with their place
 iga::DiscretizationOptions discretization_of(const Study& study, const geometry::MultiPatch& model);
+
+/// One warning for each key of a [[discretization.patch]] that asks for less than [discretization] gives all
+/// patches, and so changes nothing.
+std::vector<Warning> idle_refinement_warnings(const Study& study);
 
 }  // namespace isopatch::app

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "geometry/base/error.hpp"
+#include "geometry/common_refinement.hpp"
 #include "geometry/patch_face.hpp"
 #include "iga/problem/loads.hpp"
 
@@ -27,6 +28,24 @@ double gap(const iga::Region& region, const geometry::NurbsVolume& patch, geomet
       nearest = std::min(nearest, outside);
     }
   return nearest;
+}
+
+// Whether two faces that do not match share places of a region: of 4 x 4 points of each pair of elements.
+bool share_some_of(const iga::Region& region, const geometry::MultiPatch& model,
+                   const geometry::NonMatchingInterface& pair) {
+  constexpr int points = 4;
+  const auto surface = [&](const geometry::PatchFace& face) {
+    return geometry::face_surface(model.patch(face.patch), face.side);
+  };
+  const geometry::NurbsSurface first = surface(pair.first), second = surface(pair.second);
+  const auto divided = [](const geometry::NurbsSurface& of) {
+    return geometry::DividedSurface{&of, {of.knots(0).breaks(), of.knots(1).breaks()}};
+  };
+  for (const geometry::SharedCell& cell : geometry::common_refinement(
+           divided(first), divided(second), points, model.tolerance().same_point * model.size()))
+    for (const geometry::SharedPoint& point : cell.points)
+      if (region.contains(first.point(point.first))) return true;
+  return false;
 }
 
 }  // namespace
@@ -62,6 +81,18 @@ std::vector<geometry::PatchFace> faces_reaching_into(const iga::Region& region,
     nearest = std::min(nearest, {gap(region, model.patch(face.patch), face.side), model.label(face)});
   throw error_at(
       place, fmt::format("part: none of the faces has an area in there; {} comes nearest", nearest.second));
+}
+
+void refuse_covered_part(const iga::Region& region, const geometry::MultiPatch& model,
+                         const std::vector<geometry::PatchFace>& faces, const Place& place) {
+  for (const geometry::NonMatchingInterface& pair : model.non_matching())
+    for (const geometry::PatchFace& face : faces) {
+      if ((face != pair.first && face != pair.second) || !share_some_of(region, model, pair)) continue;
+      throw error_at(
+          place, fmt::format("part: {} covers some of the part of face {}, and a support or load "
+                             "would act beneath it too; make the part smaller",
+                             model.label(face == pair.first ? pair.second : pair.first), model.label(face)));
+    }
 }
 
 }  // namespace isopatch::app

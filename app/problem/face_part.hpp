@@ -20,4 +20,12 @@ std::vector<geometry::PatchFace> faces_reaching_into(const iga::Region& region,
                                                      const std::vector<geometry::PatchFace>& faces,
                                                      const Place& place);
 
+/// Refuses a region that reaches beneath patches that cover faces in part.
+/// @param faces  that have an area in the region
+/// @param place  of the region in the study file
+/// @throws Error invalid_argument  naming a face and what covers it there
+/// @cost  for each covered face that of the common refinements with those that cover it
+void refuse_covered_part(const iga::Region& region, const geometry::MultiPatch& model,
+                         const std::vector<geometry::PatchFace>& faces, const Place& place);
+
 }  // namespace isopatch::app

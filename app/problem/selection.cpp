@@ -66,8 +66,8 @@ void check_boundary(const MultiPatch& model, const PatchFace& face, const std::s
 
 /// Boundary faces, as isopatch names them.
 std::vector<PatchFace> named_faces(const MultiPatch& model, const std::string& text, const Place& place) {
-  const auto faces = faces_named(text, model.patch_count(), model.boundaries(), place,
-                                 [&](const PatchFace& face) { return model.from_input(face); });
+  auto faces = faces_named(text, model.patch_count(), model.boundaries(), place,
+                           [&](const PatchFace& face) { return model.from_input(face); });
   for (const PatchFace& face : faces) check_boundary(model, face, text, place);
   return faces;
 }
@@ -169,7 +169,7 @@ SelectedFaces select_faces(const MultiPatch& model, const FaceSelection& selecti
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   if (!selection.where) {
-    refuse_partly_covered(model, faces, selection.place);
+    if (!selection.part) refuse_partly_covered(model, faces, selection.place);
     return {faces};
   }
   const double tolerance = selection.where->tolerance.value_or(place_tolerance * model.size());
@@ -189,7 +189,7 @@ SelectedFaces select_faces(const MultiPatch& model, const FaceSelection& selecti
   if (result.faces.empty()) throw nothing_found(model, selection, std::move(candidates), tolerance);
   std::stable_sort(result.near_misses.begin(), result.near_misses.end(),
                    [](const NearMiss& a, const NearMiss& b) { return a.distance < b.distance; });
-  refuse_partly_covered(model, result.faces, selection.place);
+  if (!selection.part) refuse_partly_covered(model, result.faces, selection.place);
   return result;
 }
 

@@ -6,7 +6,7 @@
 
 namespace isopatch::app {
 
-std::optional<LinePlot> convergence_plot(const std::vector<RunLevel>& levels) {
+std::optional<LinePlot> convergence_plot(const std::vector<RunLevel>& levels, std::optional<double> asked) {
   if (levels.size() < 2) return std::nullopt;
   PlotSeries estimated{.name = "estimated", .x = {}, .y = {}};
   PlotSeries measured{.name = "from the extrapolated energy", .x = {}, .y = {}, .dashed = true};
@@ -33,6 +33,7 @@ std::optional<LinePlot> convergence_plot(const std::vector<RunLevel>& levels) {
   for (PlotSeries* series : {&estimated, &measured})
     if (!series->x.empty()) plot.series.push_back(std::move(*series));
   if (plot.series.empty()) return std::nullopt;
+  if (asked) plot.levels.push_back({"asked for", *asked});
   return plot;
 }
 

@@ -205,7 +205,7 @@ std::string model_json_text(const MultiPatch& model, const ModelReport& report, 
                {"elements", report.elements},
                {"patches", patches},
                {"interfaces", interfaces},
-               {"non_matching", non_matching_json(report)},
+               {"non_matching", non_matching_json(problem ? problem->report : report)},
                {"boundary_faces", faces},
                {"boundaries", boundaries},
                {"bodies", bodies}};

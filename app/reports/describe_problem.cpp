@@ -45,6 +45,21 @@ std::string probes_text(const BuiltProblem& problem) {
   return text;
 }
 
+// Faces with other elements on either side, T-joints and those of [[discretization.patch]] alike.
+std::string apart_text(const ModelReport& report, bool all) {
+  constexpr std::size_t short_list = 4;
+  const std::size_t total = report.non_matching.size();
+  if (total == 0) return "";
+  std::vector<std::string> pairs;
+  for (const NonMatchingReport& pair : report.non_matching)
+    pairs.push_back(fmt::format("{} and {}", pair.first, pair.second));
+  if (!all && total > short_list) {
+    pairs.resize(short_list);
+    pairs.push_back(fmt::format("... and {} more (--all lists them)", total - short_list));
+  }
+  return fmt::format("faces that will not match: {}\n", fmt::join(pairs, ", "));
+}
+
 }  // namespace
 
 std::string problem_text(const BuiltProblem& problem, bool all) {
@@ -53,7 +68,8 @@ std::string problem_text(const BuiltProblem& problem, bool all) {
          regions_text("loads", problem.loads, true, all) + probes_text(problem) +
          fmt::format("\nto be solved with {} elements and {} control points\n",
                      with_separators(discretization.element_count()),
-                     with_separators(discretization.node_count()));
+                     with_separators(discretization.node_count())) +
+         apart_text(problem.report, all);
 }
 
 }  // namespace isopatch::app

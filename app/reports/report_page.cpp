@@ -34,7 +34,7 @@ Page report_page(const ReportContent& content) {
     page.title = content.summary->title;
     page.summary_json = content.summary_json;
     page.plots = plots_of(content.summary->solver);
-    if (const auto plot = convergence_plot(content.summary->levels))
+    if (const auto plot = convergence_plot(content.summary->levels, content.summary->asked_error))
       page.plots.push_back({"", to_svg(*plot)});
   }
   page.scene = report_scene(content.field, content.model, content.summary.value_or(RunSummary{}));

@@ -117,7 +117,8 @@ void show_case(Json& json, const std::string& name) {
   if (!cases.is_array()) return;
   for (const Json& one : cases) {
     if (text_at(one, "/name") != name && !(name.empty() && &one == &cases.front())) continue;
-    for (const char* key : {"results", "probes", "sections", "solver"}) json[key] = one.value(key, Json());
+    for (const char* key : {"results", "probes", "sections", "solver", "levels", "convergence"})
+      if (one.contains(key)) json[key] = one[key];
     const std::vector<std::string> own = texts_of(at(one, "/loads"));
     if (own.empty() || !at(json, "/loads").is_array()) continue;
     Json loads = Json::array();
@@ -152,6 +153,7 @@ std::optional<RunSummary> read_summary(const std::string& text, const std::strin
   summary.solver = stored_solver(at(json, "/solver"));
   summary.levels = stored_levels(at(json, "/levels"));
   for (RunLevel& level : summary.levels) level.is_adaptive = !at(json, "/accuracy").is_null();
+  summary.asked_error = number_at(json, "/accuracy/energy");
   return summary;
 }
 

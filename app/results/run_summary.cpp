@@ -27,6 +27,12 @@ std::optional<SummarizedPlace> place_of(const iga::Extremum& extremum, const geo
   return SummarizedPlace{"", extremum.patch, model.to_input(PatchId(extremum.patch), extremum.parameter)};
 }
 
+std::size_t index_of(const StudyRun& run, const CaseView& one) {
+  for (std::size_t i = 0; i < run.further.size(); ++i)
+    if (&run.further[i].solution == &one.solution) return i + 1;
+  return 0;
+}
+
 }  // namespace
 
 RunSummary summarized(const Study& study, const StudyRun& run) {
@@ -56,7 +62,8 @@ RunSummary summarized(const Study& study, const StudyRun& run, const CaseView& o
   const solvers::SolveReport& solver = one.solution.solver;
   summary.solver = {std::string(solvers::name(solver.method)), study.options.solver.tolerance, solver.levels,
                     solver.residual_history};
-  summary.levels = run.levels;
+  summary.levels = levels_of_case(run.levels, index_of(run, one));
+  if (run.accuracy) summary.asked_error = run.accuracy->asked.energy;
   return summary;
 }
 

@@ -55,7 +55,8 @@ struct RunSummary {
   std::vector<SummarizedPlace> probes;
   std::vector<Warning> warnings;
   SummarizedSolver solver;
-  std::vector<RunLevel> levels = {};  ///< of a run on several
+  std::vector<RunLevel> levels = {};       ///< of a run on several, figures of the case
+  std::optional<double> asked_error = {};  ///< in the energy norm, relative: the goal of [accuracy]
 
   /// The largest von Mises stress that anything shown may have, if it is known.
   std::optional<double> largest_von_mises() const { return faces_searched ? max_von_mises : std::nullopt; }

@@ -281,6 +281,7 @@ Json mass_json(const std::optional<MassProperties>& mass) {
 Json cases_json(const Study& study, const StudyRun& run) {
   Json result = Json::array();
   if (!run.has_cases()) return result;
+  std::size_t index = 0;
   for (const CaseView& one : cases_of(run)) {
     Json factors = Json::object();
     for (const auto& [name, factor] : one.name.factors) factors[name] = factor;
@@ -293,6 +294,12 @@ Json cases_json(const Study& study, const StudyRun& run) {
                       {"sections", sections_json(one.sections)},
                       {"solver", solver_json(one.solution.solver, study.options.solver.tolerance,
                                              one.solution.predicted_bytes)}});
+    if (!run.levels.empty()) {
+      const std::vector<RunLevel> levels = levels_of_case(run.levels, index);
+      result.back()["levels"] = levels_json(levels);
+      result.back()["convergence"] = convergence_json(levels);
+    }
+    ++index;
   }
   return result;
 }

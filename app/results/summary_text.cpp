@@ -192,6 +192,17 @@ std::string coupling_text(const Study& study, const geometry::MultiPatch& model)
                          : " and Nitsche's method");
 }
 
+// A table for each case.
+std::string levels_text(const StudyRun& run) {
+  if (!run.has_cases() || run.levels.empty()) return run_levels_text(run.levels);
+  std::string text;
+  std::size_t index = 0;
+  for (const CaseView& one : cases_of(run))
+    text += fmt::format("levels of {} {}\n{}", one.name.factors.empty() ? "case" : "combination",
+                        one.name.name, run_levels_text(levels_of_case(run.levels, index++)));
+  return text;
+}
+
 }  // namespace
 
 std::string summary_text(const Study& study, const StudyRun& run) {
@@ -215,8 +226,7 @@ std::string summary_text(const Study& study, const StudyRun& run) {
   text += mortar_text(model, run.solution.mortar);
   text += solver_text(run.solution.solver);
   for (const CaseView& one : cases_of(run)) text += case_text(study, run, one);
-  if (!run.levels.empty() && run.has_cases()) text += fmt::format("levels of case {}\n", run.case_name.name);
-  text += run_levels_text(run.levels);
+  text += levels_text(run);
   if (run.accuracy) text += fmt::format("  accuracy          {}\n", accuracy_text(*run.accuracy));
   text += fmt::format("  time, memory      {}, {}{}\n", seconds_text(total), bytes_text(run.peak_bytes),
                       study.options.processes.count() == 1

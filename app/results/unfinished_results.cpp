@@ -29,7 +29,7 @@ const ResultKind run_results{"unfinished", "summary.json", "results.h5", remove_
 const ResultKind modes_results{"unfinished_modes", "modes.json", "modes.json", remove_earlier_modes};
 
 UnfinishedResults::UnfinishedResults(const ResultKind& kind, fs::path directory)
-    : kind_(&kind), directory_(std::move(directory)), folder_(directory_ / kind.folder) {
+    : kind_(&kind), directory_(std::move(directory)), folder_(directory_ / kind.folder), gathering_(folder_) {
   kind_->remove(folder_);
 }
 

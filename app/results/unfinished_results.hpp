@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include "geometry/base/gathering_folder.hpp"
+
 namespace isopatch::app {
 
 /// The files that one command writes into a directory.
@@ -40,6 +42,7 @@ class UnfinishedResults {
   const ResultKind* kind_;
   std::filesystem::path directory_;
   std::filesystem::path folder_;
+  GatheringFolder gathering_;
 };
 
 }  // namespace isopatch::app

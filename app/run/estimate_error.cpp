@@ -15,6 +15,9 @@ namespace {
 // A stress that is off by less than this share is no sign of one without a limit, wherever it is.
 constexpr double least_singular_error = 0.05;
 
+// Solutions whose errors are estimated at once: six vectors of the raised space each.
+constexpr std::size_t most_together = 5;
+
 // One solution of a run, with what is to be filled in.
 struct Estimated {
   iga::ElasticitySolution& solution;
@@ -90,10 +93,15 @@ void add_estimates(const Study& study, const iga::LoadCases& cases, StudyRun& ru
   const iga::ElasticityProblem& problem = run.built.problem;
   const iga::ErrorEstimator estimator(problem, study.options, progress);
   const std::vector<Eigen::Matrix3Xd> loads = loads_of(estimator, problem, cases);
-  std::size_t i = 0;
-  for (Estimated& one : solutions_of(run)) {
-    const std::vector<iga::PatchPlace> places = places_of(run.built, one.solution.results);
-    add_estimate(problem, places, estimator.estimate(loads[i++], one.solution.field, places, progress), one);
+  std::vector<Estimated> all = solutions_of(run);
+  for (std::size_t first = 0; first < all.size(); first += most_together) {
+    const std::size_t last = std::min(all.size(), first + most_together);
+    std::vector<iga::SolutionToEstimate> some;
+    for (std::size_t i = first; i < last; ++i)
+      some.push_back({loads[i], all[i].solution.field, places_of(run.built, all[i].solution.results)});
+    std::vector<iga::ErrorEstimate> estimates = estimator.estimates(some, progress);
+    for (std::size_t i = first; i < last; ++i)
+      add_estimate(problem, some[i - first].places, std::move(estimates[i - first]), all[i]);
   }
 }
 

@@ -17,6 +17,12 @@ RunLevel run_level(const StudyRun& run, int refine) {
                  .max_displacement = results.max_displacement.value,
                  .max_von_mises = results.max_von_mises.value};
   if (run.error) level.error = run.error->relative;
+  if (run.has_cases())
+    for (const CaseView& one : cases_of(run)) {
+      const iga::ElasticityResults& own = one.solution.results;
+      level.cases.push_back({own.internal_energy, own.max_displacement.value, own.max_von_mises.value,
+                             one.error ? std::optional(one.error->relative) : std::nullopt});
+    }
   for (const iga::PhaseTime& time : run.timings) level.seconds += time.seconds;
   return level;
 }

@@ -62,10 +62,13 @@ const Keys<ParameterizationKeys>& parameterization_keys() {
           "Whether control points are moved where a patch is folded or poor; false only reports it.",
           [](P& target, const ConfigValue& value) { target.options.optimize = read_flag(value, "optimize"); })
           .with_default("true"),
-      number_key(
-          "same_point", {0, 0.05, false, false}, segmentation::AssemblyOptions{}.same_point,
-          [](P& target) -> double& { return target.same_point; },
-          "Points of two blocks closer than this share of the size are one point."),
+      custom_key<P>(
+          "same_point", "number, above 0 and below 0.05",
+          "Points of two blocks closer than this share of the size are one point.",
+          [](P& target, const ConfigValue& value) {
+            target.same_point = read_quantity(value, "same_point", dimensions::none, {0, 0.05, false, false});
+          })
+          .with_default("1e-3, or 1e-5 where the faces of most blocks that meet agree to 1e-6"),
   };
   return keys;
 }

@@ -70,6 +70,11 @@ void read_options(const StudyKeys& top, Study& study) {
   const ConfigSection output = section(top.output, "output", study.source);
   study.output = read_table<OutputInput>(output.table, output.place, "[output]", output_keys());
   const ConfigEntry* directory = output.table.find("directory");
+  if (study.accuracy.is_asked() && !study.output.error_estimate)
+    throw error_at(
+        study.accuracy.place,
+        "[accuracy] refines by the error estimate, which output.error_estimate = false leaves out: "
+        "leave one away");
   study.output.directory = study_path(study.output.directory.string(),
                                       directory ? directory->value.place : output.place, study.source);
 }

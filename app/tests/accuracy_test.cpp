@@ -165,8 +165,22 @@ faces = ["x_max"]
 traction = ["1 MPa", 0, 0]
 )";
   ASSERT_EQ(run_text(cases, {"--set", "load.0.case=push", "--set", "accuracy.energy='8 %'"}), 0) << err_;
-  for (const json& one : summary()["cases"])
+  const json found = summary();
+  ASSERT_EQ(found["cases"].size(), 2);
+  for (const json& one : found["cases"]) {
+    const std::string name = one["name"];
     EXPECT_LE(one["results"]["discretization_error"]["energy_norm"], 0.08);
+    // The levels of a case are its own, in the text and on its page.
+    ASSERT_EQ(one["levels"].size(), found["levels"].size());
+    EXPECT_EQ(one["levels"].back()["energy_norm_error"],
+              one["results"]["discretization_error"]["energy_norm"]);
+    EXPECT_EQ(one["levels"].back()["max_von_mises"], one["results"]["max_von_mises"]);
+    EXPECT_THAT(out_, HasSubstr("levels of case " + name + "\n"));
+    const std::string page = read_file(results() / "cases" / name / "report.html");
+    EXPECT_THAT(page, HasSubstr("\"internal_energy\": " + one["levels"][0]["internal_energy"].dump()));
+    EXPECT_THAT(page, HasSubstr(">asked for"));
+  }
+  EXPECT_EQ(found["levels"], found["cases"][0]["levels"]);
 }
 
 TEST_F(Accuracy, NeedsAGoalThatMakesSense) {
@@ -178,6 +192,8 @@ TEST_F(Accuracy, NeedsAGoalThatMakesSense) {
   refused("accuracy={ energy = 0.1, probe = 'leg' }", "accuracy.stress is missing");
   refused("accuracy={ stress = 0.1, probe = 'arm' }", "no [[probe]] has that name");
   refused("accuracy.energy='120 %'", "energy");
+  EXPECT_EQ(run_text(bracket + "[accuracy]\nenergy = 0.1\n[output]\nerror_estimate = false\n"), 2);
+  EXPECT_THAT(err_, HasSubstr("by the error estimate, which output.error_estimate = false leaves out"));
   EXPECT_EQ(run_text(bracket, {"--set", "accuracy.energy=0.1", "--levels", "2"}), 2);
   EXPECT_THAT(err_, HasSubstr("leave one away"));
 }
@@ -207,6 +223,10 @@ TEST_F(Accuracy, OfPatchesOfTheirOwn) {
   const std::string fine = bracket + "[[discretization.patch]]\npatches = [1]\nrefine = 1\n";
   ASSERT_EQ(run_text(fine), 0) << err_;
   const json followed = summary();
+  ASSERT_EQ(run({"info", study(), "--set", "coupling.non_matching=nitsche"}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("faces that will not match: 0:"));
+  ASSERT_EQ(run({"info", study(), "--json", "--set", "coupling.non_matching=nitsche"}), 0) << err_;
+  EXPECT_FALSE(json::parse(out_)["non_matching"].empty());
   ASSERT_EQ(run_text(fine, {"--set", "coupling.non_matching=nitsche"}), 0) << err_;
   const json coupled = summary();
   EXPECT_EQ(followed["model"]["non_matching_interfaces"], 0);
@@ -225,6 +245,20 @@ TEST_F(Accuracy, OfPatchesOfTheirOwn) {
       << err_;
   EXPECT_TRUE(summary()["accuracy"]["reached"]);
   EXPECT_GT(summary()["model"]["non_matching_interfaces"], 0);
+}
+
+TEST_F(Accuracy, PatchesThatAskForLessThanAllSaySo) {
+  const auto warns = [&](const std::string& keys) {
+    EXPECT_EQ(run_text(bracket + "[[discretization.patch]]\npatches = [1]\n" + keys,
+                       {"--set", "discretization.max_size=0.5"}),
+              0)
+        << err_;
+    return err_.find("of [[discretization.patch]] is ") != std::string::npos;
+  };
+  EXPECT_TRUE(warns("degree = 1\n"));
+  EXPECT_THAT(err_, HasSubstr("study.toml:21:1: degree of [[discretization.patch]] is lower than that of"));
+  EXPECT_TRUE(warns("max_size = 0.7\n"));
+  EXPECT_FALSE(warns("degree = 2\nmax_size = 0.4\n"));
 }
 
 // Two cubes of different materials pulled along x; transverse stresses differ where they meet.

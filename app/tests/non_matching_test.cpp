@@ -49,6 +49,18 @@ TEST_F(NonMatching, FacesAreNamedInPairsWithTheAreaThatTheyShare) {
   EXPECT_NEAR(pairs[1]["area"].get<double>(), 0.8, 1e-13);
 }
 
+// The quarter of the lower box's top that is free can be loaded, and no more.
+TEST_F(NonMatching, PartsBesideWhatCoversAFaceAreFree) {
+  const std::string load =
+      "load=[{ faces = ['0:back'], pressure = '1 MPa', part = { box = "
+      "{ min = [%, -1, 0], max = [3, 2, 3] } } }]";
+  ASSERT_EQ(run({"run", study(), "--set", replaced(load, "%", "1.5")}), 0) << err_;
+  const json summary = json::parse(read_file(results() / "summary.json"));
+  EXPECT_NEAR(summary["results"]["total_load"][2].get<double>(), -0.5e6, 1e-3);
+  EXPECT_EQ(run({"run", study(), "--set", replaced(load, "%", "1.4")}), 2);
+  EXPECT_THAT(err_, HasSubstr("2:front covers some of the part of face 0:back"));
+}
+
 TEST_F(NonMatching, BoundaryIsWhatNoOtherPatchCovers) {
   constexpr double surface = 2 + 6 + 0.5 + 1.5 + 5;  // below, around, and on top of both layers
   const auto area = [](const json& model) {

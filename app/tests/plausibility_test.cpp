@@ -64,6 +64,12 @@ TEST_F(Plausibility, ALoadThatSupportsTakeWholeIsNamed) {
   EXPECT_THAT(err_, Not(HasSubstr("load 1")));
 }
 
+// Of a series of studies one may have no load.
+TEST_F(Plausibility, ALoadOfNothingIsTakenByNoSupport) {
+  summary_of(block + "[[load]]\nfaces = [\"y_max\"]\npressure = 0\n");
+  EXPECT_THAT(err_, Not(HasSubstr("moves nothing")));
+}
+
 TEST_F(Plausibility, NamesThatAreSharedAreSaid) {
   summary_of(block + "[[support]]\nname = \"wall\"\nfaces = [\"y_min\"]\nsymmetry = true\n" +
              "[[probe]]\nname = \"p\"\npoint = [1, 1, 1]\n[[probe]]\nname = \"p\"\npoint = [1, 0, 1]\n");

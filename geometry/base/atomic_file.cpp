@@ -17,6 +17,7 @@
 
 #include "geometry/base/atomic_writer.hpp"
 #include "geometry/base/error.hpp"
+#include "geometry/base/gathering_folder.hpp"
 #include "geometry/base/unfinished_file.hpp"
 
 namespace isopatch {
@@ -28,10 +29,25 @@ std::mutex writing;
 char unfinished[4096];
 std::atomic<bool> has_unfinished{false};
 
+// The folder in which whole files gather, and whether there is one; as above.
+char gathering[4096];
+std::atomic<bool> has_gathering{false};
+
+void say(const char* text) {
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text, std::strlen(text));
+}
+
+// Calls nothing but what a signal handler may.
 void remove_and_exit(int signal) {
   if (has_unfinished) ::unlink(unfinished);
-  constexpr char message[] = "\ninterrupted: nothing half-written was left behind\n";
-  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message, sizeof(message) - 1);
+  // A folder goes if nothing is in it.
+  if (has_gathering && ::rmdir(gathering) != 0 && errno != ENOENT) {
+    say("\ninterrupted: the files that were whole by then are in ");
+    say(gathering);
+    say("; the next run there removes them\n");
+  } else {
+    say("\ninterrupted: nothing half-written was left behind\n");
+  }
   ::_exit(128 + signal);
 }
 
@@ -145,6 +161,18 @@ class TemporaryFile {
 };
 
 }  // namespace
+
+GatheringFolder::GatheringFolder(const std::filesystem::path& folder) {
+  const std::string path = folder.string();
+  if (path.size() + 1 > sizeof(gathering)) return;
+  has_gathering = false;
+  std::memcpy(gathering, path.c_str(), path.size() + 1);
+  has_gathering = true;
+}
+
+GatheringFolder::~GatheringFolder() {
+  has_gathering = false;
+}
 
 struct AtomicWriter::State {
   explicit State(const std::filesystem::path& path) : lock(writing), file(path) {}

@@ -39,7 +39,7 @@ std::vector<std::string> idle_loads(const ElasticityProblem& problem, const Glob
       all += force.norm();
       free += (frame.axes.leftCols(frame.free).transpose() * force).norm();
     }
-    if (free <= round_off * all) result.push_back(load.name);
+    if (all > 0 && free <= round_off * all) result.push_back(load.name);
   }
   return result;
 }

@@ -20,8 +20,10 @@
 namespace isopatch::iga {
 namespace {
 
-// An iteration that adds less than this share of the energy found before is the last one.
+// Two iterations in a row that add less than this share of the energy found before are the last ones. One
+// alone may be followed by larger ones where interfaces do not match, which the smoother does not know of.
 constexpr double least_gain = 0.03;
+constexpr int most_small_gains = 2;
 constexpr int most_corrections = 12;
 // Measured on patches of degree 2 to 4, with what the operator and the smoother keep.
 constexpr double bytes_per_raised_node = 550;
@@ -87,30 +89,74 @@ struct Correction {
   int iterations = 0;
 };
 
-// Conjugate gradients, whose energy grows from iteration to iteration towards that of the solution.
-Correction correction_of(Eigen::VectorXd residual, const Level& level, const LevelOperator& stiffness,
-                         const FastDiagonalization& smoother, const Progress& progress) {
-  Correction result{Eigen::VectorXd::Zero(residual.size()), 0, 0};
-  Eigen::VectorXd smoothed = smoother.apply(residual);
-  Eigen::VectorXd direction = smoothed;
-  double square = level.rows.dot(residual, smoothed);
-  while (square > 0 && result.iterations < most_corrections) {
-    progress("estimating the error", static_cast<double>(result.iterations) / most_corrections);
-    const Eigen::VectorXd forces = stiffness.apply(direction);
-    const double curvature = level.rows.dot(direction, forces);
-    if (!(curvature > 0)) break;  // a motion without energy
-    const double length = square / curvature;
-    result.displacement += length * direction;
-    residual -= length * forces;
-    const double gained = 0.5 * length * square;
-    result.energy += gained;
-    ++result.iterations;
-    if (gained <= least_gain * result.energy) break;
-    smoothed = smoother.apply(residual);
-    const double next = level.rows.dot(residual, smoothed);
-    direction = smoothed + next / square * direction;
-    square = next;
+// Conjugate gradients of one residual, whose energy grows from iteration to iteration towards that of the
+// solution.
+class CorrectionSearch {
+ public:
+  explicit CorrectionSearch(Eigen::VectorXd residual)
+      : residual_(std::move(residual)), found_{Eigen::VectorXd::Zero(residual_.size()), 0, 0} {}
+
+  bool goes_on() const { return goes_on_; }
+  const Eigen::VectorXd& direction() const { return direction_; }
+
+  // The next direction.
+  void turn(const Level& level, const FastDiagonalization& smoother) {
+    const Eigen::VectorXd smoothed = smoother.apply(residual_);
+    const double square = level.rows.dot(residual_, smoothed);
+    direction_ =
+        direction_.size() == 0 ? smoothed : Eigen::VectorXd(smoothed + square / square_ * direction_);
+    square_ = square;
+    goes_on_ = square > 0;
   }
+
+  // @param forces  those of the direction
+  void advance(const Level& level, const Eigen::VectorXd& forces) {
+    const double curvature = level.rows.dot(direction_, forces);
+    goes_on_ = curvature > 0;  // or a motion without energy
+    if (!goes_on_) return;
+    const double length = square_ / curvature;
+    found_.displacement += length * direction_;
+    residual_ -= length * forces;
+    const double gained = 0.5 * length * square_;
+    found_.energy += gained;
+    ++found_.iterations;
+    small_gains_ = gained > least_gain * found_.energy ? 0 : small_gains_ + 1;
+    goes_on_ = small_gains_ < most_small_gains && found_.iterations < most_corrections;
+  }
+
+  Correction found() && { return std::move(found_); }
+
+ private:
+  Eigen::VectorXd residual_, direction_;
+  double square_ = 0;
+  int small_gains_ = 0;
+  Correction found_;
+  bool goes_on_ = true;
+};
+
+// The searches of several residuals, whose products are computed together.
+std::vector<Correction> corrections_of(std::vector<Eigen::VectorXd> residuals, const Level& level,
+                                       const LevelOperator& stiffness, const FastDiagonalization& smoother,
+                                       const Progress& progress) {
+  std::vector<CorrectionSearch> searches;
+  for (Eigen::VectorXd& residual : residuals) searches.emplace_back(std::move(residual));
+  for (int iteration = 0; iteration < most_corrections; ++iteration) {
+    progress("estimating the error", static_cast<double>(iteration) / most_corrections);
+    std::vector<CorrectionSearch*> left;
+    for (CorrectionSearch& search : searches) {
+      if (search.goes_on()) search.turn(level, smoother);
+      if (search.goes_on()) left.push_back(&search);
+    }
+    if (left.empty()) break;
+    Eigen::MatrixXd directions(left.front()->direction().size(), static_cast<Eigen::Index>(left.size()));
+    for (std::size_t i = 0; i < left.size(); ++i)
+      directions.col(static_cast<Eigen::Index>(i)) = left[i]->direction();
+    const Eigen::MatrixXd forces = stiffness.apply_each(directions);
+    for (std::size_t i = 0; i < left.size(); ++i)
+      left[i]->advance(level, forces.col(static_cast<Eigen::Index>(i)));
+  }
+  std::vector<Correction> result;
+  for (CorrectionSearch& search : searches) result.push_back(std::move(search).found());
   return result;
 }
 
@@ -198,20 +244,35 @@ Eigen::Matrix3Xd ErrorEstimator::loads(const ElasticityProblem& problem) const {
 ErrorEstimate ErrorEstimator::estimate(const Eigen::Matrix3Xd& loads, const ElasticField& solution,
                                        const std::vector<PatchPlace>& places,
                                        const Progress& progress) const {
+  return std::move(estimates({{loads, solution, places}}, progress).front());
+}
+
+std::vector<ErrorEstimate> ErrorEstimator::estimates(const std::vector<SolutionToEstimate>& solutions,
+                                                     const Progress& progress) const {
   const State& s = *state_;
-  Residual residual = s.residual(loads, solution);
-  const Correction correction =
-      correction_of(std::move(residual.force), s.level, s.stiffness, s.smoother, progress);
-  const Eigen::Matrix3Xd error = at_nodes(s.level, s.level.free.to_space(correction.displacement));
-  ErrorEstimate result;
-  result.energy = correction.energy;
-  result.iterations = correction.iterations;
-  const double whole = residual.energy + result.energy;
-  result.relative = whole > 0 ? std::sqrt(result.energy / whole) : 0;
-  result.elements =
-      element_errors(s.raised.discretization, s.raised.materials, error, s.level.parts, s.options.processes);
-  result.stress_at = stresses_at(places, s.raised, s.level, error, s.options.processes);
-  return result;
+  std::vector<double> energies;
+  std::vector<Eigen::VectorXd> residuals;
+  for (const SolutionToEstimate& one : solutions) {
+    Residual residual = s.residual(one.loads, one.solution);
+    energies.push_back(residual.energy);
+    residuals.push_back(std::move(residual.force));
+  }
+  const std::vector<Correction> corrections =
+      corrections_of(std::move(residuals), s.level, s.stiffness, s.smoother, progress);
+  std::vector<ErrorEstimate> results;
+  for (std::size_t i = 0; i < solutions.size(); ++i) {
+    const Correction& correction = corrections[i];
+    const Eigen::Matrix3Xd error = at_nodes(s.level, s.level.free.to_space(correction.displacement));
+    ErrorEstimate& result = results.emplace_back();
+    result.energy = correction.energy;
+    result.iterations = correction.iterations;
+    const double whole = energies[i] + result.energy;
+    result.relative = whole > 0 ? std::sqrt(result.energy / whole) : 0;
+    result.elements = element_errors(s.raised.discretization, s.raised.materials, error, s.level.parts,
+                                     s.options.processes);
+    result.stress_at = stresses_at(solutions[i].places, s.raised, s.level, error, s.options.processes);
+  }
+  return results;
 }
 
 ErrorEstimate estimate_error(const ElasticityProblem& problem, const ElasticField& solution,

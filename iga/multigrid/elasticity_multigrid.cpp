@@ -35,8 +35,8 @@ std::vector<PatchSpace> with_fewest_points(std::vector<PatchSpace> spaces) {
 }
 
 // The coarsest level's matrix, the same on every process, which has all rows there.
-solvers::LinearOperator coarse_inverse(const Level& level, const std::vector<Material>& materials,
-                                       const SurfaceTerms& surfaces, int points) {
+solvers::VectorsOperator coarse_inverse(const Level& level, const std::vector<Material>& materials,
+                                        const SurfaceTerms& surfaces, int points) {
   const RowNumbering numbering{level.global_of, level.rows.global_rows()};
   solvers::SymmetricBlockMatrix stiffness =
       assemble_stiffness(level.spaces, whole_patches(level.spaces), materials, numbering, points);
@@ -60,7 +60,8 @@ struct ElasticityMultigrid::State {
 ElasticityMultigrid::ElasticityMultigrid(const ElasticityProblem& problem, const Level& finest,
                                          const std::vector<SupportFrame>& frames,
                                          const Distribution& distribution,
-                                         const solvers::Processes& processes, solvers::LinearOperator product,
+                                         const solvers::Processes& processes,
+                                         solvers::VectorsOperator product,
                                          const ElasticityMultigridOptions& options, const Progress& progress)
     : state_(std::make_unique<State>()) {
   const geometry::MultiPatch& model = problem.discretization.model;
@@ -107,8 +108,11 @@ ElasticityMultigrid::ElasticityMultigrid(const ElasticityProblem& problem, const
                                        problem.materials, options.points, l == 0 ? of_finest : of_coarser);
     const FastDiagonalization& smoother = state_->smoothers.emplace_back(
         model, level, problem.materials, stiffness.diagonal(), stiffness.surfaces());
-    made.product =
-        l == 0 && product ? product : [&stiffness](const Eigen::VectorXd& x) { return stiffness.apply(x); };
+    made.product = l == 0 && product
+                       ? product
+                       : solvers::VectorsOperator(
+                             [&stiffness](const Eigen::VectorXd& x) { return stiffness.apply(x); },
+                             [&stiffness](const Eigen::MatrixXd& x) { return stiffness.apply_each(x); });
     made.smoother = [&smoother](const Eigen::VectorXd& r) { return smoother.apply(r); };
     progress("multigrid", static_cast<double>(l + 1) / static_cast<double>(levels.size()));
   }
@@ -124,6 +128,10 @@ ElasticityMultigrid::ElasticityMultigrid(ElasticityMultigrid&&) noexcept = defau
 
 Eigen::VectorXd ElasticityMultigrid::apply(const Eigen::VectorXd& residual) const {
   return state_->multigrid->apply(residual);
+}
+
+Eigen::MatrixXd ElasticityMultigrid::apply_each(const Eigen::MatrixXd& residuals) const {
+  return state_->multigrid->apply_each(residuals);
 }
 
 int ElasticityMultigrid::levels() const {

@@ -34,13 +34,15 @@ class ElasticityMultigrid {
   /// @throws Error singular_system  if a level is not positive definite
   ElasticityMultigrid(const ElasticityProblem& problem, const Level& finest,
                       const std::vector<SupportFrame>& frames, const Distribution& distribution,
-                      const solvers::Processes& processes, solvers::LinearOperator product,
+                      const solvers::Processes& processes, solvers::VectorsOperator product,
                       const ElasticityMultigridOptions& options, const Progress& progress);
   ~ElasticityMultigrid();
   ElasticityMultigrid(ElasticityMultigrid&&) noexcept;
 
   /// One V-cycle on consistent local vectors of unknowns. (3 rows)
   Eigen::VectorXd apply(const Eigen::VectorXd& residual) const;
+  /// The same for several, a column each, for about 0.8 of what they cost one after the other.
+  Eigen::MatrixXd apply_each(const Eigen::MatrixXd& residuals) const;
 
   int levels() const;
   std::int64_t bytes() const;

@@ -47,6 +47,22 @@ Eigen::VectorXd LevelOperator::apply(const Eigen::VectorXd& x) const {
   return level_->free.to_free(std::move(result));
 }
 
+Eigen::MatrixXd LevelOperator::apply_each(const Eigen::MatrixXd& x) const {
+  std::vector<Eigen::Matrix3Xd> of_nodes;
+  for (Eigen::Index i = 0; i < x.cols(); ++i)
+    of_nodes.push_back(at_nodes(*level_, level_->free.to_space(x.col(i))));
+  std::vector<Eigen::Matrix3Xd> forces = stiffness_.apply(of_nodes);
+  Eigen::MatrixXd result(x.rows(), x.cols());
+  for (Eigen::Index i = 0; i < x.cols(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    surfaces_.add_forces(of_nodes[k], forces[k]);
+    Eigen::VectorXd sum = sum_of_nodes(*level_, forces[k]);
+    level_->rows.sum(sum);
+    result.col(i) = level_->free.to_free(std::move(sum));
+  }
+  return result;
+}
+
 std::vector<Eigen::Matrix3d> LevelOperator::diagonal() const {
   std::vector<Eigen::Matrix3d> of_nodes = stiffness_.diagonal_blocks();
   surfaces_.add_diagonal(of_nodes);

@@ -29,6 +29,8 @@ class LevelOperator {
 
   /// K x for consistent local vectors; the fixed components of the result are 0. (3 rows)
   Eigen::VectorXd apply(const Eigen::VectorXd& x) const;
+  /// The same for several vectors, a column each. (3 rows, vectors)
+  Eigen::MatrixXd apply_each(const Eigen::MatrixXd& x) const;
   /// Forces of a displacement in coordinate axes, without regard to supports: additive. (3 rows)
   Eigen::VectorXd forces(const Eigen::VectorXd& displacement) const;
   /// The diagonal blocks of the local rows in coordinate axes, summed over processes.

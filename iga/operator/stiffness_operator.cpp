@@ -4,6 +4,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "geometry/base/error.hpp"
@@ -32,6 +33,12 @@ void check(const std::vector<PatchSpace>& spaces, const std::vector<PatchLayers>
       reject(fmt::format("a part has layers {} .. {} of patch {}, which has {}", part.first_layer,
                          part.last_layer, part.patch, layers));
   }
+}
+
+void require_nodes(const Eigen::Matrix3Xd& displacement, int nodes) {
+  if (displacement.cols() != nodes)
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("the displacement has {} nodes, the operator {}", displacement.cols(), nodes));
 }
 
 // What one box gives, added up afterwards: so a box needs nobody's leave to write, and the sums of a node are
@@ -86,27 +93,36 @@ struct StiffnessOperator::State {
     for (int k = 0; k < sizes[p][2]; ++k) planes.push_back({patch, k});
   }
 
-  // C numbers per node: the sums of what body(kernel, first node, box, C numbers of each of the box's
-  // functions, scratch) adds to zeros.
+  // Several times C numbers per node: the sums of what body(kernel, first node, box, each time's C numbers of
+  // each of the box's functions, scratch) adds to zeros.
   template <int C, class Body>
-  Eigen::Matrix<double, C, Eigen::Dynamic> sum_of_boxes(Body body) const {
+  std::vector<Eigen::Matrix<double, C, Eigen::Dynamic>> sums_of_boxes(std::size_t times, Body body) const {
     std::vector<PatchOperatorScratch> scratch(static_cast<std::size_t>(omp_get_max_threads()));
-    const auto results = std::make_unique_for_overwrite<double[]>(static_cast<std::size_t>(C * functions));
+    const std::ptrdiff_t length = C * functions;
+    const auto results = std::make_unique_for_overwrite<double[]>(times * static_cast<std::size_t>(length));
     parallel_for(static_cast<std::int64_t>(tasks.size()), [&](std::int64_t i, int thread) {
       const Task& task = tasks[static_cast<std::size_t>(i)];
       const auto patch = static_cast<std::size_t>(task.patch);
-      double* const own = results.get() + C * task.start;
-      std::fill_n(own, C * task.functions.count(), 0.0);
-      body(*kernels[patch], first_node[patch], task.box, own, scratch[static_cast<std::size_t>(thread)]);
+      std::vector<double*> own;
+      for (std::size_t t = 0; t < times; ++t) {
+        own.push_back(results.get() + static_cast<std::ptrdiff_t>(t) * length + C * task.start);
+        std::fill_n(own.back(), C * task.functions.count(), 0.0);
+      }
+      body(*kernels[patch], first_node[patch], task.box, std::span<double* const>(own),
+           scratch[static_cast<std::size_t>(thread)]);
     });
-    Eigen::Matrix<double, C, Eigen::Dynamic> sums(C, first_node.back());
+    std::vector<Eigen::Matrix<double, C, Eigen::Dynamic>> sums;
+    for (std::size_t t = 0; t < times; ++t) sums.emplace_back(C, first_node.back());
     parallel_for(static_cast<std::int64_t>(planes.size()), [&](std::int64_t i, int) {
       const Plane& plane = planes[static_cast<std::size_t>(i)];
       const auto patch = static_cast<std::size_t>(plane.patch);
       const std::int64_t nodes = std::int64_t{sizes[patch][0]} * sizes[patch][1];
-      sums.middleCols(first_node[patch] + nodes * plane.index, nodes).setZero();
-      for (std::size_t t = first_task[patch]; t < first_task[patch + 1]; ++t)
-        add_plane<C>(tasks[t], plane.index, results.get(), sizes[patch], sums.col(first_node[patch]).data());
+      for (std::size_t t = 0; t < times; ++t) {
+        sums[t].middleCols(first_node[patch] + nodes * plane.index, nodes).setZero();
+        for (std::size_t k = first_task[patch]; k < first_task[patch + 1]; ++k)
+          add_plane<C>(tasks[k], plane.index, results.get() + static_cast<std::ptrdiff_t>(t) * length,
+                       sizes[patch], sums[t].col(first_node[patch]).data());
+      }
     });
     return sums;
   }
@@ -137,19 +153,53 @@ StiffnessOperator::StiffnessOperator(const std::vector<PatchSpace>& spaces, std:
 }
 
 Eigen::Matrix3Xd StiffnessOperator::apply(const Eigen::Matrix3Xd& displacement) const {
-  if (displacement.cols() != node_count())
-    throw Error(ErrorCode::invalid_argument, fmt::format("the displacement has {} nodes, the operator {}",
-                                                         displacement.cols(), node_count()));
-  return state_->sum_of_boxes<3>([&](const PatchOperator& kernel, std::int64_t first, const ElementBox& box,
-                                     double* forces, PatchOperatorScratch& scratch) {
-    kernel.add_forces(box, displacement.data() + 3 * first, forces, scratch);
-  });
+  require_nodes(displacement, node_count());
+  return std::move(state_
+                       ->sums_of_boxes<3>(
+                           1,
+                           [&](const PatchOperator& kernel, std::int64_t first, const ElementBox& box,
+                               std::span<double* const> forces, PatchOperatorScratch& scratch) {
+                             kernel.add_forces(box, displacement.data() + 3 * first, forces.front(), scratch);
+                           })
+                       .front());
+}
+
+std::vector<Eigen::Matrix3Xd> StiffnessOperator::apply(
+    const std::vector<Eigen::Matrix3Xd>& displacements) const {
+  constexpr std::size_t most_together = PatchOperator::most_together;
+  std::vector<Eigen::Matrix3Xd> result;
+  for (std::size_t begin = 0; begin < displacements.size();) {
+    const std::size_t left = displacements.size() - begin;
+    const std::size_t rounds = (left + most_together - 1) / most_together;
+    const std::size_t count = (left + rounds - 1) / rounds;
+    for (std::size_t i = begin; i < begin + count; ++i) require_nodes(displacements[i], node_count());
+    if (count == 1) {
+      result.push_back(apply(displacements[begin]));
+    } else {
+      for (Eigen::Matrix3Xd& forces : state_->sums_of_boxes<3>(
+               count, [&](const PatchOperator&kernel, std::int64_t first, const ElementBox&box,
+                          std::span<double*const> of_box, PatchOperatorScratch&scratch) {
+                 std::vector<const double*> of_patch;
+                 for (std::size_t i = begin; i < begin + count; ++i)
+                   of_patch.push_back(displacements[i].data() + 3 * first);
+                 kernel.add_forces(box, of_patch, of_box, scratch);
+               }))
+        result.push_back(std::move(forces));
+    }
+    begin += count;
+  }
+  return result;
 }
 
 std::vector<Eigen::Matrix3d> StiffnessOperator::diagonal_blocks() const {
-  const Eigen::Matrix<double, 6, Eigen::Dynamic> sums = state_->sum_of_boxes<6>(
-      [](const PatchOperator& kernel, std::int64_t, const ElementBox& box, double* own,
-         PatchOperatorScratch& scratch) { kernel.add_squares(box, own, scratch); });
+  const Eigen::Matrix<double, 6, Eigen::Dynamic> sums =
+      std::move(state_
+                    ->sums_of_boxes<6>(1,
+                                       [](const PatchOperator& kernel, std::int64_t, const ElementBox& box,
+                                          std::span<double* const> own, PatchOperatorScratch& scratch) {
+                                         kernel.add_squares(box, own.front(), scratch);
+                                       })
+                    .front());
   std::vector<Eigen::Matrix3d> blocks(static_cast<std::size_t>(node_count()));
   for (std::size_t p = 0; p + 1 < state_->first_node.size(); ++p) {
     const Material& material = state_->materials[p];

@@ -44,14 +44,16 @@ std::vector<DiscreteSolution> solve_eliminated(const CoupledProblem& coupled,
       return y;
     };
   } else {
-    system.product = [&](const Eigen::VectorXd& x) { return stiffness.apply(x); };
+    system.product = {[&](const Eigen::VectorXd& x) { return stiffness.apply(x); },
+                      [&](const Eigen::MatrixXd& x) { return stiffness.apply_each(x); }};
   }
   system.costs.assembly_seconds = watch.lap();
   const ElasticityMultigrid multigrid(*coupled.problem, level, coupled.frames, coupled.distribution,
                                       coupled.processes,
-                                      is_assembled ? system.product : solvers::LinearOperator(),
+                                      is_assembled ? system.product : solvers::VectorsOperator(),
                                       {options.multigrid, coupled.points}, progress);
-  system.preconditioner = [&](const Eigen::VectorXd& r) { return multigrid.apply(r); };
+  system.preconditioner = {[&](const Eigen::VectorXd& r) { return multigrid.apply(r); },
+                           [&](const Eigen::MatrixXd& r) { return multigrid.apply_each(r); }};
   system.costs.setup_seconds = watch.lap();
   system.costs.form = options.form;
   system.costs.levels = multigrid.levels();

@@ -39,6 +39,14 @@ std::string about(double value) {
   return value < 100 ? fmt::format("{:.2g}", value) : fmt::format("{:.0f}", value);
 }
 
+/// "4,200 unknowns", or "1.4 million unknowns" from 100,000 on.
+std::string about_unknowns(double count) {
+  if (!(count >= 100)) return "not even 100 unknowns";
+  if (count >= 1e5) return fmt::format("about {} million unknowns", about(1e-6 * count));
+  const double digit = std::pow(10, std::floor(std::log10(count)) - 1);
+  return fmt::format("about {:.0f} unknowns", digit * std::floor(count / digit));
+}
+
 void check_coupling(Method method, const SizeForecast& size) {
   const bool tied = size.has_multipliers();
   if (method == Method::cholmod && size.has_mortar)
@@ -234,12 +242,12 @@ std::string advice(const SizeForecast& size, const solvers::SolverOptions& optio
                is_iterative(plan) ? 1.0 : 0.75);
   throw Error(
       ErrorCode::out_of_memory,
-      fmt::format("{} unknowns with {} would take about {}, and {} are available; about {} "
-                  "million unknowns would fit: {}, or raise [solver] memory_limit if you know better",
+      fmt::format("{} unknowns with {} would take about {}, and {} are available; {} "
+                  "would fit: {}, or raise [solver] memory_limit if you know better",
                   size.unknowns < 1'000'000 ? fmt::format("{}", size.unknowns)
                                             : about(1e-6 * static_cast<double>(size.unknowns)) + " million",
                   described(plan), gigabytes(needed), gigabytes(std::max(0.0, available)),
-                  about(1e-6 * fitting), advice(size, options, plan)));
+                  about_unknowns(fitting), advice(size, options, plan)));
 }
 
 std::vector<SolverPlan> plans_that_fit(const SizeForecast& size, const solvers::SolverOptions& options,

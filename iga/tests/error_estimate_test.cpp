@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/base/tests/expect_error.hpp"
+#include "geometry/models/box.hpp"
 #include "geometry/models/bracket.hpp"
 #include "geometry/models/cylinder.hpp"
 #include "iga/estimate/raised_problem.hpp"
@@ -51,6 +52,29 @@ TEST(ErrorEstimate, IsTheEnergyThatOneDegreeMoreAdds) {
   }
 }
 
+// The second step adds little here, and the third a lot.
+TEST(ErrorEstimate, GoesOnWhereInterfacesDoNotMatch) {
+  const geometry::MultiPatch model =
+      geometry::connect(geometry::box_model({.size = {2, 1, 1}, .patches = {2, 1, 1}}));
+  ElasticityProblem p = problem(model,
+                                {.degree = {2, 2, 2},
+                                 .refine = 1,
+                                 .patches = {{.patches = {1}, .elements_per_direction = {3, 3, 3}}},
+                                 .spread = false},
+                                testing::steel);
+  ASSERT_EQ(p.discretization.model.non_matching().size(), 1u);
+  for (const char* plane : {"x_min", "y_min", "z_min"})
+    p.supports.push_back({plane, boundary(model, plane), PlaneSupport{}});
+  p.surface_loads = {constant_traction("pull", boundary(model, "x_max"), {10e6, 4e6, 0})};
+  p.volume_loads = {{"weight", {PatchId(0), PatchId(1)}, [](const Eigen::Vector3d&) {
+                       return Eigen::Vector3d(3e6, 10e6, -5e6);
+                     }}};
+  const ElasticitySolution solution = solve_elasticity(p);
+  const double gain =
+      solve_elasticity(with_degree_raised(p)).results.external_work - solution.results.external_work;
+  EXPECT_GT(estimate_error(p, solution.field).energy, (1 - unfinished) * gain);
+}
+
 TEST(ErrorEstimate, IsTheSumOverElementsOfAllPatches) {
   const ElasticityProblem given = bent_box(2, 0);
   const ErrorEstimate estimate = estimate_error(given, solve_elasticity(given).field);
@@ -95,7 +119,25 @@ TEST(ErrorEstimate, OfCasesIsThatOfTheirOwnProblems) {
     };
   sum.point_loads[0].force *= -1;
   const double alone = estimate_error(sum, solve_elasticity(sum).field).energy;
-  EXPECT_NEAR(estimator.estimate(2 * loads[0] - loads[1], solutions[2].field).energy, alone, 1e-7 * alone);
+  loads.push_back(2 * loads[0] - loads[1]);
+  EXPECT_NEAR(estimator.estimate(loads[2], solutions[2].field).energy, alone, 1e-7 * alone);
+  // All at once, each with its own number of iterations and its own places.
+  const std::vector<PatchPlace> place = {{0, geometry::Parameter<3>(0.3, 0.4, 0.5)}};
+  const std::vector<ErrorEstimate> together = estimator.estimates({{loads[0], solutions[0].field, place},
+                                                                   {loads[1], solutions[1].field},
+                                                                   {loads[2], solutions[2].field}});
+  ASSERT_EQ(together.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const ErrorEstimate one = estimator.estimate(loads[i], solutions[i].field, place);
+    EXPECT_NEAR(together[i].energy, one.energy, 1e-12 * one.energy);
+    EXPECT_EQ(together[i].iterations, one.iterations);
+    if (i == 0) {
+      EXPECT_GT(one.stress_at.at(0).norm(), 0);
+      EXPECT_LT((together[i].stress_at.at(0) - one.stress_at[0]).norm(), 1e-9 * one.stress_at[0].norm());
+    } else {
+      EXPECT_TRUE(together[i].stress_at.empty());
+    }
+  }
 }
 
 // Loads and supports of a linear field, with a curved model and weights.

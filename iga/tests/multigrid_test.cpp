@@ -289,7 +289,8 @@ TEST(ChooseSolver, RefusesWhatCannotFitBeforeAssembly) {
       FAIL() << "nothing was refused";
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::out_of_memory);
-      EXPECT_THAT(error.what(), HasSubstr("million unknowns would fit"));
+      EXPECT_THAT(error.what(), HasSubstr(" unknowns would fit"));
+      EXPECT_THAT(error.what(), ::testing::Not(HasSubstr("about 0")));
     }
   }
 }

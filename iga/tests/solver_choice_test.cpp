@@ -135,7 +135,7 @@ TEST(SolverPlans, FitAllOfThemOrSayWhatWouldFit) {
         if (!is_possible(options, coupling)) return;
         const std::string message = refusal(size, options, available);
         if (message != "nothing was refused") {
-          EXPECT_THAT(message, AllOf(HasSubstr("out_of_memory"), HasSubstr("million unknowns would fit")));
+          EXPECT_THAT(message, AllOf(HasSubstr("out_of_memory"), HasSubstr(" unknowns would fit")));
           return;
         }
         for (const SolverPlan& plan : solver_plans(size, options, available))

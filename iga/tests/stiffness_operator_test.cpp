@@ -51,6 +51,17 @@ double difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   return (a - b).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() / b.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
 }
 
+// Products of several displacements at once, more than one pass takes, against each alone.
+void expect_several_as_one(const StiffnessOperator& stiffness) {
+  std::vector<Eigen::Matrix3Xd> u;
+  for (unsigned i = 0; i < 7; ++i) u.push_back(random_field(stiffness.node_count(), 20 + i));
+  for (const std::size_t count : {1, 2, 7}) {
+    const std::vector<Eigen::Matrix3Xd> forces = stiffness.apply(std::vector(u.begin(), u.begin() + count));
+    ASSERT_EQ(forces.size(), count);
+    for (std::size_t i = 0; i < count; ++i) EXPECT_LT(difference(forces[i], stiffness.apply(u[i])), same);
+  }
+}
+
 // The operator against the matrix: a product, and the diagonal blocks.
 void expect_the_assembled_matrix(const std::vector<PatchSpace>& spaces, const std::vector<PatchLayers>& parts,
                                  int points = 0) {
@@ -66,6 +77,7 @@ void expect_the_assembled_matrix(const std::vector<PatchSpace>& spaces, const st
       solvers::multiply(matrix, Eigen::Map<const Eigen::VectorXd>(u.data(), u.size()));
   EXPECT_LT(difference(stiffness.apply(u), Eigen::Map<const Eigen::Matrix3Xd>(expected.data(), 3, nodes)),
             same);
+  expect_several_as_one(stiffness);
 
   const std::vector<Eigen::Matrix3d> blocks = stiffness.diagonal_blocks();
   ASSERT_EQ(blocks.size(), static_cast<std::size_t>(nodes));
@@ -213,6 +225,7 @@ TEST(StiffnessOperator, EqualsThePlainProductWhereFunctionsAreCoarserThanTheGeom
       EXPECT_LT(difference(stiffness.apply(u),
                            Eigen::Map<const Eigen::Matrix3Xd>(expected.data(), 3, space.size())),
                 same);
+      expect_several_as_one(stiffness);
       const std::vector<Eigen::Matrix3d> blocks = stiffness.diagonal_blocks();
       for (int a = 0; a < space.size(); ++a)
         EXPECT_LT((blocks[static_cast<std::size_t>(a)] - plain.block<3, 3>(3 * a, 3 * a))
@@ -302,10 +315,13 @@ TEST(StiffnessOperator, GivesTheSameBitsForAnyNumberOfThreads) {
   const int usual = omp_get_max_threads();
   omp_set_num_threads(1);
   const Eigen::Matrix3Xd one = stiffness.apply(u);
+  const std::vector<Eigen::Matrix3Xd> fields = {u, 2 * u, one};
+  const std::vector<Eigen::Matrix3Xd> several = stiffness.apply(fields);
   const std::vector<Eigen::Matrix3d> blocks = stiffness.diagonal_blocks();
   for (const int threads : {2, 5}) {
     omp_set_num_threads(threads);
     for (int repeat = 0; repeat < 10; ++repeat) EXPECT_EQ(stiffness.apply(u), one) << threads;
+    EXPECT_EQ(stiffness.apply(fields), several) << threads;
     EXPECT_EQ(stiffness.diagonal_blocks(), blocks) << threads;
   }
   omp_set_num_threads(usual);

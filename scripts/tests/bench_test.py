@@ -13,7 +13,7 @@ SCRIPTS = pathlib.Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(SCRIPTS))
 sys.dont_write_bytecode = True
 
-from measuring import finite_elements, growth, kernels, machine, peers, records, runs, tables  # noqa: E402
+from measuring import finite_elements, growth, kernels, load_cases, machine, peers, records, runs, tables  # noqa: E402
 
 
 def benchmark(name, cpu_ms, real_ms, **counters):
@@ -39,6 +39,25 @@ def of_patch(kernel, threads, cpu_ms, real_ms, p=3, nbytes=0.08e9):
 def figures(*benchmarks):
     entries = kernels.fastest({"benchmarks": limits_of_two() + list(benchmarks)})
     return {(e["kernel"], e["threads"]): e for e in kernels.figures(entries)}
+
+
+class LoadCases(unittest.TestCase):
+    def test_cases_stand_in_place_of_the_loads(self):
+        text = load_cases.study_text((SCRIPTS.parent / "examples" / "link" / "study.toml").read_text(encoding="utf-8"), 10)
+        self.assertEqual(text.count("[[load]]"), 10)
+        self.assertEqual(len(set(re.findall(r'case = "(.*)"', text))), 10)
+        self.assertNotIn("10 kN", text)
+        self.assertIn("[[probe]]", text)
+
+    def test_the_ratio_is_that_of_the_whole_runs(self):
+        def of(seconds):
+            return {"wall_seconds": seconds, "phases": {}, "dofs": 1000}
+        entries = [{"method": "cg", "files": True, "failure": "", "1": of(2.0), "10": of(5.0)},
+                   {"method": "cholmod", "files": False, "failure": "not done after 1 s"}]
+        self.assertEqual(load_cases.ratio(entries[0]), 2.5)
+        said = "\n".join(load_cases.report(entries))
+        self.assertRegex(said, r"cg, all files +\| +2 +\| +5 +\| +2.5 ")
+        self.assertIn("not done after 1 s", said)
 
 
 class Kernels(unittest.TestCase):

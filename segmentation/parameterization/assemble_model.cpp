@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -92,12 +93,19 @@ std::vector<FaceWithBox> candidates(const BlockMaps& maps, double margin) {
 }  // namespace
 
 void validate(const AssemblyOptions& options) {
-  if (!(options.same_point > 0 && options.same_point < 0.05))
+  if (!(options.same_point >= 0 && options.same_point < 0.05))
     throw Error(ErrorCode::invalid_argument,
-                fmt::format("same_point is {}; its range is (0, 0.05)", options.same_point));
+                fmt::format("same_point is {}; its range is (0, 0.05), or 0 for one that suits the model",
+                            options.same_point));
 }
 
 namespace {
+
+// Shares of the size: how near points of blocks of any origin have to be, those of exact solids, and how well
+// these agree.
+constexpr double usual_reach = 1e-3;
+constexpr double exact_reach = 1e-5;
+constexpr double exact_agreement = 1e-6;
 
 /// Blocks with the maps of their sides, while it is found how they meet.
 class Assembly {
@@ -106,7 +114,8 @@ class Assembly {
       : model_(loose_blocks(std::move(solids))),
         blocks_(hexahedra(model_)),
         size_(size_of(blocks_)),
-        reach_(options.same_point * size_),
+        reach_((options.same_point > 0 ? options.same_point : usual_reach) * size_),
+        is_reach_given_(options.same_point > 0),
         maps_(face_maps(blocks_)) {}
 
   void add(const std::vector<ListedPair>& pairs) {
@@ -131,10 +140,13 @@ class Assembly {
       const int group = groups[static_cast<std::size_t>(a.block.value)];
       return a.block == b.block || (group >= 0 && group == groups[static_cast<std::size_t>(b.block.value)]);
     };
+    std::vector<std::pair<BlockSide, BlockSide>> near;
     for (std::size_t i = 0; i < all.size(); ++i)
       for (std::size_t j = i + 1; j < all.size(); ++j)
         if (!is_known(all[i].side, all[j].side) && all[i].box.intersects(all[j].box))
-          compare(all[i].side, all[j].side);
+          near.emplace_back(all[i].side, all[j].side);
+    if (!is_reach_given_) reach_ = suitable_reach(near);
+    for (const auto& [first, second] : near) compare(first, second);
   }
 
   HexModel put_together() {
@@ -169,20 +181,44 @@ class Assembly {
     contacts_.sides.push_back({first, second, found.orientation, found.distance});
   }
 
-  void compare(BlockSide first, BlockSide second) {
+  // How far two sides are apart where they meet within the reach; nothing where they do not.
+  std::optional<double> distance_where_they_meet(BlockSide first, BlockSide second) const {
+    const FaceContact found = contact(map_of(maps_, first), map_of(maps_, second));
+    if (found.distance <= reach_) return found.distance;
+    const std::optional<SideInSide> part = part_of(first, second);
+    return part ? std::optional(part->outline.distance) : std::nullopt;
+  }
+
+  double suitable_reach(const std::vector<std::pair<BlockSide, BlockSide>>& near) const {
+    std::size_t meeting = 0, exact = 0;
+    for (const auto& [first, second] : near) {
+      const std::optional<double> distance = distance_where_they_meet(first, second);
+      if (distance) ++meeting;
+      if (distance && *distance <= exact_agreement * size_) ++exact;
+    }
+    return (2 * exact > meeting ? exact_reach : usual_reach) * size_;
+  }
+
+  // Whichever of the two is the part.
+  std::optional<SideInSide> part_of(BlockSide first, BlockSide second) const {
     const FaceMap &one = map_of(maps_, first), &two = map_of(maps_, second);
-    const FaceContact found = contact(one, two);
+    if (const auto outline = lies_in(one, two, reach_)) return SideInSide{first, second, *outline};
+    if (const auto outline = lies_in(two, one, reach_)) return SideInSide{second, first, *outline};
+    return std::nullopt;
+  }
+
+  void compare(BlockSide first, BlockSide second) {
+    const FaceContact found = contact(map_of(maps_, first), map_of(maps_, second));
     if (found.distance <= reach_)
       join(first, second, found);
-    else if (auto part = lies_in(one, two, reach_))
-      parts_.push_back({first, second, std::move(*part)});
-    else if (auto other_part = lies_in(two, one, reach_))
-      parts_.push_back({second, first, std::move(*other_part)});
+    else if (auto part = part_of(first, second))
+      parts_.push_back(std::move(*part));
   }
 
   HexModel model_;
   std::vector<Hexahedron> blocks_;
   double size_, reach_;
+  bool is_reach_given_;
   BlockMaps maps_;
   geometry::HexContacts contacts_;
   std::vector<SideInSide> parts_;

@@ -110,15 +110,16 @@ std::vector<geometry::SplitEdge> split_edges(const Splits& splits) {
 }  // namespace
 
 std::optional<OutlineInSide> lies_in(const FaceMap& part, const FaceMap& whole, double reach) {
+  OutlineInSide result;
   const auto foot_of = [&](double s, double t) -> std::optional<FramePoint> {
     const FaceFoot found = foot(whole, part.point(s, t), reach);
     if (!(found.distance <= reach)) return std::nullopt;
+    result.distance = std::max(result.distance, found.distance);
     return FramePoint{snapped(found.at[0]), snapped(found.at[1])};
   };
   for (const double s : {0.5, 0.3, 0.7})
     for (const double t : {0.5, 0.2, 0.8})
       if (!foot_of(s, t)) return std::nullopt;
-  OutlineInSide result;
   constexpr int pieces = 4;
   for (int side = 0; side < 4; ++side)
     for (int i = 0; i < pieces; ++i) {

@@ -92,6 +92,29 @@ TEST(Multigrid, IsSymmetricAndPositiveDefinite) {
   EXPECT_GT(symmetric_eigenvalues(m).minCoeff<Eigen::PropagateNaN>(), 0);
 }
 
+// Columns that go through the cycle together, on levels with and without products of several vectors.
+TEST(Multigrid, TakesSeveralResidualsAtOnce) {
+  const Multigrid multigrid = two_grids(10);
+  const Eigen::MatrixXd residuals = Eigen::MatrixXd::NullaryExpr(
+      63, 4, [](Eigen::Index i, Eigen::Index j) { return std::sin(static_cast<double>(3 * i + 7 * j)); });
+  const Eigen::MatrixXd found = multigrid.apply_each(residuals);
+  for (Eigen::Index j = 0; j < residuals.cols(); ++j)
+    EXPECT_LT((found.col(j) - multigrid.apply(residuals.col(j))).norm(), 1e-14 * found.col(j).norm());
+}
+
+TEST(VectorsOperator, UsesWhatItKnowsOfSeveralVectors) {
+  const VectorsOperator twice = {[](const Eigen::VectorXd& x) { return Eigen::VectorXd(2 * x); },
+                                 [](const Eigen::MatrixXd& x) { return Eigen::MatrixXd(2.5 * x); }};
+  EXPECT_EQ(twice.of_each(Eigen::MatrixXd::Ones(3, 2)), Eigen::MatrixXd::Constant(3, 2, 2.5));
+  EXPECT_EQ(twice.of_each(Eigen::MatrixXd::Ones(3, 1)), Eigen::MatrixXd::Constant(3, 1, 2));
+  const VectorsOperator alone = [](const Eigen::VectorXd& x) { return Eigen::VectorXd(2 * x); };
+  EXPECT_EQ(alone.of_each(Eigen::MatrixXd::Ones(3, 2)), Eigen::MatrixXd::Constant(3, 2, 2));
+  const VectorsOperator first = [](const Eigen::VectorXd& x) { return Eigen::VectorXd(x.head(1)); };
+  EXPECT_EQ(first.of_each(Eigen::MatrixXd::Ones(3, 2)), Eigen::MatrixXd::Ones(1, 2));
+  EXPECT_TRUE(alone);
+  EXPECT_FALSE(VectorsOperator());
+}
+
 TEST(Multigrid, KeepsIterationsBoundedAsTheChainGrows) {
   std::vector<int> iterations;
   for (const int coarse : {10, 40, 160}) {

@@ -172,6 +172,11 @@ def ring_summary(markers):
                     "reactions": [{"support": "foot", "force": [1e-12, 200, -50], "moment": [0, 0, 0]}]},
         "probes": [{"name": "tip", "patch": 1, "parameter": tip["parameter"], "point": tip["point"],
                     "displacement": tip["displacement"], "stress": [0] * 6, "von_mises": tip["von_mises"]}],
+        "levels": [{"refine": i, "dofs": 1980 * 3**i, "internal_energy": 0.0123456, "max_displacement": 2.75e-4,
+                    "max_von_mises": 1.234567e8, "energy_norm_error": None if i == 0 else 0.0345 / 2**i, "seconds": 1.5}
+                   for i in range(4)],
+        "accuracy": {"energy": 0.01, "stress": None, "probe": "", "reached": True, "missing": "",
+                     "text": "1 % in the energy norm asked: reached, as estimated"},
         "warnings": ["patch 1: the sign of its Jacobian could not be certified", "a warning without a place"],
         "timings": {"model": 0.0157, "coupling and loads": 0.0132, "assembly": 0.8018, "solve": 0.3494,
                     "results": 0.0011, "output": 0.0329, "total": 1.2141},

@@ -278,6 +278,17 @@ class Report(Pages):
                          "(0, 200, -50) N", "cg with 3 multigrid levels, matrix-free", "0.80 s", 'faces = ["0:west"]'):
             self.assertIn(expected, text)
 
+    def test_levels_are_seen_whole(self):
+        for width, height, is_phone in ((1280, 800, False), (390, 844, True)):
+            self.browser.resize(width, height, is_phone)
+            seen, wanted, last = self.browser.run("""
+                const table = document.querySelector("#levels .table");
+                const cells = table.querySelectorAll("thead th");
+                return [table.clientWidth, table.scrollWidth, cells[2].textContent];""")
+            self.assertLessEqual(wanted, seen, width)
+            self.assertEqual(last, "error")
+        self.browser.resize(1280, 800)
+
     def test_numbers_are_printed_as_by_printf(self):
         generator = random.Random(7)
         values = [0.0, 1.0, 0.5, -1234.5, 1235.5, 999.95, 9999.5, 0.00012345, 99999.0, 1e22, 5e-324, 0.1, 123456.5]

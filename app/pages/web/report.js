@@ -73,9 +73,9 @@ globalThis.isopatch = globalThis.isopatch || {};
     const model = [...modelRows(summary.model, summary.mass, scene), ...spaceRows(summary.discretization, summary.coupling)];
     const materials = (summary.materials || []).map((m) => [m.name, isopatch.withUnit(m.young, "Pa"), isopatch.general(m.poisson, 4),
                                                             m.density > 0 ? isopatch.general(m.density, 4) + " kg/m^3" : "not given", counts(m.patches.length)]);
-    const levels = (summary.levels || []).map((level) => [counts(level.refine), counts(level.dofs), isopatch.withUnit(level.max_displacement, "m"),
-      isopatch.withUnit(level.max_von_mises, "Pa"), isopatch.withUnit(level.internal_energy, "J"),
-      Number.isFinite(level.energy_norm_error) ? isopatch.general(100 * level.energy_norm_error, 2) + " %" : "not estimated"]);
+    const levels = (summary.levels || []).map((level) => [counts(level.refine), counts(level.dofs),
+      Number.isFinite(level.energy_norm_error) ? isopatch.general(100 * level.energy_norm_error, 2) + " %" : "not estimated",
+      isopatch.withUnit(level.internal_energy, "J"), isopatch.withUnit(level.max_displacement, "m"), isopatch.withUnit(level.max_von_mises, "Pa")]);
     const convergence = summary.convergence || {};
     if (summary.accuracy) results.push(["accuracy", summary.accuracy.text]);
     else if (levels.length) results.push(["limit of the energy", Number.isFinite(convergence.extrapolated_energy)
@@ -83,10 +83,11 @@ globalThis.isopatch = globalThis.isopatch || {};
     if (convergence.max_von_mises_grows) results.push(["largest von Mises stress", "grows with refinement: at a sharp corner or edge it has no limit"]);
     if (results.length + model.length === 0) return null;
     const part = (title, head, rows, id) => (rows.length === 0 ? null : element(
-      "figure", {id}, element("figcaption", {}, title), isopatch.table(head, rows)));
+      "figure", {id, class: id === "levels" ? "wide" : undefined}, element("figcaption", {}, title), isopatch.table(head, rows)));
     return isopatch.section("Figures", element("div", {class: "figures"},
       part("Results", null, results, "results"), part("Model", null, model),
-      part("Levels", [summary.accuracy ? "step" : "refine", "unknowns", "largest displacement", "largest von Mises stress", "energy", "error in the energy norm"], levels),
+      part("Levels: error in the energy norm, largest displacement and von Mises stress",
+        [summary.accuracy ? "step" : "refine", "unknowns", "error", "energy", "displacement", "von Mises"], levels, "levels"),
       part("Materials", ["material", "Young's modulus", "Poisson's ratio", "density", "patches"], materials)));
   }
 

@@ -17,6 +17,7 @@
 
 #include "geometry/base/atomic_writer.hpp"
 #include "geometry/base/error.hpp"
+#include "geometry/base/gathering_folder.hpp"
 
 namespace isopatch {
 namespace {
@@ -169,6 +170,34 @@ TEST_F(AtomicFile, AnInterruptLeavesNoUnfinishedFile) {
     EXPECT_THAT(files(), testing::ElementsAre("result.json"));
     EXPECT_EQ(read_file(path_).size(), bytes.size());
   }
+}
+
+// What a child says that is interrupted while files gather in a folder.
+std::string said_when_interrupted(const fs::path& folder, const fs::path& said) {
+  const ::pid_t child = ::fork();
+  if (child == 0) {
+    if (std::freopen(said.c_str(), "w", stderr) == nullptr) ::_exit(1);
+    remove_unfinished_files_on_interrupt();
+    const GatheringFolder gathering(folder);
+    ::raise(SIGTERM);
+    ::_exit(2);
+  }
+  int status = -1;
+  ::waitpid(child, &status, 0);
+  EXPECT_EQ(WEXITSTATUS(status), 128 + SIGTERM);
+  return read_file(said);
+}
+
+TEST_F(AtomicFile, AnInterruptSaysWhatIsWholeAndLeavesNoEmptyFolder) {
+  const fs::path folder = directory_ / "unfinished", said = directory_ / "said.txt";
+  EXPECT_THAT(said_when_interrupted(folder, said), HasSubstr("nothing half-written"));
+  fs::create_directory(folder);
+  EXPECT_THAT(said_when_interrupted(folder, said), HasSubstr("nothing half-written"));
+  EXPECT_FALSE(fs::exists(folder));
+  fs::create_directory(folder);
+  write_file(folder / "results.h5", "whole");
+  EXPECT_THAT(said_when_interrupted(folder, said), HasSubstr("are in " + folder.string() + ";"));
+  EXPECT_EQ(read_file(folder / "results.h5"), "whole");
 }
 
 TEST_F(AtomicFile, ReadingAMissingFileNamesIt) {

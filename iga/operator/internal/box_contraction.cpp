@@ -48,8 +48,8 @@ ContractionStages field_stages(int fields, bool values) {
   return stages;
 }
 
-ContractionStages force_stages(bool values) {
-  ContractionStages stages = field_stages(3, values);
+ContractionStages force_stages(bool values, int fields) {
+  ContractionStages stages = field_stages(fields, values);
   for (std::vector<ContractionStep>* steps : {&stages.middle, &stages.last})
     for (ContractionStep& step : *steps) std::swap(step.from, step.to);
   return stages;

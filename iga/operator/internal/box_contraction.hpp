@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "iga/internal/lanes.hpp"
@@ -13,6 +14,13 @@ namespace isopatch::iga {
 struct ElementBox {
   std::array<int, 3> begin;
   std::array<int, 3> end;
+};
+
+/// The functions of a patch that live in a box, a grid of their own, direction 1 fastest.
+struct BoxFunctions {
+  std::array<int, 3> first;
+  std::array<int, 3> sizes;
+  std::ptrdiff_t count() const { return static_cast<std::ptrdiff_t>(sizes[0]) * sizes[1] * sizes[2]; }
 };
 
 /// One product of a stage: of each function (or point) the fields from .. from + count - 1, multiplied by the
@@ -40,8 +48,8 @@ struct ContractionStages {
 ContractionStages field_stages(int fields, bool values);
 
 /// The stages from forces at the points, which multiply D1, D3, D2 (and V) of the test functions, to three
-/// sums per function: the transpose of field_stages(3, values).
-ContractionStages force_stages(bool values);
+/// sums per function: the transpose of field_stages(fields, values), with three fields for each displacement.
+ContractionStages force_stages(bool values, int fields = 3);
 
 /// The stages from the points to the integrals of products of two derivatives of the same function, for
 /// diagonal blocks: kind (i, j), i <= j, in 1 .. 3 or, with values, 0 .. 3, has six vectors at a point, in

@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "iga/operator/internal/box_lines.hpp"
 #include "iga/spaces/internal/folded_patch.hpp"
 
 namespace isopatch::iga {
@@ -46,63 +47,21 @@ std::int64_t bytes_of(const LineTable& table) {
 template <Denominators D>
 using Constant = std::integral_constant<Denominators, D>;
 
-// The fields of a group at the points: their number, and whether values are among their vectors.
-struct FieldLayout {
-  BoxContraction& contraction;
-  int fields;
-  bool values;
+using MapsAtPoints = Lanes (*)(const PointLine&, PointMap*);
 
-  // From a field on.
-  LineFields from(int field) const {
-    const Lanes* const first = contraction.point(0) + field;
-    const int skipped = values ? fields : 0;
-    return {values ? first : nullptr,
-            {first + skipped, first + skipped + 2 * fields, first + skipped + fields},
-            skipped + 3 * fields};
+MapsAtPoints maps_function(Denominators denominators) {
+  switch (denominators) {
+    case Denominators::geometry:
+      return maps_at_points<Denominators::geometry>;
+    case Denominators::functions:
+      return maps_at_points<Denominators::functions>;
+    case Denominators::both:
+      return maps_at_points<Denominators::both>;
+    case Denominators::shared:
+      return maps_at_points<Denominators::shared>;
+    default:
+      return maps_at_points<Denominators::none>;
   }
-};
-
-// Fields are in the order displacement, places, weight, whichever there are.
-PointLine lines_of(const FieldLayout& own, const FieldLayout& geometry, bool displaced, bool together) {
-  PointLine line{};
-  if (displaced) line.displacement = own.from(0);
-  if (own.values) line.function_weight = own.from(own.fields - 1);
-  line.places = together ? own.from(displaced ? 3 : 0) : geometry.from(0);
-  if (together) line.geometry_weight = line.function_weight;
-  if (geometry.values) line.geometry_weight = geometry.from(geometry.fields - 1);
-  return line;
-}
-
-// Adds sum_kinds band * plane, summed over lanes, for C numbers per function.
-template <int C, int Kinds>
-void gather(const LaneBand& band, const Lanes* plane, const double* weights, double* target) {
-  for (int i = 0; i < band.functions; ++i) {
-    const Lanes* const at = &band.values[static_cast<std::size_t>(i * Kinds)];
-    double weight = 1;
-    if (weights) weight = Kinds == 3 ? weights[i] * weights[i] : weights[i];
-    for (int c = 0; c < C; ++c) {
-      Lanes total = at[0] * plane[c];
-      for (int kind = 1; kind < Kinds; ++kind) total += at[kind] * plane[kind * C + c];
-      target[C * i + c] += weight * sum(total);
-    }
-  }
-}
-
-// Into the numbers of the functions of a box.
-template <int C, int Kinds>
-void gather_all(const std::array<int, 2>& sizes, const BoxFunctions& box, const LaneBand& band,
-                const Eigen::VectorXd& weights, BoxContraction& contraction, double* target) {
-  double* const first = target + static_cast<std::ptrdiff_t>(C) * (band.first - box.first[0]);
-  const std::ptrdiff_t line = static_cast<std::ptrdiff_t>(C) * box.sizes[0];
-  for (int k = 0; k < contraction.planes(); ++k)
-    for (int r = 0; r < contraction.rows(); ++r) {
-      const std::ptrdiff_t node =
-          band.first + static_cast<std::ptrdiff_t>(sizes[0]) *
-                           (contraction.first_row() + r +
-                            static_cast<std::ptrdiff_t>(sizes[1]) * (contraction.first_plane() + k));
-      gather<C, Kinds>(band, contraction.plane(r, k), weights.size() > 0 ? weights.data() + node : nullptr,
-                       first + line * (r + static_cast<std::ptrdiff_t>(box.sizes[1]) * k));
-    }
 }
 
 }  // namespace
@@ -220,11 +179,11 @@ void PatchOperator::spread_fields(const Group& group, const Fields& fields, cons
       double* to = coefficients.data();
       for (int i = 0; i < band.functions; ++i) {
         const double weight = fields.weights ? (*fields.weights)[node + i] : 1;
-        if (fields.displacement)
-          for (int c = 0; c < 3; ++c) *to++ = weight * fields.displacement[3 * (node + i) + c];
+        for (const double* const displacement : fields.displacements)
+          for (int c = 0; c < 3; ++c) *to++ = weight * displacement[3 * (node + i) + c];
         if (fields.places)
           for (int c = 0; c < 3; ++c) *to++ = weight * fields.places->control_points()(c, node + i);
-        if (fields.weights) *to++ = weight;
+        if (fields.has_weights) *to++ = weight;
       }
       Lanes sums[2 * F] = {};
       for (int i = 0; i < band.functions; ++i) {
@@ -253,20 +212,36 @@ void PatchOperator::spread(const Group& group, const Fields& fields, const LaneB
       return spread_fields<6>(group, fields, band, contraction);
     case 7:
       return spread_fields<7>(group, fields, band, contraction);
+    case 9:
+      return spread_fields<9>(group, fields, band, contraction);
+    case 12:
+      return spread_fields<12>(group, fields, band, contraction);
+    case 15:
+      return spread_fields<15>(group, fields, band, contraction);
     default:
       return;
   }
+}
+
+PatchOperator::Fields PatchOperator::fields_of_map_in_functions() const {
+  return {
+      {}, is_isoparametric_ ? space_->geometry : nullptr, space_->is_rational() ? &space_->weights : nullptr};
+}
+
+PatchOperator::Fields PatchOperator::fields_of_map_in_geometry() const {
+  const geometry::NurbsVolume* const volume = space_->geometry;
+  return {{},
+          is_isoparametric_ ? nullptr : volume,
+          !is_isoparametric_ && volume->is_rational() ? &volume->weights() : nullptr};
 }
 
 template <class Collect>
 void PatchOperator::integrate(const ElementBox& box, const double* displacement, const Group& result_group,
                               const ContractionStages& result_stages, const Evaluate& evaluate,
                               PatchOperatorScratch& scratch, Collect collect) const {
-  const geometry::NurbsVolume* const volume = space_->geometry;
-  const Fields with_functions{displacement, is_isoparametric_ ? volume : nullptr,
-                              space_->is_rational() ? &space_->weights : nullptr};
-  const Fields with_geometry{nullptr, is_isoparametric_ ? nullptr : volume,
-                             !is_isoparametric_ && volume->is_rational() ? &volume->weights() : nullptr};
+  Fields with_functions = fields_of_map_in_functions();
+  if (displacement) with_functions.displacements = {&displacement, 1};
+  const Fields with_geometry = fields_of_map_in_geometry();
   const int own_fields = with_functions.count(), geometry_fields = with_geometry.count();
   const bool own_values = with_functions.weights, geometry_values = with_geometry.weights;
   const ContractionStages own_stages = field_stages(own_fields, own_values);
@@ -342,6 +317,125 @@ void PatchOperator::add_forces(const ElementBox& box, const double* displacement
   integrate(box, displacement, functions_, stages, evaluate, scratch, [&](const LaneBand& band) {
     gather_all<3, 2>(functions_.sizes, functions, band, space_->weights, scratch.results, forces);
   });
+}
+
+// The forces of several displacements on one box: the map of the geometry at the points of a line, then each
+// displacement's own sum factorization with it.
+class PatchOperator::SeveralForces {
+ public:
+  SeveralForces(const PatchOperator& of, const ElementBox& box, std::span<const double* const> displacements,
+                PatchOperatorScratch& scratch)
+      : of_(of),
+        box_(box),
+        displacements_(displacements),
+        scratch_(scratch),
+        in_functions_(of.fields_of_map_in_functions()),
+        in_geometry_(of.fields_of_map_in_geometry()),
+        rational_(of.space_->is_rational()),
+        fields_(3 * static_cast<int>(displacements.size())),
+        functions_stages_(field_stages(in_functions_.count(), in_functions_.has_weights)),
+        geometry_stages_(field_stages(in_geometry_.count(), in_geometry_.has_weights)),
+        displacement_stages_(field_stages(fields_, rational_)),
+        force_stages_(force_stages(rational_, fields_)),
+        points_{static_cast<int>(of.elements_[1].elements.front().nodes.size()),
+                static_cast<int>(of.elements_[2].elements.front().nodes.size())},
+        maps_at_(maps_function(of.denominators_)),
+        forces_at_(rational_ ? forces_with_maps<true> : forces_with_maps<false>) {
+    start();
+  }
+
+  void add(std::span<double* const> forces) {
+    const BoxFunctions functions = of_.functions_of(box_);
+    for (int b = box_.begin[0]; b < box_.end[0]; ++b) {
+      const auto number = static_cast<std::size_t>(b);
+      start_band(number);
+      Lanes smallest = Lanes{} + std::numeric_limits<double>::max();
+      for (int e3 = box_.begin[2]; e3 < box_.end[2]; ++e3) {
+        const Lanes determinants = add_layer(e3);
+        smallest = determinants < smallest ? determinants : smallest;
+      }
+      for (int lane = 0; lane < lane_count; ++lane)
+        if (!(smallest[lane] > 0)) of_.refuse_folded(box_);
+      for (std::size_t i = 0; i < forces.size(); ++i)
+        gather_all<3, 2>(of_.functions_.sizes, functions, of_.functions_.bands[number], of_.space_->weights,
+                         scratch_.results, forces[i], fields_, 3 * static_cast<int>(i));
+    }
+  }
+
+ private:
+  void start() {
+    const auto start = [&](BoxContraction& contraction, const Group& group, const ContractionStages& stages) {
+      contraction.start(group.tables[1], group.tables[2], stages, box_);
+    };
+    if (in_functions_.count() > 0) start(scratch_.functions, of_.functions_, functions_stages_);
+    if (in_geometry_.count() > 0) start(scratch_.geometry, of_.geometry_, geometry_stages_);
+    start(scratch_.displacements, of_.functions_, displacement_stages_);
+    start(scratch_.results, of_.functions_, force_stages_);
+    scratch_.maps.resize(static_cast<std::size_t>(points_[0]));
+    line_ = lines_of({scratch_.functions, in_functions_.count(), in_functions_.has_weights},
+                     {scratch_.geometry, in_geometry_.count(), in_geometry_.has_weights}, false,
+                     of_.is_isoparametric_);
+    line_.displacement = FieldLayout{scratch_.displacements, fields_, rational_}.from(0);
+    line_.points = points_[0];
+  }
+
+  void start_band(std::size_t number) {
+    const LaneBand& band = of_.functions_.bands[number];
+    line_.weights1 = &of_.lane_weights_[number];
+    if (in_functions_.count() > 0) spread(of_.functions_, in_functions_, band, scratch_.functions);
+    if (in_geometry_.count() > 0)
+      spread(of_.geometry_, in_geometry_, of_.geometry_.bands[number], scratch_.geometry);
+    spread(of_.functions_, {displacements_, nullptr, in_functions_.weights, false}, band,
+           scratch_.displacements);
+    scratch_.results.clear_planes();
+  }
+
+  // @return  smallest determinant of each lane
+  Lanes add_layer(int e3) {
+    if (in_functions_.count() > 0) scratch_.functions.expand_layer(e3);
+    if (in_geometry_.count() > 0) scratch_.geometry.expand_layer(e3);
+    scratch_.displacements.expand_layer(e3);
+    scratch_.results.clear_rows();
+    Lanes smallest = Lanes{} + std::numeric_limits<double>::max();
+    for (int q3 = 0; q3 < points_[1]; ++q3)
+      for (int e2 = box_.begin[1]; e2 < box_.end[1]; ++e2) {
+        const Lanes determinants = add_line(e2, e3, q3);
+        smallest = determinants < smallest ? determinants : smallest;
+      }
+    scratch_.results.collect_layer(e3);
+    return smallest;
+  }
+
+  Lanes add_line(int e2, int e3, int q3) {
+    line_.weight3 = of_.quadrature_[2][static_cast<std::size_t>(e3 * points_[1] + q3)];
+    line_.weights2 = &of_.quadrature_[1][static_cast<std::size_t>(e2 * points_[0])];
+    if (in_functions_.count() > 0) scratch_.functions.expand_points(e2, q3);
+    if (in_geometry_.count() > 0) scratch_.geometry.expand_points(e2, q3);
+    const Lanes determinants = maps_at_(line_, scratch_.maps.data());
+    scratch_.displacements.expand_points(e2, q3);
+    forces_at_(line_.displacement, static_cast<int>(displacements_.size()), scratch_.maps.data(), points_[0],
+               of_.material_, scratch_.results.point(0));
+    scratch_.results.collect_points(e2, q3);
+    return determinants;
+  }
+
+  const PatchOperator& of_;
+  const ElementBox& box_;
+  std::span<const double* const> displacements_;
+  PatchOperatorScratch& scratch_;
+  Fields in_functions_, in_geometry_;  // of the map
+  bool rational_;
+  int fields_;  // of all displacements
+  ContractionStages functions_stages_, geometry_stages_, displacement_stages_, force_stages_;
+  std::array<int, 2> points_;  // of an element, in directions 2 and 3
+  MapsAtPoints maps_at_;
+  void (*forces_at_)(const LineFields&, int, const PointMap*, int, const Material&, Lanes*);
+  PointLine line_{};
+};
+
+void PatchOperator::add_forces(const ElementBox& box, std::span<const double* const> displacements,
+                               std::span<double* const> forces, PatchOperatorScratch& scratch) const {
+  SeveralForces(*this, box, displacements, scratch).add(forces);
 }
 
 void PatchOperator::add_squares(const ElementBox& box, double* sums, PatchOperatorScratch& scratch) const {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "iga/material/material.hpp"
@@ -17,13 +18,8 @@ namespace isopatch::iga {
 /// Scratch storage of one thread, used again from box to box.
 struct PatchOperatorScratch {
   BoxContraction functions, geometry, results;
-};
-
-/// The functions of a patch that live in a box, a grid of their own, direction 1 fastest.
-struct BoxFunctions {
-  std::array<int, 3> first;
-  std::array<int, 3> sizes;
-  std::ptrdiff_t count() const { return static_cast<std::ptrdiff_t>(sizes[0]) * sizes[1] * sizes[2]; }
+  BoxContraction displacements;  // of several at once, apart from the geometry
+  std::vector<PointMap> maps;    // of a line
 };
 
 /// The stiffness of one patch as an operator, in boxes of elements.
@@ -43,6 +39,13 @@ class PatchOperator {
   /// @throws Error fold_over
   void add_forces(const ElementBox& box, const double* displacement, double* forces,
                   PatchOperatorScratch& scratch) const;
+  /// The same of several displacements, for which the map of the geometry is computed once.
+  /// More would leave the second-level cache, and the map is shared well enough.
+  static constexpr std::size_t most_together = 5;
+  /// @param displacements, forces  of each as above; `most_together` at most
+  /// @cost  of each about three quarters of what it takes alone
+  void add_forces(const ElementBox& box, std::span<const double* const> displacements,
+                  std::span<double* const> forces, PatchOperatorScratch& scratch) const;
   /// Adds the integrals of grad N grad N^T over a box, six numbers per function of the box: entries 00, 11,
   /// 22, 01, 02, 12.
   /// @throws Error fold_over
@@ -59,11 +62,15 @@ class PatchOperator {
   };
   // What is expanded with the functions of a group.
   struct Fields {
-    const double* displacement = nullptr;
+    std::span<const double* const> displacements = {};
     const geometry::NurbsVolume* places = nullptr;
-    const Eigen::VectorXd* weights = nullptr;  // to multiply the others, and a field themselves
-    int count() const { return (displacement ? 3 : 0) + (places ? 3 : 0) + (weights ? 1 : 0); }
+    const Eigen::VectorXd* weights = nullptr;  // to multiply the others
+    bool has_weights = weights != nullptr;     // whether they are a field themselves
+    int count() const {
+      return 3 * static_cast<int>(displacements.size()) + (places ? 3 : 0) + (has_weights ? 1 : 0);
+    }
   };
+  class SeveralForces;
   using Evaluate = std::function<Lanes(const PointLine&, Lanes*)>;
 
   static Group group(const std::array<geometry::KnotVector, 3>& knots, std::array<LineTable, 3> tables);
@@ -76,6 +83,9 @@ class PatchOperator {
   void integrate(const ElementBox& box, const double* displacement, const Group& result_group,
                  const ContractionStages& result_stages, const Evaluate& evaluate,
                  PatchOperatorScratch& scratch, Collect collect) const;
+  // What is expanded for the map of the geometry alone: with the functions, and with the geometry's own.
+  Fields fields_of_map_in_functions() const;
+  Fields fields_of_map_in_geometry() const;
   [[noreturn]] void refuse_folded(const ElementBox& box) const;
 
   int patch_;

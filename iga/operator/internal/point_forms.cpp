@@ -78,54 +78,86 @@ inline __attribute__((always_inline)) void keep_smaller(Lanes& smallest, const L
 
 }  // namespace
 
+namespace {
+
+// The map, and D.
+template <Denominators denominators>
+inline __attribute__((always_inline)) Lanes map_of_forces(const PointLine& line, int q, PointMap& result) {
+  const PointWeights weights = weights_at<denominators>(line, q);
+  const Map map = map_at<denominators>(line, q, weights.inverse_geometry);
+  for (int d = 0; d < 3; ++d)
+    for (int c = 0; c < 3; ++c) result.cofactors[d][c] = map.cofactors[d][c];
+  result.scale = scale_at<denominators>(line, q, map.determinant, weights);
+  if constexpr (rational_functions(denominators))
+    for (int d = 0; d < 3; ++d)
+      result.ratio[d] =
+          line.function_weight.derivatives[d][q * line.function_weight.step] * weights.inverse_functions;
+  return map.determinant;
+}
+
+template <bool rational>
+inline __attribute__((always_inline)) void force_at(const LineFields& displacement, int q, int which,
+                                                    int count, const PointMap& map, const Material& material,
+                                                    Lanes* out) {
+  const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(q) * displacement.step + 3 * which;
+  Lanes h[3][3];  // [component][coordinate]: displacement gradient times D Wf / Wg
+  for (int c = 0; c < 3; ++c) {
+    Lanes g[3];
+    for (int d = 0; d < 3; ++d) g[d] = displacement.derivatives[d][first + c];
+    if constexpr (rational) {
+      const Lanes u = displacement.values[first + c];
+      for (int d = 0; d < 3; ++d) g[d] -= u * map.ratio[d];
+    }
+    for (int k = 0; k < 3; ++k)
+      h[c][k] = g[0] * map.cofactors[0][k] + g[1] * map.cofactors[1][k] + g[2] * map.cofactors[2][k];
+  }
+  const Lanes shear = material.mu * map.scale;
+  const Lanes pressure = (material.lambda * map.scale) * (h[0][0] + h[1][1] + h[2][2]);
+  Lanes stress[3][3];
+  for (int c = 0; c < 3; ++c) {
+    stress[c][c] = (shear + shear) * h[c][c] + pressure;
+    for (int k = 0; k < c; ++k) stress[c][k] = stress[k][c] = shear * (h[c][k] + h[k][c]);
+  }
+  constexpr int order[3] = {0, 2, 1};  // vectors of direction 1, 3, 2
+  const int fields = 3 * count, skipped = rational ? fields : 0;
+  Lanes* const to = out + static_cast<std::ptrdiff_t>(q) * (3 * fields + skipped) + 3 * which;
+  for (int c = 0; c < 3; ++c) {
+    Lanes value{};
+    for (int d = 0; d < 3; ++d) {
+      const Lanes t = stress[c][0] * map.cofactors[d][0] + stress[c][1] * map.cofactors[d][1] +
+                      stress[c][2] * map.cofactors[d][2];
+      to[skipped + fields * order[d] + c] = t;
+      if constexpr (rational) value -= t * map.ratio[d];
+    }
+    if constexpr (rational) to[c] = value;
+  }
+}
+
+}  // namespace
+
 template <Denominators denominators>
 Lanes forces_at_points(const PointLine& line, const Material& material, Lanes* out) {
-  constexpr bool rational = rational_functions(denominators);
   Lanes smallest = Lanes{} + 1e300;
   for (int q = 0; q < line.points; ++q) {
-    const PointWeights weights = weights_at<denominators>(line, q);
-    const Map map = map_at<denominators>(line, q, weights.inverse_geometry);
-    keep_smaller(smallest, map.determinant);
-    const Lanes scale = scale_at<denominators>(line, q, map.determinant, weights);
-
-    Lanes ratio[3];
-    if constexpr (rational)
-      for (int d = 0; d < 3; ++d)
-        ratio[d] =
-            line.function_weight.derivatives[d][q * line.function_weight.step] * weights.inverse_functions;
-    Lanes h[3][3];  // [component][coordinate]: displacement gradient times D Wf / Wg
-    for (int c = 0; c < 3; ++c) {
-      Lanes g[3];
-      for (int d = 0; d < 3; ++d) g[d] = line.displacement.derivatives[d][q * line.displacement.step + c];
-      if constexpr (rational) {
-        const Lanes u = line.displacement.values[q * line.displacement.step + c];
-        for (int d = 0; d < 3; ++d) g[d] -= u * ratio[d];
-      }
-      for (int k = 0; k < 3; ++k)
-        h[c][k] = g[0] * map.cofactors[0][k] + g[1] * map.cofactors[1][k] + g[2] * map.cofactors[2][k];
-    }
-    const Lanes shear = material.mu * scale;
-    const Lanes pressure = (material.lambda * scale) * (h[0][0] + h[1][1] + h[2][2]);
-    Lanes stress[3][3];
-    for (int c = 0; c < 3; ++c) {
-      stress[c][c] = (shear + shear) * h[c][c] + pressure;
-      for (int k = 0; k < c; ++k) stress[c][k] = stress[k][c] = shear * (h[c][k] + h[k][c]);
-    }
-    constexpr int order[3] = {0, 2, 1};  // vectors of direction 1, 3, 2
-    constexpr int skipped = rational ? 3 : 0;
-    Lanes* const to = out + q * (9 + skipped);
-    for (int c = 0; c < 3; ++c) {
-      Lanes value{};
-      for (int d = 0; d < 3; ++d) {
-        const Lanes t = stress[c][0] * map.cofactors[d][0] + stress[c][1] * map.cofactors[d][1] +
-                        stress[c][2] * map.cofactors[d][2];
-        to[skipped + 3 * order[d] + c] = t;
-        if constexpr (rational) value -= t * ratio[d];
-      }
-      if constexpr (rational) to[c] = value;
-    }
+    PointMap map;
+    keep_smaller(smallest, map_of_forces<denominators>(line, q, map));
+    force_at<rational_functions(denominators)>(line.displacement, q, 0, 1, map, material, out);
   }
   return smallest;
+}
+
+template <Denominators denominators>
+Lanes maps_at_points(const PointLine& line, PointMap* maps) {
+  Lanes smallest = Lanes{} + 1e300;
+  for (int q = 0; q < line.points; ++q) keep_smaller(smallest, map_of_forces<denominators>(line, q, maps[q]));
+  return smallest;
+}
+
+template <bool rational>
+void forces_with_maps(const LineFields& displacement, int count, const PointMap* maps, int points,
+                      const Material& material, Lanes* out) {
+  for (int q = 0; q < points; ++q)
+    for (int i = 0; i < count; ++i) force_at<rational>(displacement, q, i, count, maps[q], material, out);
 }
 
 template <Denominators denominators>
@@ -162,6 +194,13 @@ template Lanes forces_at_points<geometry>(const PointLine&, const Material&, Lan
 template Lanes forces_at_points<functions>(const PointLine&, const Material&, Lanes*);
 template Lanes forces_at_points<both>(const PointLine&, const Material&, Lanes*);
 template Lanes forces_at_points<shared>(const PointLine&, const Material&, Lanes*);
+template Lanes maps_at_points<none>(const PointLine&, PointMap*);
+template Lanes maps_at_points<geometry>(const PointLine&, PointMap*);
+template Lanes maps_at_points<functions>(const PointLine&, PointMap*);
+template Lanes maps_at_points<both>(const PointLine&, PointMap*);
+template Lanes maps_at_points<shared>(const PointLine&, PointMap*);
+template void forces_with_maps<false>(const LineFields&, int, const PointMap*, int, const Material&, Lanes*);
+template void forces_with_maps<true>(const LineFields&, int, const PointMap*, int, const Material&, Lanes*);
 template Lanes squares_at_points<none>(const PointLine&, Lanes*);
 template Lanes squares_at_points<geometry>(const PointLine&, Lanes*);
 template Lanes squares_at_points<functions>(const PointLine&, Lanes*);

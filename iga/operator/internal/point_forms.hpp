@@ -35,6 +35,13 @@ struct PointLine {
   int points;
 };
 
+/// What the map of the geometry does to forces at a point, whatever is displaced there.
+struct PointMap {
+  Lanes cofactors[3][3];  ///< [direction][coordinate], of dX - x dWg
+  Lanes scale;            ///< quadrature weight over D Wg Wf^2
+  Lanes ratio[3];         ///< dWf / Wf of each direction; only if the functions are rational
+};
+
 /// The weak form at the points: K u tested with a function N is the sum over the points of sigma(u) grad N
 /// det J times the quadrature weight, and this computes what multiplies dB/dxi_1, dB/dxi_3, dB/dxi_2 in it
 /// (three vectors each), B being the numerator of N; before them what multiplies B itself if the functions
@@ -45,6 +52,18 @@ struct PointLine {
 /// @return  smallest D of each lane
 template <Denominators denominators>
 Lanes forces_at_points(const PointLine& line, const Material& material, Lanes* out);
+
+/// The same in two steps, of which the first serves any number of displacements.
+/// @param maps  one for each point
+/// @return  smallest D of each lane
+template <Denominators denominators>
+Lanes maps_at_points(const PointLine& line, PointMap* maps);
+/// @param rational      whether the functions are
+/// @param displacement  of the first of `count`; those of the next are three vectors further on
+/// @param out           the vectors of all are side by side: three of each for each derivative
+template <bool rational>
+void forces_with_maps(const LineFields& displacement, int count, const PointMap* maps, int points,
+                      const Material& material, Lanes* out);
 
 /// The same for the diagonal blocks, products of the derivatives of one function: for each of the
 /// square_kinds (0 is B itself) the entries 00, 11, 22, 01, 02, 12 of the integral of grad N grad N^T.

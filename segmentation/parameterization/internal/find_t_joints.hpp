@@ -13,6 +13,7 @@ namespace isopatch::segmentation {
 struct OutlineInSide {
   std::array<std::array<double, 2>, 4> corners{};  ///< the face's (0, 0), (1, 0), (0, 1) and (1, 1)
   std::vector<std::array<double, 2>> points;       ///< all around, counterclockwise
+  double distance = 0;                             ///< largest between the two that was found, m
 };
 
 /// Whether a face lies in another, and where: its corners, sides and some inner points do.

@@ -127,6 +127,22 @@ TEST_F(SeveralBlocks, ThatOnlyNearlyMeetAreFittedAsFarAsTheyDo) {
   EXPECT_LT(made.report.worst_face().deviation, 1e-3 * made.report.size);
 }
 
+TEST_F(SeveralBlocks, ThatAreExactAreNotPulledTogetherWhereTheyNearlyMeet) {
+  // A fifth on top of the first, aside by 5e-4 of the size, beside four that meet to round-off.
+  const geometry::MultiPatch model = geometry::connect(geometry::cylinder_model(half_tube));
+  const geometry::NurbsVolume& first = model.patch(PatchId(0));
+  const Eigen::Matrix3Xd moved =
+      first.control_points().colwise() + Eigen::Vector3d(2e-3, 0, half_tube.height);
+  files_.files.push_back(folder_ / "block4.xml");
+  geometry::write_brep(files_.files[4],
+                       test::solid_of(geometry::NurbsVolume(first.knots(), moved, first.weights())),
+                       {.unit = "m"});
+  EXPECT_EQ(named_pairs(found()).size(), 4u);
+  EXPECT_TRUE(found().topology.t_joints.empty());
+  files_.assembly.same_point = 1e-3;
+  EXPECT_EQ(named_pairs(found()).size(), 5u);
+}
+
 TEST_F(SeveralBlocks, ThePapersMethodDeviatesMore) {
   const Parameterization made = parameterize(listed(), test::options(ParameterizationMethod::paper));
   for (const auto& patch : made.patches.patches) EXPECT_EQ(patch.size(), 343);
