@@ -128,6 +128,7 @@ std::vector<LinearSolution> LoadSequence::solve_together(std::span<const VectorX
                                                          const SolverOptions& options,
                                                          const Progress& progress) {
   const Stopwatch watch;
+  const SharedRows& rows = system_->rows;
   const std::size_t before = known_.size();
   std::vector<Split> splits;
   std::vector<std::size_t> direction_of;  // or none: the number of all
