@@ -4,11 +4,35 @@
 
 namespace isopatch {
 
+// The transpose is not const in Eigen 3.4, though it changes nothing.
+struct SparseLu::Factors {
+  mutable Eigen::SparseLU<Eigen::SparseMatrix<double>> lu;
+};
+
+SparseLu::SparseLu(const Eigen::SparseMatrix<double>& matrix) : factors_(std::make_unique<Factors>()) {
+  factors_->lu.compute(matrix);
+}
+
+SparseLu::~SparseLu() = default;
+SparseLu::SparseLu(SparseLu&&) noexcept = default;
+
+bool SparseLu::is_singular() const {
+  return factors_->lu.info() != Eigen::Success;
+}
+
+Eigen::MatrixXd SparseLu::solve(const Eigen::MatrixXd& right) const {
+  return factors_->lu.solve(right);
+}
+
+Eigen::MatrixXd SparseLu::solve_transposed(const Eigen::MatrixXd& right) const {
+  return factors_->lu.transpose().solve(right);
+}
+
 std::optional<Eigen::MatrixXd> solve_by_lu(const Eigen::SparseMatrix<double>& matrix,
                                            const Eigen::MatrixXd& right) {
-  const Eigen::SparseLU<Eigen::SparseMatrix<double>> factors(matrix);
-  if (factors.info() != Eigen::Success) return std::nullopt;
-  return Eigen::MatrixXd(factors.solve(right));
+  const SparseLu factors(matrix);
+  if (factors.is_singular()) return std::nullopt;
+  return factors.solve(right);
 }
 
 }  // namespace isopatch

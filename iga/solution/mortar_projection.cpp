@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/SparseLU>
 #include <utility>
 
 #include "geometry/base/error.hpp"
@@ -29,15 +28,11 @@ std::vector<int> inner_nodes(const std::array<int, 3>& sizes, geometry::Side sid
 
 }  // namespace
 
-struct MortarProjection::Factors {
-  Eigen::SparseLU<Sparse> of_followers;
-};
-
 MortarProjection::MortarProjection(const MortarConstraints& constraints, const solvers::ConstraintMatrix& b,
                                    const std::vector<std::array<int, 3>>& sizes,
                                    const std::vector<int>& first_node, const std::vector<int>& row_of_node,
                                    const std::vector<const SupportFrame*>& frame_of_row)
-    : b_(&b), factors_(std::make_unique<Factors>()) {
+    : b_(&b) {
   const auto refuse = [](const char* why) {
     throw Error(ErrorCode::unsupported,
                 fmt::format("faces that do not match and have multipliers {}; use method = \"auto\", "
@@ -69,14 +64,12 @@ MortarProjection::MortarProjection(const MortarConstraints& constraints, const s
         entries.emplace_back(static_cast<int>(i), column, it.value());
   Sparse of_followers(count, count);
   of_followers.setFromTriplets(entries.begin(), entries.end());
-  factors_->of_followers.compute(of_followers);
-  if (factors_->of_followers.info() != Eigen::Success) refuse("do not determine the nodes that follow");
+  factors_.emplace(of_followers);
+  if (factors_->is_singular()) refuse("do not determine the nodes that follow");
 }
 
-MortarProjection::~MortarProjection() = default;
-
 VectorXd MortarProjection::particular(const VectorXd& g) const {
-  const VectorXd values = factors_->of_followers.solve(g);
+  const VectorXd values = factors_->solve(g);
   VectorXd result = VectorXd::Zero(b_->cols());
   for (std::size_t i = 0; i < followers_.size(); ++i) result[followers_[i]] = values[static_cast<Index>(i)];
   return result;
@@ -89,7 +82,7 @@ VectorXd MortarProjection::project(VectorXd x) const {
 
 VectorXd MortarProjection::multipliers(const VectorXd& force) const {
   const VectorXd here = force(followers_);
-  return factors_->of_followers.transpose().solve(here);
+  return factors_->solve_transposed(here);
 }
 
 VectorXd MortarProjection::moved_to_masters(VectorXd force) const {

@@ -2,9 +2,10 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <memory>
+#include <optional>
 #include <vector>
 
+#include "geometry/base/sparse_lu.hpp"
 #include "iga/assembly/mortar_constraints.hpp"
 
 namespace isopatch::iga {
@@ -23,7 +24,6 @@ class MortarProjection {
   MortarProjection(const MortarConstraints& constraints, const solvers::ConstraintMatrix& b,
                    const std::vector<std::array<int, 3>>& sizes, const std::vector<int>& first_node,
                    const std::vector<int>& row_of_node, const std::vector<const SupportFrame*>& frame_of_row);
-  ~MortarProjection();
 
   /// x with its followers changed so that B x = 0. (3 rows)
   Eigen::VectorXd project(Eigen::VectorXd x) const;
@@ -35,10 +35,9 @@ class MortarProjection {
   Eigen::VectorXd multipliers(const Eigen::VectorXd& force) const;
 
  private:
-  struct Factors;
   const solvers::ConstraintMatrix* b_;
   std::vector<Eigen::Index> followers_;  // scalar unknowns
-  std::unique_ptr<Factors> factors_;
+  std::optional<SparseLu> factors_;      // of their columns
 };
 
 }  // namespace isopatch::iga

@@ -5,11 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "geometry/base/dense_matrices.hpp"
+#include "geometry/base/larger.hpp"
 #include "geometry/base/tests/expect_error.hpp"
 #include "geometry/models/box.hpp"
 #include "geometry/models/cylinder.hpp"
@@ -255,8 +256,8 @@ TEST(NonMatching, MortarForcesBalance) {
                    round_off(3e5, "assembling and solving"),
                    {}});
       // One of the two sides is held and the other is loaded, or both are on one.
-      const double through = std::min(
-          {(across - results.total_load).norm(), (across + results.total_load).norm(), across.norm()});
+      const double through = smaller(
+          smaller((across - results.total_load).norm(), (across + results.total_load).norm()), across.norm());
       expect(Claim{of + ": force across the interface",
                    "N",
                    ReferenceKind::exact,
@@ -326,9 +327,8 @@ double inf_sup(int held, const geometry::KnotVector& knots, const Eigen::MatrixX
   const Eigen::Index inner = knots.size() - 2 * held;
   const Eigen::MatrixXd b = (multipliers.transpose() * mv).middleCols(held, inner);
   const Eigen::MatrixXd schur = b * vv.block(held, held, inner, inner).ldlt().solve(b.transpose());
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
-      schur, multipliers.transpose() * mm * multipliers, Eigen::EigenvaluesOnly);
-  return std::sqrt(std::max(0.0, eigen.eigenvalues()[0]));
+  const double least = symmetric_eigen(schur, multipliers.transpose() * mm * multipliers).values[0];
+  return std::sqrt(larger(0.0, least));
 }
 
 geometry::KnotVector lowered(const geometry::KnotVector& knots) {
