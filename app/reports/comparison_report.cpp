@@ -68,6 +68,21 @@ Json interfaces_json(const std::vector<InterfaceForce>& interfaces) {
   return result;
 }
 
+Json non_matching_json(const std::optional<NonMatchingComparison>& compared) {
+  if (!compared) return nullptr;
+  const bool has_failed = !compared->failure.empty();
+  return {{"own", iga::name(compared->own)},
+          {"other", iga::name(compared->other)},
+          {"failure", has_failed ? Json(compared->failure) : Json(nullptr)},
+          {"energy", compared->energy},
+          {"other_energy", has_failed ? Json(nullptr) : Json(compared->other_energy)},
+          {"energy_difference", has_failed ? Json(nullptr) : Json(compared->energy_difference())},
+          {"displacement_difference", has_failed ? Json(nullptr) : Json(compared->displacement_difference)},
+          {"estimated_error", has_failed ? Json(nullptr) : Json(compared->estimated_error)},
+          {"allowed_difference", has_failed ? Json(nullptr) : Json(compared->allowed_difference())},
+          {"agree", compared->agree()}};
+}
+
 Json level_json(const CouplingComparison& level) {
   return {{"refine", level.refine},
           {"degree", level.degree},
@@ -76,6 +91,7 @@ Json level_json(const CouplingComparison& level) {
           {"lagrange", run_json(level.lagrange)},
           {"difference", difference_json(level)},
           {"coupled", level.has_coupling()},
+          {"non_matching", non_matching_json(level.non_matching)},
           {"agree", level.agree()}};
 }
 
@@ -101,6 +117,21 @@ std::string largest_text(const iga::Extremum& extremum, const char* unit, const 
   return fmt::format("  largest difference in {}: {} at {} in patch {}\n", what,
                      fmt::format("{:.2g} {}", extremum.value, unit),
                      place_with_unit(extremum.place, extremum.place.norm()), extremum.patch);
+}
+
+// The two ways to couple faces that do not match.
+std::string non_matching_text(const NonMatchingComparison& compared) {
+  if (!compared.failure.empty())
+    return fmt::format("  faces that do not match: not compared with {}: {}\n", iga::name(compared.other),
+                       compared.failure);
+  return fmt::format(
+      "  faces that do not match by {} and by {}: energy {} and {}, relative difference {:.2g}\n"
+      "  ({} twice the estimated error of the discretization, {:.2g} of the energy), in displacement "
+      "{:.2g}\n",
+      iga::name(compared.own), iga::name(compared.other), with_unit(compared.energy, "J"),
+      with_unit(compared.other_energy, "J"), compared.energy_difference(),
+      compared.agree() ? "within" : "MORE THAN", compared.allowed_difference(),
+      compared.displacement_difference);
 }
 
 std::string degree_text(const std::array<int, 3>& degree) {
@@ -170,6 +201,7 @@ std::string comparison_text(const Study& study, const CouplingComparison& compar
       comparison.displacement_difference, comparison.energy_difference,
       CouplingComparison::allowed_difference, comparison.multiplier_difference,
       CouplingComparison::allowed_multiplier_difference);
+  if (comparison.non_matching) text += non_matching_text(*comparison.non_matching);
   if (!comparison.has_coupling()) return text + "  there is nothing to couple: no two patches meet\n";
   return text + (comparison.agree() ? "  the two couplings agree\n" : "  THE TWO COUPLINGS DISAGREE\n");
 }

@@ -121,7 +121,8 @@ iga::ElasticityOptions options_of(const Study& study, iga::Coupling coupling) {
   Method& method = options.solver.method;
   const bool can_iterate =
       options.solver.preconditioner == solvers::Preconditioner::multigrid && options.processes.count() == 1;
-  if (coupling == iga::Coupling::elimination && method == Method::minres)
+  const bool has_mortar = options.non_matching == iga::NonMatchingCoupling::mortar;
+  if (coupling == iga::Coupling::elimination && method == Method::minres && !has_mortar)
     method = Method::cg;
   else if (coupling == iga::Coupling::lagrange && method == Method::cg)
     method = can_iterate ? Method::minres : Method::automatic;
@@ -176,6 +177,9 @@ ComparedStudy compare_couplings(const Study& study, bool condition, const Progre
   comparison.energy_difference = energy_difference(eliminated.results, tied.results);
   comparison.multiplier_difference =
       multiplier_difference(eliminated.multipliers, tied.multipliers, 1e-3 * typical_force(eliminated));
+  if (!problem.discretization.model.non_matching().empty())
+    comparison.non_matching =
+        compare_non_matching(problem, options_of(study, iga::Coupling::elimination), eliminated, progress);
   for (Warning& warning : result_warnings(result.run.built, tied))
     result.run.built.warnings.push_back(std::move(warning));
   comparison.warnings = result.run.built.warnings;

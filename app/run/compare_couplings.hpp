@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/run/compare_non_matching.hpp"
 #include "app/run/run_study.hpp"
 #include "app/study/study.hpp"
 #include "geometry/base/progress.hpp"
@@ -51,6 +52,7 @@ struct CouplingComparison {
   iga::Extremum largest_displacement_difference;
   iga::Extremum largest_stress_difference;
   std::vector<InterfaceForce> interfaces;
+  std::optional<NonMatchingComparison> non_matching;  ///< where faces do not match; of elimination
   std::vector<Warning> warnings;
 
   static constexpr double allowed_difference = 1e-9;  ///< of displacement and energy

@@ -109,6 +109,20 @@ TEST_F(NonMatching, MortarSaysWhichFacesHaveTheMultipliersAndAgreesWithNitsche) 
   EXPECT_NEAR(energies[0] / energies[1], 1, 0.01);
 }
 
+TEST_F(NonMatching, BothWaysAreComparedWithinTheErrorOfTheDiscretization) {
+  ASSERT_EQ(run({"compare", study(), "--set", "discretization.refine=2"}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("faces that do not match by nitsche and by mortar: energy"));
+  EXPECT_THAT(out_, HasSubstr("(within twice the estimated error"));
+  const json compared = json::parse(read_file(results() / "compare.json"))["non_matching"];
+  EXPECT_TRUE(compared["agree"]);
+  EXPECT_GT(compared["energy_difference"].get<double>(), 1e-6);
+  EXPECT_LT(compared["energy_difference"].get<double>(), compared["allowed_difference"].get<double>());
+  // No side is covered all over.
+  write_file(folder_ / "part.g2", box_text(0, 2, 0, 1) + box_text(0.5, 2.5, 1, 2));
+  ASSERT_EQ(run({"compare", study(), "--set", "load.0.faces=['1:back']"}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("not compared with mortar: the mortar method needs a side"));
+}
+
 TEST_F(NonMatching, MortarNeedsASideThatIsCoveredAllOver) {
   write_file(folder_ / "part.g2", box_text(0, 2, 0, 1) + box_text(0.5, 2.5, 1, 2));
   EXPECT_NE(
