@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <array>
 #include <cmath>
+#include <set>
 #include <vector>
 
 #include "geometry/quadrature.hpp"
@@ -13,15 +14,16 @@ namespace {
 
 using Eigen::Index;
 
-// Gradients of the functions on a side, at all points of the volume's element behind one of its elements.
+// Gradients of the functions on sides, at all points of the volume's element behind an element of one of
+// them.
 struct GradientsBehind {
   std::vector<int> nodes;
   std::array<Eigen::MatrixXd, 3> gradients;  // (nodes, points) per direction
   Eigen::RowVectorXd weights;                // with the volume
 };
 
-GradientsBehind gradients_behind(const PatchSide& side, const PatchSpace& space,
-                                 const ElementOfFace& element) {
+GradientsBehind gradients_behind(const PatchSide& side, const PatchSpace& space, const ElementOfFace& element,
+                                 const std::set<int>& on_sides) {
   std::array<geometry::QuadratureRule, 3> rules;
   Index points = 1;
   for (std::size_t d = 0; d < 3; ++d) {
@@ -43,13 +45,13 @@ GradientsBehind gradients_behind(const PatchSide& side, const PatchSpace& space,
         const PatchSide::Functions functions = side.functions_behind(element, at);
         if (q == 0) {
           for (std::size_t f = 0; f < functions.nodes.size(); ++f)
-            if (functions.is_on_side[f]) result.nodes.push_back(functions.nodes[f]);
+            if (on_sides.contains(functions.nodes[f])) result.nodes.push_back(functions.nodes[f]);
           for (Eigen::MatrixXd& g : result.gradients)
             g.resize(static_cast<Index>(result.nodes.size()), points);
         }
         Index row = 0;
         for (std::size_t f = 0; f < functions.nodes.size(); ++f) {
-          if (!functions.is_on_side[f]) continue;
+          if (!on_sides.contains(functions.nodes[f])) continue;
           for (Index d = 0; d < 3; ++d)
             result.gradients[static_cast<std::size_t>(d)](row, q) = functions.gradients[f][d];
           ++row;
@@ -58,28 +60,38 @@ GradientsBehind gradients_behind(const PatchSide& side, const PatchSpace& space,
   return result;
 }
 
+void add_element(const GradientsBehind& at, const Material& material, NodeBlocks& blocks) {
+  std::array<Eigen::MatrixXd, 9> sums;  // of g_d g_e at d + 3 e
+  for (std::size_t e = 0; e < 3; ++e)
+    for (std::size_t d = 0; d < 3; ++d)
+      sums[d + 3 * e] = at.gradients[d] * at.weights.asDiagonal() * at.gradients[e].transpose();
+  for (Index b = 0; b < sums[0].cols(); ++b)
+    for (Index a = 0; a <= b; ++a) {
+      Eigen::Matrix3d of_pair;
+      for (std::size_t k = 0; k < 9; ++k) of_pair(static_cast<Index>(k)) = sums[k](a, b);
+      blocks.add(at.nodes[static_cast<std::size_t>(a)], at.nodes[static_cast<std::size_t>(b)],
+                 material.lambda * of_pair + material.mu * of_pair.transpose() +
+                     material.mu * of_pair.trace() * Eigen::Matrix3d::Identity());
+    }
+}
+
 }  // namespace
 
-NodeBlocks face_stiffness(const PatchSpace& space, geometry::Side side, int first_node,
+NodeBlocks face_stiffness(const PatchSpace& space, const std::vector<geometry::Side>& sides, int first_node,
                           const Material& material) {
-  const PatchSide of_patch(space, side, first_node);
+  std::set<int> on_sides;
+  for (const geometry::Side side : sides)
+    for (const int node : geometry::face_control_points(space.sizes(), side))
+      on_sides.insert(first_node + node);
+  std::set<std::array<int, 3>> done;  // elements at edges lie behind two sides
   NodeBlocks result;
-  for (int j = 0; j < of_patch.elements(1); ++j)
-    for (int i = 0; i < of_patch.elements(0); ++i) {
-      const GradientsBehind at = gradients_behind(of_patch, space, {i, j});
-      std::array<Eigen::MatrixXd, 9> sums;  // of g_d g_e at d + 3 e
-      for (std::size_t e = 0; e < 3; ++e)
-        for (std::size_t d = 0; d < 3; ++d)
-          sums[d + 3 * e] = at.gradients[d] * at.weights.asDiagonal() * at.gradients[e].transpose();
-      for (Index b = 0; b < sums[0].cols(); ++b)
-        for (Index a = 0; a <= b; ++a) {
-          Eigen::Matrix3d of_pair;
-          for (std::size_t k = 0; k < 9; ++k) of_pair(static_cast<Index>(k)) = sums[k](a, b);
-          result.add(at.nodes[static_cast<std::size_t>(a)], at.nodes[static_cast<std::size_t>(b)],
-                     material.lambda * of_pair + material.mu * of_pair.transpose() +
-                         material.mu * of_pair.trace() * Eigen::Matrix3d::Identity());
-        }
-    }
+  for (const geometry::Side side : sides) {
+    const PatchSide of_patch(space, side, first_node);
+    for (int j = 0; j < of_patch.elements(1); ++j)
+      for (int i = 0; i < of_patch.elements(0); ++i)
+        if (done.insert(of_patch.element({i, j})).second)
+          add_element(gradients_behind(of_patch, space, {i, j}, on_sides), material, result);
+  }
   return result;
 }
 

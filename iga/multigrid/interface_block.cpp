@@ -1,6 +1,7 @@
 #include "iga/multigrid/interface_block.hpp"
 
-#include <set>
+#include <algorithm>
+#include <map>
 #include <utility>
 
 #include "iga/assembly/face_stiffness.hpp"
@@ -10,13 +11,16 @@
 namespace isopatch::iga {
 namespace {
 
-using geometry::PatchFace;
-
-std::set<PatchFace> faces_that_do_not_match(const geometry::MultiPatch& model) {
-  std::set<PatchFace> result;
+// By patch.
+std::map<PatchId, std::vector<geometry::Side>> sides_that_do_not_match(const geometry::MultiPatch& model) {
+  std::map<PatchId, std::vector<geometry::Side>> result;
+  const auto add = [&](const geometry::PatchFace& face) {
+    std::vector<geometry::Side>& sides = result[face.patch];
+    if (std::find(sides.begin(), sides.end(), face.side) == sides.end()) sides.push_back(face.side);
+  };
   for (const geometry::NonMatchingInterface& interface : model.non_matching()) {
-    result.insert(interface.first);
-    result.insert(interface.second);
+    add(interface.first);
+    add(interface.second);
   }
   return result;
 }
@@ -37,10 +41,11 @@ solvers::SymmetricBlockMatrix diagonal_blocks(int rows) {
 
 std::vector<bool> nodes_that_do_not_match(const geometry::MultiPatch& model, const Level& level) {
   std::vector<bool> result(level.global_of.size(), false);
-  for (const PatchFace& face : faces_that_do_not_match(model)) {
-    const auto p = static_cast<std::size_t>(face.patch.value);
-    for (const int node : geometry::face_control_points(level.spaces[p].sizes(), face.side))
-      result[static_cast<std::size_t>(level.first_node[p] + node)] = true;
+  for (const auto& [patch, sides] : sides_that_do_not_match(model)) {
+    const auto p = static_cast<std::size_t>(patch.value);
+    for (const geometry::Side side : sides)
+      for (const int node : geometry::face_control_points(level.spaces[p].sizes(), side))
+        result[static_cast<std::size_t>(level.first_node[p] + node)] = true;
   }
   return result;
 }
@@ -64,9 +69,9 @@ InterfaceBlock::InterfaceBlock(const geometry::MultiPatch& model, const Level& l
     numbering.row_of_node.push_back(of_row[static_cast<std::size_t>(row)]);
   solvers::SymmetricBlockMatrix matrix = diagonal_blocks(numbering.rows);
   NodeBlocks all = surfaces;
-  for (const PatchFace& face : faces_that_do_not_match(model)) {
-    const auto p = static_cast<std::size_t>(face.patch.value);
-    all.add(face_stiffness(level.spaces[p], face.side, level.first_node[p], materials[p]));
+  for (const auto& [patch, sides] : sides_that_do_not_match(model)) {
+    const auto p = static_cast<std::size_t>(patch.value);
+    all.add(face_stiffness(level.spaces[p], sides, level.first_node[p], materials[p]));
   }
   all.add_to(matrix, numbering);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
