@@ -202,7 +202,9 @@ std::string comparison_text(const Study& study, const CouplingComparison& compar
       CouplingComparison::allowed_difference, comparison.multiplier_difference,
       CouplingComparison::allowed_multiplier_difference);
   if (comparison.non_matching) text += non_matching_text(*comparison.non_matching);
-  if (!comparison.has_coupling()) return text + "  there is nothing to couple: no two patches meet\n";
+  if (!comparison.has_coupling())
+    return text + (comparison.non_matching ? "  no two faces match, so both couplings are the same\n"
+                                           : "  there is nothing to couple: no two patches meet\n");
   return text + (comparison.agree() ? "  the two couplings agree\n" : "  THE TWO COUPLINGS DISAGREE\n");
 }
 

@@ -180,7 +180,7 @@ std::string mortar_text(const geometry::MultiPatch& model, const std::vector<iga
   for (std::size_t i = 0; i < ties.size() && i < shown; ++i)
     text += fmt::format("{}{} ({})", i == 0 ? "  multipliers on    " : ", ", model.label(ties[i].face.slave),
                         ties[i].face.reason);
-  if (ties.size() > shown) text += fmt::format(" and {} faces more: summary.json", ties.size() - shown);
+  if (ties.size() > shown) text += fmt::format(" and {} more: summary.json", ties.size() - shown);
   return text.empty() ? "" : text + "\n";
 }
 

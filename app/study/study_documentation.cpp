@@ -109,7 +109,7 @@ std::vector<SectionText> study_sections() {
       {"discretization.patch", "[[discretization.patch]]",
        "What some patches have beyond [discretization]. It continues through neighbours as far as faces have "
        "to match; with "
-       "coupling.non_matching = \"nitsche\" it ends at the patches' faces.",
+       "coupling.non_matching = \"nitsche\" or \"mortar\" it ends at the patches' faces.",
        texts(patch_discretization_keys())},
       {"material", "[[material]]",
        "Isotropic and linear elastic: by `lame`, by `young` and `poisson`, or by `name` alone. Every patch "

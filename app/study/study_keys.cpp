@@ -165,8 +165,8 @@ const Keys<CouplingKeys>& coupling_keys() {
           "mortar multipliers, for which one side must be covered all over. Not yet with several processes, "
           "temperatures or natural modes."),
       choice_key("mortar_side", &CouplingKeys::mortar_side, mortar_sides,
-                 "Which side has the mortar multipliers: the softer, of equal ones that with the smaller "
-                 "elements, or the other one, where both can."),
+                 "Which side has the mortar multipliers: the softer, of equal ones that with more functions, "
+                 "or the other one, where both can."),
   };
   return keys;
 }

@@ -16,25 +16,25 @@ using geometry::PatchFace;
 
 // Softer, then finer: what comes first in this order suffers the other's displacements.
 struct Compliance {
-  double young = 0;         // Pa
-  double element_size = 0;  // of the face's elements, for comparison only
+  double young = 0;             // Pa
+  double area_of_function = 0;  // of the face's, for comparison only
 };
 
 bool is_before(const Compliance& a, const Compliance& b) {
-  return a.young != b.young ? a.young < b.young : a.element_size <= b.element_size * (1 + 1e-9);
+  return a.young != b.young ? a.young < b.young : a.area_of_function <= b.area_of_function * (1 + 1e-9);
 }
 
-// The square of a diagonal over the number of elements.
-double element_size(const geometry::NurbsVolume& patch, geometry::Side side) {
+// The square of a diagonal over the number of functions: higher degrees count as smaller elements do.
+double area_of_function(const geometry::NurbsVolume& patch, geometry::Side side) {
   const geometry::NurbsSurface surface = geometry::face_surface(patch, side);
   return (surface.control_points().rightCols<1>() - surface.control_points().leftCols<1>()).squaredNorm() /
-         (surface.knots(0).element_count() * surface.knots(1).element_count());
+         (surface.knots(0).size() * surface.knots(1).size());
 }
 
 Compliance compliance(const Discretization& discretization, const std::vector<Material>& materials,
                       const PatchFace& face) {
   const auto p = static_cast<std::size_t>(face.patch.value);
-  return {young(materials[p]), element_size(discretization.patches[p], face.side)};
+  return {young(materials[p]), area_of_function(discretization.patches[p], face.side)};
 }
 
 // Faces that meet directly or through others, by the side of the surface on which their patches lie.
@@ -121,7 +121,7 @@ SlaveSide slave_side(const Discretization& discretization, const std::vector<Mat
   if (wish == MortarSide::other) return {1 - first, "asked for: the other side"};
   return {first, of_sides[0].young != of_sides[1].young            ? "the softer side"
                  : is_before(of_sides[1 - first], of_sides[first]) ? "the first of two equal sides"
-                                                                   : "the side with the smaller elements"};
+                                                                   : "the finer side"};
 }
 
 }  // namespace

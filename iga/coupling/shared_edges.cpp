@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace isopatch::iga {
 
@@ -13,6 +14,7 @@ int free_axis_along(const SupportFrame& frame, int component) {
 }
 
 std::array<std::optional<SharedEdges>, 3> shared_edges(const geometry::PatchFace& face,
+                                                       const std::vector<geometry::PatchFace>& slaves,
                                                        const Discretization& discretization,
                                                        const GlobalNodes& global,
                                                        const std::vector<SupportFrame>& frames) {
@@ -22,8 +24,14 @@ std::array<std::optional<SharedEdges>, 3> shared_edges(const geometry::PatchFace
   const auto along = geometry::tangents(face.side);
   const std::array<int, 2> n = {sizes[static_cast<std::size_t>(along[0])],
                                 sizes[static_cast<std::size_t>(along[1])]};
+  std::set<int> of_others;  // nodes of the patch on other slave faces
+  for (const geometry::PatchFace& other : slaves)
+    if (other.patch == face.patch && other.side != face.side)
+      for (const int node : geometry::face_control_points(sizes, other.side)) of_others.insert(node);
   const auto is_shared = [&](int i, int j, int component) {
-    const int node = discretization.first_node[p] + nodes[static_cast<std::size_t>(i + n[0] * j)];
+    const int of_patch = nodes[static_cast<std::size_t>(i + n[0] * j)];
+    if (of_others.contains(of_patch)) return true;
+    const int node = discretization.first_node[p] + of_patch;
     const int c = global.global_of[static_cast<std::size_t>(node)];
     return global.nodes_of(c).size() > 1 ||
            free_axis_along(frames[static_cast<std::size_t>(c)], component) < 0;

@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "geometry/base/error.hpp"
 #include "iga/assembly/face_stiffness.hpp"
 #include "iga/coupling/supported_system.hpp"
 #include "solvers/cholmod_solver.hpp"
@@ -35,6 +36,23 @@ solvers::SymmetricBlockMatrix diagonal_blocks(int rows) {
     result.row_start.push_back(row + 1);
   }
   return result;
+}
+
+// The inverse, with a heavier diagonal where on coarse and strongly curved elements integration leaves the
+// matrix indefinite: a smoother need not be exact.
+solvers::LinearOperator inverse_of(const solvers::SymmetricBlockMatrix& matrix) {
+  for (double more = 0;; more = more == 0 ? 0.1 : 10 * more) {
+    solvers::SymmetricBlockMatrix heavier = matrix;
+    for (int row = 0; row < matrix.block_rows(); ++row)
+      for (std::int64_t k = 0; k < 9; ++k)
+        heavier.values[static_cast<std::size_t>(9 * matrix.row_start[static_cast<std::size_t>(row)] + k)] *=
+            1 + more;
+    try {
+      return solvers::cholmod_inverse(std::move(heavier));
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::singular_system || more > 50) throw;
+    }
+  }
 }
 
 }  // namespace
@@ -84,7 +102,7 @@ InterfaceBlock::InterfaceBlock(const geometry::MultiPatch& model, const Level& l
   for (const int row : rows_) of_rows.push_back(&frames[static_cast<std::size_t>(row)]);
   std::vector<LoadOfRows> no_loads;
   apply_supports(matrix, solvers::SharedRows(numbering.rows), of_rows, no_loads);
-  inverse_ = solvers::cholmod_inverse(std::move(matrix));
+  inverse_ = inverse_of(matrix);
 }
 
 void InterfaceBlock::add(const Eigen::VectorXd& residual, Eigen::VectorXd& result) const {

@@ -34,9 +34,11 @@ MortarConstraints constraints_of(const CoupledProblem& coupled, const CouplingOp
   const Discretization& d = coupled.discretization();
   if (options.non_matching != NonMatchingCoupling::mortar || d.model.non_matching().empty()) return {};
   const std::vector<MortarFace> faces = mortar_faces(d, coupled.problem->materials, options.mortar_side);
+  std::vector<geometry::PatchFace> slaves;
+  for (const MortarFace& face : faces) slaves.push_back(face.slave);
   std::vector<std::array<std::optional<SharedEdges>, 3>> edges;
   for (const MortarFace& face : faces)
-    edges.push_back(shared_edges(face.slave, d, coupled.global, coupled.frames));
+    edges.push_back(shared_edges(face.slave, slaves, d, coupled.global, coupled.frames));
   return mortar_constraints(faces, edges, coupled.spaces, coupled.problem->materials,
                             d.model.tolerance().same_point * d.model.size());
 }

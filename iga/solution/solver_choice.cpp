@@ -59,7 +59,10 @@ void check_coupling(Method method, const SizeForecast& size) {
                     "'mumps' or 'umfpack', or coupling 'elimination'",
                     solvers::name(method)));
   if (!tied && method == Method::minres)
-    refuse("method 'minres' is for coupling 'lagrange'; use 'auto' or 'cg' with coupling 'elimination'");
+    refuse(
+        "method 'minres' is for coupling 'lagrange' and for non_matching = \"mortar\"; use 'auto' or 'cg' "
+        "without "
+        "multipliers");
 }
 
 void check_processes(const solvers::SolverOptions& options, int processes) {
@@ -118,9 +121,9 @@ Method direct_method(const SizeForecast& size) {
 // Iterations in the form that the options ask for, or else in the faster one that fits.
 SolverPlan iterative_plan(const SizeForecast& size, const solvers::SolverOptions& options, double available) {
   SolverPlan plan;
-  plan.method = options.method != Method::automatic          ? options.method
-                : size.has_multipliers() && !size.has_mortar ? Method::minres
-                                                             : Method::cg;
+  plan.method = options.method != Method::automatic   ? options.method
+                : size.coupling == Coupling::lagrange ? Method::minres
+                                                      : Method::cg;
   plan.preconditioner = options.preconditioner;
   if (options.preconditioner == Preconditioner::block_jacobi) {
     plan.reason = "iterations with block Jacobi";

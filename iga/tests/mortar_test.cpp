@@ -100,7 +100,7 @@ TEST(MortarFaces, AreThoseThatOthersCoverAllOver) {
   ASSERT_EQ(finer.size(), 2u);
   EXPECT_EQ(finer[0].slave.patch, PatchId(1));
   EXPECT_EQ(finer[0].masters, std::vector{(PatchFace{PatchId(0), Side::back})});
-  EXPECT_EQ(finer[0].reason, "the side with the smaller elements");
+  EXPECT_EQ(finer[0].reason, "the finer side");
   const std::vector<MortarFace> other = roles(model, same, MortarSide::other);
   ASSERT_EQ(other.size(), 1u);
   EXPECT_EQ(other[0].masters.size(), 2u);
