@@ -59,6 +59,12 @@ struct Residual {
   double energy = 0;      // J
 };
 
+double energy_of(const std::vector<ElementErrors>& errors) {
+  double sum = 0;
+  for (const ElementErrors& of_patch : errors) sum += of_patch.energy.sum();
+  return sum;
+}
+
 // A fold is seen by the process whose elements have it, and must be known to all before they talk again.
 Eigen::VectorXd forces_of(const Level& level, const LevelOperator& stiffness, const Eigen::VectorXd& u,
                           const solvers::Processes& processes) {
@@ -199,7 +205,22 @@ struct ErrorEstimator::State {
   Residual residual(const Eigen::Matrix3Xd& loads, const ElasticField& solution) const {
     const Eigen::VectorXd u = rows_of(level, in_raised_space(problem, raised, solution.displacement));
     const Eigen::VectorXd forces = forces_of(level, stiffness, u, options.processes);
-    return {level.free.to_free(sum_of_nodes(level, loads) - forces), 0.5 * level.rows.dot(u, forces)};
+    return {level.free.to_free(sum_of_nodes(level, loads) - forces),
+            0.5 * level.rows.dot(u, forces) - energy_of_jumps(u)};
+  }
+
+  bool has_mortar() const {
+    return options.non_matching == NonMatchingCoupling::mortar &&
+           !problem.discretization.model.non_matching().empty();
+  }
+  // What Nitsche's terms, and springs, count of displacements with mortar multipliers, whose jumps cost
+  // nothing.
+  double energy_of_jumps(const Eigen::VectorXd& u) const {
+    if (!has_mortar()) return 0;
+    const Eigen::Matrix3Xd of_nodes = at_nodes(level, u);
+    Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, of_nodes.cols());
+    stiffness.surfaces().add_forces(of_nodes, forces);
+    return 0.5 * of_nodes.cwiseProduct(forces).sum();
   }
 
   const ElasticityProblem& problem;
@@ -264,12 +285,12 @@ std::vector<ErrorEstimate> ErrorEstimator::estimates(const std::vector<SolutionT
     const Correction& correction = corrections[i];
     const Eigen::Matrix3Xd error = at_nodes(s.level, s.level.free.to_space(correction.displacement));
     ErrorEstimate& result = results.emplace_back();
-    result.energy = correction.energy;
     result.iterations = correction.iterations;
-    const double whole = energies[i] + result.energy;
-    result.relative = whole > 0 ? std::sqrt(result.energy / whole) : 0;
     result.elements = element_errors(s.raised.discretization, s.raised.materials, error, s.level.parts,
                                      s.options.processes);
+    result.energy = s.has_mortar() ? energy_of(result.elements) : correction.energy;
+    const double whole = energies[i] + result.energy;
+    result.relative = whole > 0 ? std::sqrt(result.energy / whole) : 0;
     result.stress_at = stresses_at(solutions[i].places, s.raised, s.level, error, s.options.processes);
   }
   return results;

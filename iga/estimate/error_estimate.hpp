@@ -45,6 +45,10 @@ struct SolutionToEstimate {
 /// less than a tenth where the solution is smooth, by some 30 % at re-entrant edges and other places where
 /// stress grows without limit.
 ///
+/// Across faces that do not match the raised functions are coupled by Nitsche's method. Where the solution
+/// has mortar multipliers, what its jumps would cost there is no error: the strain energy of the correction
+/// counts.
+///
 /// One set-up serves any number of load cases and sums of them.
 ///
 /// @throws Error out_of_memory  before anything large exists, saying what it would need

@@ -8,6 +8,7 @@
 #include "geometry/models/box.hpp"
 #include "geometry/splines/basis.hpp"
 #include "iga/assembly/mortar_constraints.hpp"
+#include "iga/estimate/error_estimate.hpp"
 #include "iga/solution/solve_elasticity.hpp"
 #include "iga/spaces/multiplier_space.hpp"
 #include "iga/tests/small_models.hpp"
@@ -170,6 +171,39 @@ TEST(Mortar, PrescribedDisplacementsGoThroughTheInterface) {
     }
     EXPECT_LT(error, 1e-9 * 1e-3) << solvers::name(method);
   }
+}
+
+// Jumps of a coarse slave cost nothing, so the estimate must not count what Nitsche's penalty would.
+TEST(Mortar, ErrorsAreEstimatedAsLargeAsWithNitsche) {
+  const ElasticityProblem p = loaded(box_below(2), 2, 1);
+  const double nitsche = estimate_error(p, solve_elasticity(p).field).relative;
+  for (const MortarSide side : {MortarSide::automatic, MortarSide::other}) {
+    const ElasticitySolution s = solved(p, Method::mumps, Coupling::elimination, side);
+    const double mortar =
+        estimate_error(p, s.field, {}, {.non_matching = NonMatchingCoupling::mortar}).relative;
+    EXPECT_GT(mortar, 0.7 * nitsche);
+    EXPECT_LT(mortar, 1.5 * nitsche);
+  }
+}
+
+// Slave faces of one patch that meet at an edge: one of two by two boxes of higher degree.
+TEST(Mortar, SlaveFacesOfOnePatchShareTheirEdge) {
+  const MultiPatch model = geometry::connect(geometry::box_model({.size = {2, 2, 1}, .patches = {2, 2, 1}}),
+                                             {.keep_non_matching = true});
+  DiscretizationOptions options{.degree = {2, 2, 2}, .refine = 1, .spread = false};
+  options.patches = {{.patches = {0}, .degree = {3, 3, 3}}};
+  ElasticityProblem p = testing::problem(model, options, testing::steel);
+  ASSERT_EQ(p.discretization.model.non_matching().size(), 2u);
+  p.supports = {{"left", {PatchFace{PatchId(2), Side::west}}, PrescribedDisplacement{}}};
+  p.surface_loads = {{"pull",
+                      {PatchFace{PatchId(1), Side::east}},
+                      [](const Eigen::Vector3d&, const Eigen::Vector3d&) -> Eigen::Vector3d {
+                        return {1e6, 2e6, 3e6};
+                      }}};
+  const ElasticitySolution direct = solved(p, Method::mumps);
+  EXPECT_LT(difference(direct.field, solved(p, Method::cg).field), 1e-7);
+  const double of_nitsche = solve_elasticity(p).results.external_work;
+  EXPECT_NEAR(direct.results.external_work / of_nitsche, 1, 0.02);
 }
 
 // The middle one of three boxes with one linear element shares both its edges.
