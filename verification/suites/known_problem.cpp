@@ -14,7 +14,8 @@ iga::ElasticityOptions options(const KnownProblem& problem, const Levels& levels
   // Errors of high degrees are below what iterations are asked for by default.
   result.solver.method = eliminates ? solvers::Method::cholmod : solvers::Method::mumps;
   if (!levels.iterate) return result;
-  result.solver.method = eliminates ? solvers::Method::cg : solvers::Method::minres;
+  result.solver.method =
+      levels.coupling == iga::Coupling::elimination ? solvers::Method::cg : solvers::Method::minres;
   result.solver.tolerance = 1e-12;
   return result;
 }
