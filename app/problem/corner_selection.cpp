@@ -1,6 +1,9 @@
 #include "app/problem/corner_selection.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include "app/base/place_tolerance.hpp"
@@ -27,14 +30,33 @@ std::pair<iga::PatchCorner, double> nearest_corner(const MultiPatch& model, cons
   return nearest;
 }
 
+// The patches of a body with faces that do not match others': their corners are nodes of their own.
+std::vector<PatchId> patches_apart(const MultiPatch& model, const std::vector<PatchId>& body) {
+  std::set<PatchId> apart;
+  for (const geometry::NonMatchingInterface& interface : model.non_matching()) {
+    apart.insert(interface.first.patch);
+    apart.insert(interface.second.patch);
+  }
+  std::vector<PatchId> result;
+  std::copy_if(body.begin(), body.end(), std::back_inserter(result),
+               [&](PatchId patch) { return apart.contains(patch); });
+  return result;
+}
+
 }  // namespace
 
 std::vector<iga::PatchCorner> corners_at(const MultiPatch& model, const Eigen::Vector3d& wanted) {
   const double tolerance = place_tolerance * model.size();
   std::vector<iga::PatchCorner> result;
-  for (const std::vector<PatchId>& body : model.bodies())
-    if (const auto found = nearest_corner(model, body, wanted); found.second <= tolerance)
-      result.push_back(found.first);
+  for (const std::vector<PatchId>& body : model.bodies()) {
+    const auto found = nearest_corner(model, body, wanted);
+    if (found.second > tolerance) continue;
+    result.push_back(found.first);
+    for (const PatchId patch : patches_apart(model, body))
+      if (const auto [corner, distance] = nearest_corner(model, {patch}, wanted);
+          distance <= tolerance && patch != found.first.patch)
+        result.push_back(corner);
+  }
   return result;
 }
 

@@ -7,8 +7,8 @@
 
 namespace isopatch::app {
 
-/// The corners of patches at a place, to 1e-4 of the model's size: the first patch that has one there, in
-/// every body that has.
+/// The corners of patches at a place, to 1e-4 of the model's size, in every body that has one there: that of
+/// the first patch, with which patches that match share it, and those of patches whose faces do not match.
 ///
 /// @param model   in m
 /// @param wanted  m

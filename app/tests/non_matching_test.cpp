@@ -109,6 +109,25 @@ TEST_F(NonMatching, MortarSaysWhichFacesHaveTheMultipliersAndAgreesWithNitsche) 
   EXPECT_NEAR(energies[0] / energies[1], 1, 0.01);
 }
 
+// A corner of two patches is two nodes.
+TEST_F(NonMatching, PointsAreHeldInEveryPatchThatHasThem) {
+  const std::string pin = "{ name = 'pin', points = [[0, 0, 1]], displacement = [0, 0, 0] }";
+  const std::string ground = "{ faces = ['0:front'], displacement = [0, 0, 0] }";
+  for (const char* way : {"nitsche", "mortar"}) {
+    ASSERT_EQ(run({"run", study(), "--set", "support=[" + ground + ", " + pin + "]", "--set",
+                   std::string("coupling.non_matching=") + way}),
+              0)
+        << err_;
+    const std::string results_file = (results() / "results.h5").string();
+    for (const auto& [patch, parameter] : {std::pair("0", "0,0,1"), std::pair("1", "0,0,0")}) {
+      ASSERT_EQ(run({"probe", results_file, "--patch", patch, "--parameter", parameter, "--json"}), 0)
+          << err_;
+      for (const json& component : json::parse(out_)["displacement"])
+        EXPECT_LT(std::abs(component.get<double>()), 1e-20) << way << ", patch " << patch;
+    }
+  }
+}
+
 TEST_F(NonMatching, BothWaysAreComparedWithinTheErrorOfTheDiscretization) {
   ASSERT_EQ(run({"compare", study(), "--set", "discretization.refine=2"}), 0) << err_;
   EXPECT_THAT(out_, HasSubstr("faces that do not match by nitsche and by mortar: energy"));

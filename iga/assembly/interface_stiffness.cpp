@@ -131,8 +131,7 @@ NodeBlocks interface_stiffness(const std::vector<CoupledFaces>& interfaces,
                                double same_point) {
   NodeBlocks result;
   if (interfaces.empty()) return result;
-  std::vector<int> first_node = {0};
-  for (const PatchSpace& space : spaces) first_node.push_back(first_node.back() + space.size());
+  const std::vector<int> first_node = first_nodes(spaces);
   std::vector<std::vector<Side>> traction_sides(spaces.size());
   for (const CoupledFaces& faces : interfaces) {
     std::vector<Side>& sides = traction_sides[static_cast<std::size_t>(faces.traction.patch.value)];

@@ -15,12 +15,6 @@ namespace {
 using Eigen::Index;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-std::vector<int> first_nodes(const std::vector<PatchSpace>& spaces) {
-  std::vector<int> result = {0};
-  for (const PatchSpace& space : spaces) result.push_back(result.back() + space.size());
-  return result;
-}
-
 // (functions of a face, multipliers) of the products of two lines' splines.
 Eigen::SparseMatrix<double> products(const Eigen::SparseMatrix<double>& first,
                                      const Eigen::SparseMatrix<double>& second) {

@@ -144,8 +144,7 @@ NodeBlocks support_stiffness(const std::vector<PatchSpace>& spaces, const std::v
                              const Springs& springs) {
   NodeBlocks result;
   if (springs.empty()) return result;
-  std::vector<int> first_node = {0};
-  for (const PatchSpace& space : spaces) first_node.push_back(first_node.back() + space.size());
+  const std::vector<int> first_node = first_nodes(spaces);
   for (const PatchLayers& part : parts) {
     const auto p = static_cast<std::size_t>(part.patch);
     const int first = first_node[p];

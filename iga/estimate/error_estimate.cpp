@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/base/error.hpp"
+#include "iga/assembly/support_stiffness.hpp"
 #include "iga/estimate/element_errors.hpp"
 #include "iga/estimate/raised_problem.hpp"
 #include "iga/multigrid/fast_diagonalization.hpp"
@@ -198,6 +199,7 @@ struct ErrorEstimator::State {
         spaces(isoparametric_spaces(raised.discretization)),
         level(raised_level(raised.discretization, raised, spaces, options)),
         stiffness(level, raised.materials, 0, held_everywhere(surface_terms(problem))),
+        springs(support_stiffness(spaces, level.parts, held_everywhere(surface_terms(problem)).springs)),
         smoother(raised.discretization.model, level, raised.materials, stiffness.diagonal(),
                  stiffness.surfaces()) {}
 
@@ -213,14 +215,14 @@ struct ErrorEstimator::State {
     return options.non_matching == NonMatchingCoupling::mortar &&
            !problem.discretization.model.non_matching().empty();
   }
-  // What Nitsche's terms, and springs, count of displacements with mortar multipliers, whose jumps cost
-  // nothing.
+  // What Nitsche's terms count of displacements with mortar multipliers, whose jumps cost nothing.
   double energy_of_jumps(const Eigen::VectorXd& u) const {
     if (!has_mortar()) return 0;
     const Eigen::Matrix3Xd of_nodes = at_nodes(level, u);
-    Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, of_nodes.cols());
-    stiffness.surfaces().add_forces(of_nodes, forces);
-    return 0.5 * of_nodes.cwiseProduct(forces).sum();
+    Eigen::Matrix3Xd all = Eigen::Matrix3Xd::Zero(3, of_nodes.cols()), of_springs = all;
+    stiffness.surfaces().add_forces(of_nodes, all);
+    springs.add_forces(of_nodes, of_springs);
+    return 0.5 * of_nodes.cwiseProduct(all - of_springs).sum();
   }
 
   const ElasticityProblem& problem;
@@ -229,6 +231,7 @@ struct ErrorEstimator::State {
   std::vector<PatchSpace> spaces;
   Level level;
   LevelOperator stiffness;
+  NodeBlocks springs;  // of what the stiffness has beside the elements'
   FastDiagonalization smoother;
 };
 

@@ -121,8 +121,7 @@ Level finest_level(const std::vector<PatchSpace>& spaces, const GlobalNodes& glo
                    const solvers::Processes& processes) {
   Level level;
   level.spaces = spaces;
-  level.first_node = {0};
-  for (const PatchSpace& space : spaces) level.first_node.push_back(level.first_node.back() + space.size());
+  level.first_node = first_nodes(spaces);
   std::vector<const SupportFrame*> of_global;
   for (const SupportFrame& frame : frames) of_global.push_back(&frame);
   number_rows(level, global.global_of, of_global, distribution, processes);

@@ -19,8 +19,8 @@ namespace isopatch::iga {
 /// M P^T, and the multipliers are the forces that remain on these nodes.
 ///
 /// Method minres: minimal residuals for [[K, B^T], [B, 0]] with a block diagonal preconditioner, M and for
-/// the multipliers the inverse of their product in the metric of Nitsche's penalty. Takes about three times
-/// the iterations, but slave faces may be held by supports.
+/// the multipliers the inverse of their product in the metric of Nitsche's penalty. Takes two to four times
+/// the iterations, but no node need follow others.
 ///
 /// @throws Error unsupported  as MortarProjection does, with cg
 /// @source  Benzi, Golub, Liesen, Numerical solution of saddle point problems, Acta Numerica 2005, sections 6

@@ -159,7 +159,7 @@ SolverPlan without_multipliers(const SizeForecast& size) {
       "that these leave"};
 }
 
-// Where supports hold nodes that were to follow others.
+// Where the faces with multipliers have no nodes that can follow others.
 SolverPlan with_mortar_multipliers(const SizeForecast& size) {
   return {Method::minres, Preconditioner::multigrid, Operator::matrix_free,
           multigrid_bytes(size, Operator::matrix_free), "iterations with a multigrid and mortar multipliers"};
@@ -206,7 +206,8 @@ std::vector<SolverPlan> automatic_plans(const SizeForecast& size, const solvers:
   // What MUMPS fails on for reasons of its own, LU may do, at twice the cost.
   if (tied && size.processes == 1 && options.form != Operator::matrix_free)
     plans.push_back(direct_plan(size, Method::umfpack, "LU, which pivots more freely"));
-  if (can_iterate && size.has_mortar) plans.push_back(with_mortar_multipliers(size));
+  if (can_iterate && size.has_mortar && size.coupling == Coupling::elimination)
+    plans.push_back(with_mortar_multipliers(size));
   if (tied && can_iterate && !size.has_mortar) plans.push_back(without_multipliers(size));
   return plans;
 }

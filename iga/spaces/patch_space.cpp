@@ -13,6 +13,12 @@ std::vector<PatchSpace> isoparametric_spaces(const Discretization& discretizatio
   return spaces;
 }
 
+std::vector<int> first_nodes(const std::vector<PatchSpace>& spaces) {
+  std::vector<int> result = {0};
+  for (const PatchSpace& space : spaces) result.push_back(result.back() + space.size());
+  return result;
+}
+
 std::vector<PatchLayers> whole_patches(const std::vector<PatchSpace>& spaces) {
   std::vector<PatchLayers> parts;
   for (std::size_t p = 0; p < spaces.size(); ++p)

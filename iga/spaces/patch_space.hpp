@@ -42,6 +42,9 @@ struct PatchLayers {
 /// The solution space's own functions, one space per patch, pointing into `discretization`.
 std::vector<PatchSpace> isoparametric_spaces(const Discretization& discretization);
 
+/// The first node of every patch, and the number of nodes at the end.
+std::vector<int> first_nodes(const std::vector<PatchSpace>& spaces);
+
 /// Every patch as a whole.
 std::vector<PatchLayers> whole_patches(const std::vector<PatchSpace>& spaces);
 

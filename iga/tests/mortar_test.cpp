@@ -1,12 +1,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <set>
 
 #include "geometry/base/larger.hpp"
 #include "geometry/base/tests/expect_error.hpp"
 #include "geometry/models/box.hpp"
 #include "geometry/splines/basis.hpp"
+#include "iga/assembly/assembly.hpp"
+#include "iga/assembly/face_stiffness.hpp"
 #include "iga/assembly/mortar_constraints.hpp"
 #include "iga/estimate/error_estimate.hpp"
 #include "iga/solution/solve_elasticity.hpp"
@@ -113,6 +118,54 @@ TEST(MortarFaces, AreThoseThatOthersCoverAllOver) {
                "parts stay free");
 }
 
+TEST(MortarFaces, OfTheHigherDegreeFollow) {
+  const MultiPatch model = geometry::connect(geometry::box_model({.size = {2, 1, 1}, .patches = {2, 1, 1}}));
+  for (const int higher : {0, 1}) {
+    DiscretizationOptions options{.degree = {2, 2, 2}, .spread = false};
+    options.patches = {{.patches = {higher}, .degree = {3, 3, 3}}};
+    const std::vector<MortarFace> faces =
+        mortar_faces(discretize(model, options), std::vector<Material>(2, testing::steel));
+    ASSERT_EQ(faces.size(), 1u);
+    EXPECT_EQ(faces[0].slave.patch, PatchId(higher));
+    EXPECT_EQ(faces[0].reason, "the finer side");
+  }
+}
+
+// The block of all nodes on two sides that share an edge.
+TEST(FaceStiffness, IsABlockOfThePatchsStiffness) {
+  const ElasticityProblem p =
+      testing::problem(geometry::connect(geometry::box_model({.distortion = 0.2, .seed = 5})),
+                       {.degree = {2, 3, 2}, .refine = 1}, testing::steel);
+  const std::vector<PatchSpace> spaces = isoparametric_spaces(p.discretization);
+  std::vector<int> all(static_cast<std::size_t>(spaces[0].size()));
+  std::iota(all.begin(), all.end(), 0);
+  const RowNumbering numbering{all, spaces[0].size()};
+  const solvers::SymmetricBlockMatrix whole =
+      assemble_stiffness(spaces, whole_patches(spaces), p.materials, numbering);
+  const std::vector<Side> sides = {Side::west, Side::front};
+  solvers::SymmetricBlockMatrix part = whole;
+  std::fill(part.values.begin(), part.values.end(), 0.0);
+  face_stiffness(spaces[0], sides, 0, testing::steel).add_to(part, numbering);
+  EXPECT_EQ(part.blocks(), whole.blocks());
+  std::set<int> on_sides;
+  for (const Side side : sides)
+    for (const int node : geometry::face_control_points(spaces[0].sizes(), side)) on_sides.insert(node);
+  double largest = 0, difference = 0;
+  for (int row = 0; row < whole.block_rows(); ++row)
+    for (std::int64_t k = whole.row_start[static_cast<std::size_t>(row)];
+         k < whole.row_start[static_cast<std::size_t>(row) + 1]; ++k) {
+      const bool is_here =
+          on_sides.contains(row) && on_sides.contains(whole.columns[static_cast<std::size_t>(k)]);
+      for (std::size_t i = 0; i < 9; ++i) {
+        const std::size_t at = 9 * static_cast<std::size_t>(k) + i;
+        largest = isopatch::larger(largest, std::abs(whole.values[at]));
+        difference =
+            isopatch::larger(difference, std::abs(part.values[at] - (is_here ? whole.values[at] : 0.0)));
+      }
+    }
+  EXPECT_LT(difference, 1e-12 * largest);
+}
+
 TEST(Mortar, DirectAndIterativeSolversAndBothSidesAgree) {
   const ElasticityProblem p = loaded(box_below(2), 2, 1);
   const ElasticitySolution direct = solved(p, Method::mumps);
@@ -212,6 +265,28 @@ TEST(Mortar, FacesWithoutNodesOfTheirOwnNeedFactors) {
   EXPECT_ERROR(solved(p, Method::cg), ErrorCode::unsupported, "no inner nodes");
   const ElasticitySolution s = solved(p, Method::mumps);
   EXPECT_NEAR(s.results.internal_energy / s.results.external_work, 1, 1e-10);
+}
+
+// One edge of the face gives way to the corner.
+TEST(Mortar, CornersThatSupportsHoldFollowNothing) {
+  ElasticityProblem p = loaded(box_below(2), 2, 1);
+  p.supports.push_back({"pin", {}, PrescribedDisplacement{}});
+  p.supports.back().corners = {{PatchId(1), {false, false, false}}, {PatchId(0), {false, false, true}}};
+  const ElasticitySolution direct = solved(p, Method::mumps);
+  EXPECT_LT(difference(direct.field, solved(p, Method::cg).field), 1e-7);
+  EXPECT_EQ(direct.field.displacement[1].col(0).norm(), 0);
+}
+
+// Springs that carry half of the load store energy, which is none of jumps.
+TEST(Mortar, ErrorsBesideElasticSupportsAreThoseOfNitsche) {
+  ElasticityProblem p = loaded(box_below(2), 2, 1);
+  p.supports = {{"bed", {PatchFace{PatchId(0), Side::front}}, ElasticSupport{5e10, 5e10}}};
+  const double nitsche = estimate_error(p, solve_elasticity(p).field).relative;
+  const double mortar =
+      estimate_error(p, solved(p, Method::mumps).field, {}, {.non_matching = NonMatchingCoupling::mortar})
+          .relative;
+  EXPECT_GT(mortar, 0.7 * nitsche);
+  EXPECT_LT(mortar, 1.3 * nitsche);
 }
 
 TEST(Mortar, TakesNoCholeskyFactors) {
