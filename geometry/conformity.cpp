@@ -128,8 +128,8 @@ void check_other_parameters(const std::vector<FreeFace>& faces, double same_poin
         ErrorCode::not_conforming,
         fmt::format("faces {} and {} lie on one another, but are parametrized differently or have different "
                     "outlines, so they cannot be joined; split or reparametrize the patches so that the "
-                    "faces agree point by point, or set non_matching = \"nitsche\" (in a study: "
-                    "coupling.non_matching), which couples them as they are",
+                    "faces agree point by point, or set non_matching = \"nitsche\" or \"mortar\" "
+                    "(in a study: coupling.non_matching), which couple them as they are",
                     label(a.face), label(b.face)));
   }
 }

@@ -28,7 +28,7 @@ void require_side_to_side(const segmentation::HexModel& model) {
       ErrorCode::not_conforming,
       fmt::format("blocks meet in parts of sides (T-joints): {}{}; cut the solid with t_joints = "
                   "\"remove\", the default, or couple patches that do not meet side to side with "
-                  "coupling.non_matching = \"nitsche\"",
+                  "coupling.non_matching = \"nitsche\" or \"mortar\"",
                   joints.front(), joints.size() == 1 ? "" : fmt::format(", and {} more", joints.size() - 1)));
 }
 
