@@ -15,7 +15,7 @@ using ConstraintMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 /// definite on its kernel.
 ///
 /// Spread over processes, each has K and B in its local rows, additive: the true matrices are the sums of
-/// all; f, x and y are consistent, and g is 0. Alone, `rows` and `multiplier_rows` may be left as they are.
+/// all; f, g, x and y are consistent. Alone, `rows` and `multiplier_rows` may be left as they are.
 struct LinearSystem {
   SymmetricBlockMatrix stiffness;             ///< K
   ConstraintMatrix constraints;               ///< B, (multipliers, K rows), entries of the order of 1

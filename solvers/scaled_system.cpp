@@ -66,6 +66,8 @@ double ScaledSystem::norm(const Eigen::VectorXd& z) const {
 }
 
 double ScaledSystem::load_norm() const {
+  // One process may have f alone where others have g.
+  if (system_.rows.is_distributed() && system_.has_constraints()) return norm(right_side());
   return load_.size() > system_.stiffness.rows() ? load_.stableNorm() : system_.rows.norm(load_);
 }
 

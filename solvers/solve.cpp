@@ -60,8 +60,7 @@ void check_values(const LinearSystem& system) {
 
 void check_load(const Eigen::VectorXd& load, const LinearSystem& system) {
   const SymmetricBlockMatrix& matrix = system.stiffness;
-  const bool has_both =
-      !system.rows.is_distributed() && load.size() == matrix.rows() + system.constraints.rows();
+  const bool has_both = load.size() == matrix.rows() + system.constraints.rows();
   if (load.size() != matrix.rows() && !has_both)
     refuse(fmt::format("the load has {} entries, the matrix {} rows", load.size(), matrix.rows()));
   for (Eigen::Index i = 0; i < load.size(); ++i)

@@ -7,7 +7,6 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <variant>
 
 #include "app/run/if_it_fits.hpp"
 #include "iga/estimate/refinement.hpp"
@@ -110,13 +109,6 @@ std::string no_further(const AccuracyInput& asked, const Worst& worst, const std
   return "";
 }
 
-// Whether neighbours may have other elements: not yet on several processes, nor with temperatures.
-bool may_be_apart(const Study& study) {
-  return study.options.processes.count() == 1 &&
-         std::none_of(study.loads.begin(), study.loads.end(),
-                      [](const AppliedLoad& load) { return std::holds_alternative<Temperature>(load.load); });
-}
-
 // More knots for the next solution.
 std::vector<iga::KnotPlace> next_knots(const StudyRun& run, const Worst& worst, bool spread) {
   const double ratio = aim / worst.distance.of_goal;
@@ -134,7 +126,6 @@ StudyRun run_accuracy(const Study& study, const std::function<void(StudyRun&)>& 
   const bool is_alone = study.options.processes.count() == 1;
   Study refined = study;
   refined.output.error_estimate = true;
-  if (!may_be_apart(study)) refined.discretization.spread = true;
   const ReportedModel model = reported_model(study, progress);
   std::vector<RunLevel> levels;
   std::vector<double> distances;

@@ -162,8 +162,8 @@ const Keys<CouplingKeys>& coupling_keys() {
           "non_matching", &CouplingKeys::non_matching, non_matching,
           "Faces that lie on one another with other elements, parameters or outlines (T-joints) are an "
           "error, or are coupled: by Nitsche's method, which leaves the system positive definite, or by "
-          "mortar multipliers, for which one side must be covered all over. Not yet with several processes, "
-          "temperatures or natural modes."),
+          "mortar multipliers, for which one side must be covered all over. Natural modes always take "
+          "Nitsche's method."),
       choice_key("mortar_side", &CouplingKeys::mortar_side, mortar_sides,
                  "Which side has the mortar multipliers: the softer, of equal ones that with more functions, "
                  "or the other one, where both can."),

@@ -18,8 +18,15 @@ struct SurfaceTerms {
 SurfaceTerms surface_terms(const ElasticityProblem& problem);
 
 /// Their blocks for any spaces on the patches; shares of all processes add up.
-/// @param parts  what this process integrates; all patches as a whole where interfaces do not match
+/// @param parts  what this process integrates
 NodeBlocks surface_stiffness(const std::vector<PatchSpace>& spaces, const std::vector<PatchLayers>& parts,
                              const SurfaceTerms& terms);
+
+/// The interfaces among the terms that this process integrates.
+std::vector<CoupledFaces> interfaces_of(const SurfaceTerms& terms, const std::vector<PatchLayers>& parts);
+
+/// Nitsche's terms alone.
+NodeBlocks interface_stiffness(const std::vector<PatchSpace>& spaces, const std::vector<PatchLayers>& parts,
+                               const SurfaceTerms& terms);
 
 }  // namespace isopatch::iga

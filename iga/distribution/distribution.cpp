@@ -119,22 +119,23 @@ std::vector<PatchLayers> layers_of(const Distribution& distribution, const std::
   for (const PatchShare& share : distribution[static_cast<std::size_t>(process)]) {
     const int layers = spaces[static_cast<std::size_t>(share.patch)].knots[2].element_count();
     parts.push_back({share.patch, static_cast<int>(std::lround(share.begin * layers)),
-                     static_cast<int>(std::lround(share.end * layers))});
+                     static_cast<int>(std::lround(share.end * layers)), share.couples});
   }
   return parts;
 }
 
 std::vector<std::vector<int>> processes_of_patches(const Distribution& distribution, int patches) {
   std::vector<std::vector<int>> result(static_cast<std::size_t>(patches));
-  for (std::size_t process = 0; process < distribution.size(); ++process)
-    for (const PatchShare& share : distribution[process])
-      result[static_cast<std::size_t>(share.patch)].push_back(static_cast<int>(process));
+  for (const bool empty : {false, true})
+    for (std::size_t process = 0; process < distribution.size(); ++process)
+      for (const PatchShare& share : distribution[process])
+        if (share.is_empty() == empty)
+          result[static_cast<std::size_t>(share.patch)].push_back(static_cast<int>(process));
   return result;
 }
 
-LocalRows local_rows(const RowNumbering& whole, const std::vector<int>& first_node,
-                     const Distribution& distribution, const solvers::Processes& processes) {
-  if (processes.count() == 1) return {solvers::SharedRows(whole.rows), whole};
+std::vector<std::vector<int>> processes_of_rows(const RowNumbering& whole, const std::vector<int>& first_node,
+                                                const Distribution& distribution) {
   const auto of_patch = processes_of_patches(distribution, static_cast<int>(first_node.size()) - 1);
   std::vector<std::vector<int>> of_row(static_cast<std::size_t>(whole.rows));
   for (std::size_t p = 0; p < of_patch.size(); ++p)
@@ -144,8 +145,14 @@ LocalRows local_rows(const RowNumbering& whole, const std::vector<int>& first_no
         if (std::find(row.begin(), row.end(), process) == row.end()) row.push_back(process);
     }
   for (auto& row : of_row) std::sort(row.begin(), row.end());
+  return of_row;
+}
+
+LocalRows local_rows(const RowNumbering& whole, const std::vector<int>& first_node,
+                     const Distribution& distribution, const solvers::Processes& processes) {
+  if (processes.count() == 1) return {solvers::SharedRows(whole.rows), whole};
   LocalRows result;
-  result.rows = solvers::SharedRows(of_row, processes);
+  result.rows = solvers::SharedRows(processes_of_rows(whole, first_node, distribution), processes);
   result.numbering.rows = result.rows.local_rows();
   std::vector<int> local(static_cast<std::size_t>(whole.rows), -1);
   for (int row = 0; row < result.rows.local_rows(); ++row)

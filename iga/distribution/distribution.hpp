@@ -14,11 +14,15 @@ struct PatchShare {
   int patch = 0;
   double begin = 0;
   double end = 1;
+  bool couples = true;  ///< also what ties the patch where its sides do not match others
+
+  bool is_empty() const { return begin == end; }
 };
 
 /// The patches, or shares of patches, that each process integrates: increasing, each patch at most once a
 /// process. The shares of a patch follow each other in the order of the processes; the one with the first is
-/// its *primary* process.
+/// its *primary* process. Empty shares, of what has nothing to integrate there but needs the patch's rows,
+/// may be anywhere.
 using Distribution = std::vector<std::vector<PatchShare>>;
 
 /// Spreads patches over processes so that each has about as many operations. Whole patches where that is
@@ -33,8 +37,16 @@ Distribution distribute(const std::vector<PatchSpace>& spaces, int processes);
 std::vector<PatchLayers> layers_of(const Distribution& distribution, const std::vector<PatchSpace>& spaces,
                                    int process);
 
-/// Of every patch: the processes that have a share of it, increasing; the primary one first.
+/// Of every patch: the processes that have a share of it; the primary one first, those with empty shares
+/// last, else increasing.
 std::vector<std::vector<int>> processes_of_patches(const Distribution& distribution, int patches);
+
+/// Of every block row of a whole system: the processes that have a share of a patch with it, increasing.
+/// @param whole       the rows of the whole system
+/// @param first_node  of each patch, and the number of nodes at the end
+/// @cost  O(nodes)
+std::vector<std::vector<int>> processes_of_rows(const RowNumbering& whole, const std::vector<int>& first_node,
+                                                const Distribution& distribution);
 
 /// The rows that this process keeps of a whole system: all of every patch of which it has a share, so that
 /// transfers and smoothers of whole patches need no other process.

@@ -23,7 +23,6 @@ SharedMultipliers shared_multipliers(const std::vector<MultiplierRow>& rows, con
   const solvers::Processes& processes = local.rows.processes();
   if (processes.count() == 1) return result;
   const std::vector<int> primary = primary_of_nodes(first_node, distribution);
-  std::vector<std::vector<int>> of_multiplier;
   std::vector<Eigen::Triplet<double>> entries;
   int kept = 0;
   for (const MultiplierRow& row : rows) {
@@ -35,11 +34,10 @@ SharedMultipliers shared_multipliers(const std::vector<MultiplierRow>& rows, con
     if (first == processes.rank()) entries.emplace_back(kept, column(row.first), 1.0);
     if (second == processes.rank()) entries.emplace_back(kept, column(row.second), -1.0);
     if (first == processes.rank() || second == processes.rank()) ++kept;
-    of_multiplier.push_back(first == second
-                                ? std::vector<int>{first}
-                                : std::vector<int>{std::min(first, second), std::max(first, second)});
+    result.processes_of_row.push_back(
+        first == second ? std::vector<int>{first}
+                        : std::vector<int>{std::min(first, second), std::max(first, second)});
   }
-  result.rows = solvers::SharedRows(of_multiplier, processes, 1);
   result.matrix.resize(kept, 3 * local.rows.local_rows());
   result.matrix.setFromTriplets(entries.begin(), entries.end());
   return result;

@@ -9,8 +9,8 @@ namespace isopatch::iga {
 
 /// A process's share of the constraint matrix B: B is the sum of all shares.
 struct SharedMultipliers {
-  solvers::ConstraintMatrix matrix;  ///< (local multipliers, 3 local nodes)
-  solvers::SharedRows rows;          ///< of B; block size 1
+  solvers::ConstraintMatrix matrix;                ///< (local multipliers, 3 local nodes)
+  std::vector<std::vector<int>> processes_of_row;  ///< of the whole B, increasing; empty on one process
 };
 
 /// Spreads `multiplier_matrix` over processes: each of a multiplier's two nodes belongs to the primary

@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "geometry/base/error.hpp"
+#include "iga/assembly/interface_thermal_load.hpp"
 #include "iga/assembly/support_stiffness.hpp"
+#include "iga/distribution/shared_interfaces.hpp"
 #include "iga/estimate/element_errors.hpp"
 #include "iga/estimate/raised_problem.hpp"
 #include "iga/multigrid/fast_diagonalization.hpp"
@@ -42,7 +44,7 @@ Level raised_level(const Discretization& d, const ElasticityProblem& raised,
                    const std::vector<PatchSpace>& spaces, const ElasticityOptions& options) {
   const GlobalNodes global = global_nodes(d);
   return finest_level(spaces, global, support_frames(raised, global),
-                      distribute(spaces, options.processes.count()), options.processes);
+                      distribute(d.model, spaces, global, options.processes.count()), options.processes);
 }
 
 // The values of nodes at the local rows: all nodes of a row have the same.
@@ -222,7 +224,7 @@ struct ErrorEstimator::State {
     Eigen::Matrix3Xd all = Eigen::Matrix3Xd::Zero(3, of_nodes.cols()), of_springs = all;
     stiffness.surfaces().add_forces(of_nodes, all);
     springs.add_forces(of_nodes, of_springs);
-    return 0.5 * of_nodes.cwiseProduct(all - of_springs).sum();
+    return options.processes.sum(0.5 * of_nodes.cwiseProduct(all - of_springs).sum());
   }
 
   const ElasticityProblem& problem;
@@ -261,6 +263,7 @@ Eigen::Matrix3Xd ErrorEstimator::loads(const ElasticityProblem& problem) const {
   if (strains.empty()) return result;
   Eigen::Matrix3Xd thermal =
       thermal_forces(raised.discretization, problem.materials, strains, state_->level.parts);
+  thermal += interface_thermal_load(state_->spaces, state_->level.parts, surface_terms(problem), strains);
   if (processes.count() > 1) processes.sum(Eigen::Map<Eigen::VectorXd>(thermal.data(), thermal.size()));
   return result + thermal;
 }

@@ -208,9 +208,9 @@ Eigen::VectorXd FastDiagonalization::apply(const Eigen::VectorXd& residual) cons
   });
   for (const Point& point : points_)
     result.segment<3>(3 * point.row) = point.inverse * force.segment<3>(3 * point.row);
-  level_->rows.sum(result);
   result = level_->free.to_free(std::move(result));
   interface_.add(residual, result);
+  level_->rows.sum(result);
   return result;
 }
 

@@ -13,9 +13,16 @@ namespace isopatch::iga {
 namespace {
 
 // By patch.
-std::map<PatchId, std::vector<geometry::Side>> sides_that_do_not_match(const geometry::MultiPatch& model) {
+std::map<PatchId, std::vector<geometry::Side>> sides_that_do_not_match(
+    const geometry::MultiPatch& model, const std::vector<PatchLayers>& parts) {
   std::map<PatchId, std::vector<geometry::Side>> result;
+  const auto is_here = [&](const PatchLayers& part, PatchId patch) {
+    return part.couples && part.patch == patch.value;
+  };
   const auto add = [&](const geometry::PatchFace& face) {
+    if (std::none_of(parts.begin(), parts.end(),
+                     [&](const PatchLayers& part) { return is_here(part, face.patch); }))
+      return;
     std::vector<geometry::Side>& sides = result[face.patch];
     if (std::find(sides.begin(), sides.end(), face.side) == sides.end()) sides.push_back(face.side);
   };
@@ -59,7 +66,7 @@ solvers::LinearOperator inverse_of(const solvers::SymmetricBlockMatrix& matrix) 
 
 std::vector<bool> nodes_that_do_not_match(const geometry::MultiPatch& model, const Level& level) {
   std::vector<bool> result(level.global_of.size(), false);
-  for (const auto& [patch, sides] : sides_that_do_not_match(model)) {
+  for (const auto& [patch, sides] : sides_that_do_not_match(model, whole_patches(level.spaces))) {
     const auto p = static_cast<std::size_t>(patch.value);
     for (const geometry::Side side : sides)
       for (const int node : geometry::face_control_points(level.spaces[p].sizes(), side))
@@ -74,20 +81,26 @@ InterfaceBlock::InterfaceBlock(const geometry::MultiPatch& model, const Level& l
   if (model.non_matching().empty()) return;
   // Rows of the block; nodes elsewhere that share one belong to it too.
   std::vector<int> of_row(static_cast<std::size_t>(level.rows.local_rows()), -1);
-  const std::vector<bool> is_here = nodes_that_do_not_match(model, level);
-  for (std::size_t node = 0; node < is_here.size(); ++node) {
-    if (!is_here[node]) continue;
-    const int row = level.row_of_node[node];
-    if (of_row[static_cast<std::size_t>(row)] >= 0) continue;
-    of_row[static_cast<std::size_t>(row)] = static_cast<int>(rows_.size());
-    rows_.push_back(row);
+  const auto sides_here = sides_that_do_not_match(model, level.parts);
+  std::vector<int> rows;
+  for (const auto& [patch, sides] : sides_here) {
+    const auto p = static_cast<std::size_t>(patch.value);
+    for (const geometry::Side side : sides)
+      for (const int node : geometry::face_control_points(level.spaces[p].sizes(), side))
+        rows.push_back(level.row_of_node[static_cast<std::size_t>(level.first_node[p] + node)]);
   }
+  std::sort(rows.begin(), rows.end());
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  if (rows.empty()) return;
+  rows_ = std::move(rows);
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    of_row[static_cast<std::size_t>(rows_[i])] = static_cast<int>(i);
   RowNumbering numbering{{}, static_cast<int>(rows_.size())};
   for (const int row : level.row_of_node)
-    numbering.row_of_node.push_back(of_row[static_cast<std::size_t>(row)]);
+    numbering.row_of_node.push_back(row < 0 ? -1 : of_row[static_cast<std::size_t>(row)]);
   solvers::SymmetricBlockMatrix matrix = diagonal_blocks(numbering.rows);
   NodeBlocks all = surfaces;
-  for (const auto& [patch, sides] : sides_that_do_not_match(model)) {
+  for (const auto& [patch, sides] : sides_here) {
     const auto p = static_cast<std::size_t>(patch.value);
     all.add(face_stiffness(level.spaces[p], sides, level.first_node[p], materials[p]));
   }

@@ -14,11 +14,10 @@ DiscreteSolution at_nodes(const CoupledProblem& coupled, const AssembledSystem& 
   DiscreteSolution result;
   result.report = std::move(linear.report);
   const Eigen::Index of_mortar = Eigen::Index{coupled.mortar.rows()};
-  result.mortar = linear.multipliers.tail(of_mortar);
+  const Eigen::VectorXd multipliers = system.multiplier_rows.whole(linear.multipliers);
+  result.mortar = multipliers.tail(of_mortar);
   if (coupled.coupling == Coupling::lagrange)
-    result.multipliers = of_mortar > 0
-                             ? Eigen::VectorXd(linear.multipliers.head(linear.multipliers.size() - of_mortar))
-                             : system.multiplier_rows.whole(linear.multipliers);
+    result.multipliers = multipliers.head(multipliers.size() - of_mortar);
   const Eigen::Matrix3Xd of_rows =
       displacement_of_rows(system.rows.whole(linear.x), assembled.frame_of_row, assembled.prescribed[side]);
   result.displacement.resize(3, coupled.discretization().node_count());

@@ -7,6 +7,7 @@
 #include "iga/assembly/assembly.hpp"
 #include "iga/assembly/surface_stiffness.hpp"
 #include "iga/distribution/shared_multipliers.hpp"
+#include "iga/solution/mortar_share.hpp"
 
 namespace isopatch::iga {
 namespace {
@@ -61,14 +62,21 @@ solvers::ConstraintMatrix stacked(const solvers::ConstraintMatrix& above,
 }
 
 // The rows of faces that do not match, behind those of nodes that are one.
-void add_mortar(const CoupledProblem& coupled, AssembledSystem& assembled) {
+// @param local             the rows of this process
+// @param processes_of_row  of all constraints; those of the ties so far
+void add_mortar(const CoupledProblem& coupled, const LocalRows& local, AssembledSystem& assembled,
+                std::vector<std::vector<int>>& processes_of_row) {
   solvers::LinearSystem& system = assembled.system;
+  const MortarShare share = mortar_share(coupled.mortar, coupled.parts);
   const Eigen::Index ties = system.constraints.rows();
-  system.constraints =
-      stacked(system.constraints, mortar_matrix(coupled.mortar, assembled.numbering, assembled.frame_of_row));
+  system.constraints = stacked(
+      system.constraints,
+      mortar_matrix(share.constraints, local.numbering, frames_of(local.rows, assembled.frame_of_row)));
+  for (const int process : processes_of_mortar(coupled.mortar, coupled.distribution))
+    processes_of_row.push_back({process});
   for (std::size_t i = 0; i < assembled.loads.size(); ++i) {
     const Eigen::VectorXd jumps =
-        mortar_right_side(coupled.mortar, assembled.numbering, assembled.prescribed[i]);
+        mortar_right_side(share.constraints, local.numbering, local.rows.part(assembled.prescribed[i]));
     if (jumps.isZero(0)) continue;
     Eigen::VectorXd both = Eigen::VectorXd::Zero(assembled.loads[i].size() + ties + jumps.size());
     both.head(assembled.loads[i].size()) = assembled.loads[i];
@@ -101,13 +109,18 @@ AssembledSystem assembled_system(const CoupledProblem& coupled, const Progress& 
   apply_supports(system.stiffness, system.rows, frames_of(local.rows, result.frame_of_row), loads);
   for (LoadOfRows& load : loads) result.loads.push_back(std::move(load.load));
   system.load = result.loads.front();
+  std::vector<std::vector<int>> processes_of_row;  // of constraints
   if (coupled.coupling == Coupling::lagrange) {
     SharedMultipliers multipliers =
         shared_multipliers(coupled.multipliers, local, first_node, coupled.distribution);
     system.constraints = std::move(multipliers.matrix);
-    system.multiplier_rows = std::move(multipliers.rows);
+    processes_of_row = std::move(multipliers.processes_of_row);
+  } else {
+    system.constraints.resize(0, 3 * Eigen::Index{local.rows.local_rows()});
   }
-  if (!coupled.mortar.empty()) add_mortar(coupled, result);
+  if (!coupled.mortar.empty()) add_mortar(coupled, local, result, processes_of_row);
+  if (coupled.processes.count() > 1)
+    system.multiplier_rows = solvers::SharedRows(processes_of_row, coupled.processes, 1);
   system.assembly_seconds = watch.lap();
   return result;
 }

@@ -1,6 +1,8 @@
 #include "iga/solution/coupled_problem.hpp"
 
 #include "geometry/base/error.hpp"
+#include "iga/assembly/interface_thermal_load.hpp"
+#include "iga/distribution/shared_interfaces.hpp"
 #include "iga/post/internal_forces.hpp"
 
 namespace isopatch::iga {
@@ -9,14 +11,6 @@ namespace {
 // All but the right sides and the supports that they need.
 CoupledProblem without_loads(const ElasticityProblem& problem, const CouplingOptions& options) {
   const solvers::Processes& processes = options.processes;
-  if (processes.count() > 1 && !problem.discretization.model.non_matching().empty())
-    throw Error(
-        ErrorCode::unsupported,
-        "models with non-matching interfaces are solved by one process; start isopatch without mpiexec");
-  if (!problem.temperatures.empty() && !problem.discretization.model.non_matching().empty())
-    throw Error(ErrorCode::unsupported,
-                "temperatures are not for models with non-matching interfaces yet: their stresses would be "
-                "missing in what couples the patches; divide the patches so that they match");
   CoupledProblem result;
   result.problem = &problem;
   result.coupling = options.coupling;
@@ -24,7 +18,8 @@ CoupledProblem without_loads(const ElasticityProblem& problem, const CouplingOpt
   result.processes = processes;
   result.global = global_nodes(problem.discretization);
   result.spaces = isoparametric_spaces(problem.discretization);
-  result.distribution = distribute(result.spaces, processes.count());
+  result.distribution =
+      distribute(problem.discretization.model, result.spaces, result.global, processes.count());
   result.parts = layers_of(result.distribution, result.spaces, processes.rank());
   return result;
 }
@@ -43,17 +38,24 @@ MortarConstraints constraints_of(const CoupledProblem& coupled, const CouplingOp
                             d.model.tolerance().same_point * d.model.size());
 }
 
+void sum_over(const solvers::Processes& processes, Eigen::Matrix3Xd& of_nodes) {
+  if (processes.count() > 1) processes.sum(Eigen::Map<Eigen::VectorXd>(of_nodes.data(), of_nodes.size()));
+}
+
 // What acts on a problem, temperatures included.
-RightSide whole_right_side(const ElasticityProblem& problem, const CoupledProblem& coupled) {
+RightSide whole_right_side(const ElasticityProblem& problem, const CoupledProblem& coupled,
+                           NonMatchingCoupling non_matching) {
   RightSide result = right_side(problem, coupled.global, coupled.frames, coupled.points);
   result.thermal = thermal_strains(problem.temperatures, problem.materials);
   if (result.thermal.empty()) return result;
   result.thermal_load = thermal_forces(problem.discretization, problem.materials, result.thermal,
                                        coupled.parts, coupled.points);
-  if (coupled.processes.count() > 1)
-    coupled.processes.sum(
-        Eigen::Map<Eigen::VectorXd>(result.thermal_load.data(), result.thermal_load.size()));
-  result.load += result.thermal_load;
+  SurfaceTerms terms = surface_terms(problem);
+  if (non_matching == NonMatchingCoupling::mortar) terms.interfaces.clear();
+  result.thermal_ties = interface_thermal_load(coupled.spaces, coupled.parts, terms, result.thermal);
+  sum_over(coupled.processes, result.thermal_load);
+  sum_over(coupled.processes, result.thermal_ties);
+  result.load += result.thermal_load + result.thermal_ties;
   return result;
 }
 
@@ -70,7 +72,7 @@ CoupledProblem coupled_problem(const ElasticityProblem& problem, const CouplingO
   result.frames = support_frames(problem, result.global);
   result.multipliers = multiplier_rows(result.global, result.frames);
   result.mortar = constraints_of(result, options);
-  result.right_sides = {whole_right_side(problem, result)};
+  result.right_sides = {whole_right_side(problem, result, options.non_matching)};
   return result;
 }
 
@@ -81,7 +83,7 @@ CoupledProblem coupled_cases(const ElasticityProblem& problem, const std::vector
     const ElasticityProblem own = of_case(problem, load_case);
     // Which directions are held does not depend on by how much.
     result.frames = support_frames(own, result.global);
-    result.right_sides.push_back(whole_right_side(own, result));
+    result.right_sides.push_back(whole_right_side(own, result, options.non_matching));
   }
   result.multipliers = multiplier_rows(result.global, result.frames);
   result.mortar = constraints_of(result, options);

@@ -29,10 +29,11 @@ std::vector<int> inner_nodes(const std::array<int, 3>& sizes, geometry::Side sid
 }  // namespace
 
 MortarProjection::MortarProjection(const MortarConstraints& constraints, const solvers::ConstraintMatrix& b,
+                                   const solvers::SharedRows& rows,
                                    const std::vector<std::array<int, 3>>& sizes,
                                    const std::vector<int>& first_node, const std::vector<int>& row_of_node,
                                    const std::vector<const SupportFrame*>& frame_of_row)
-    : b_(&b) {
+    : b_(&b), rows_(rows) {
   const auto refuse = [](const char* why) {
     throw Error(ErrorCode::unsupported,
                 fmt::format("faces that do not match and have multipliers {}; use method = \"auto\", "
@@ -57,6 +58,7 @@ MortarProjection::MortarProjection(const MortarConstraints& constraints, const s
   }
   const auto count = static_cast<Index>(followers_.size());
   if (count != b.rows()) refuse("have no inner nodes to follow the others");
+  if (count == 0) return;
   std::vector<Eigen::Triplet<double>> entries;
   for (Index i = 0; i < b.rows(); ++i)
     for (solvers::ConstraintMatrix::InnerIterator it(b, i); it; ++it)
@@ -68,10 +70,18 @@ MortarProjection::MortarProjection(const MortarConstraints& constraints, const s
   if (factors_->is_singular()) refuse("do not determine the nodes that follow");
 }
 
-VectorXd MortarProjection::particular(const VectorXd& g) const {
-  const VectorXd values = factors_->solve(g);
+// The displacement of this process' followers.
+VectorXd MortarProjection::followers_for(const VectorXd& g) const {
   VectorXd result = VectorXd::Zero(b_->cols());
+  if (!factors_) return result;
+  const VectorXd values = factors_->solve(g);
   for (std::size_t i = 0; i < followers_.size(); ++i) result[followers_[i]] = values[static_cast<Index>(i)];
+  return result;
+}
+
+VectorXd MortarProjection::particular(const VectorXd& g) const {
+  VectorXd result = followers_for(g);
+  rows_.sum(result);
   return result;
 }
 
@@ -81,15 +91,17 @@ VectorXd MortarProjection::project(VectorXd x) const {
 }
 
 VectorXd MortarProjection::multipliers(const VectorXd& force) const {
+  if (!factors_) return VectorXd(0);
   const VectorXd here = force(followers_);
   return factors_->solve_transposed(here);
 }
 
 VectorXd MortarProjection::moved_to_masters(VectorXd force) const {
-  force -= b_->transpose() * multipliers(force);
-  // Nothing but round-off is left there.
-  for (const Index at : followers_) force[at] = 0;
-  return force;
+  VectorXd moved = b_->transpose() * multipliers(force);
+  // Nothing but round-off would be left there.
+  for (const Index at : followers_) moved[at] = force[at];
+  rows_.sum(moved);
+  return force - moved;
 }
 
 }  // namespace isopatch::iga

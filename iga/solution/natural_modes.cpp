@@ -39,11 +39,6 @@ void check(const ElasticityProblem& problem, const ModesOptions& options) {
   if (options.number < 1 || options.number > 200)
     throw Error(ErrorCode::invalid_argument,
                 fmt::format("number of modes is {}; its range is 1 .. 200", options.number));
-  if (!problem.discretization.model.non_matching().empty())
-    throw Error(
-        ErrorCode::unsupported,
-        "natural modes are not for models with non-matching interfaces yet; divide the patches so that they "
-        "match");
   for (std::size_t p = 0; p < problem.materials.size(); ++p)
     if (!(problem.materials[p].density > 0))
       throw Error(ErrorCode::invalid_argument,
@@ -92,9 +87,17 @@ MatrixXd times(const SymmetricBlockMatrix& matrix, const MatrixXd& x) {
   return result;
 }
 
+// @param b  its blocks are where a has some, which has more where patches do not match
 SymmetricBlockMatrix sum(const SymmetricBlockMatrix& a, double factor, const SymmetricBlockMatrix& b) {
   SymmetricBlockMatrix result = a;
-  for (std::size_t i = 0; i < result.values.size(); ++i) result.values[i] += factor * b.values[i];
+  for (std::size_t row = 0; row < static_cast<std::size_t>(b.block_rows()); ++row) {
+    auto at = static_cast<std::size_t>(a.row_start[row]);
+    for (auto k = static_cast<std::size_t>(b.row_start[row]);
+         k < static_cast<std::size_t>(b.row_start[row + 1]); ++k) {
+      while (a.columns[at] != b.columns[k]) ++at;
+      for (std::size_t i = 0; i < 9; ++i) result.values[9 * at + i] += factor * b.values[9 * k + i];
+    }
+  }
   return result;
 }
 

@@ -36,7 +36,7 @@ struct NaturalModes {
 };
 
 /// The lowest natural frequencies and shapes of a part with its supports, which hold it at 0. Interfaces are
-/// eliminated; loads count for nothing.
+/// eliminated, those that do not match coupled by Nitsche's method; loads count for nothing.
 ///
 /// Block Lanczos on (K + a M)^-1 M, with a > 0 only where the part can move as a whole, so that the matrix is
 /// positive definite; full orthogonality in the mass keeps rigid motions out of the other shapes. Blocks are

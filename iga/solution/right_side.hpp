@@ -19,6 +19,7 @@ struct RightSide {
   std::vector<std::string> idle_loads;  ///< as ElasticityResults has them
   std::vector<ThermalStrain> thermal = {};  ///< one per patch, or none
   Eigen::Matrix3Xd thermal_load = {};       ///< share of `load` that temperatures cause; empty without
+  Eigen::Matrix3Xd thermal_ties = {};       ///< the same through Nitsche's terms, not in `thermal_load`
 };
 
 /// That of a problem's own loads and supports, without what temperatures cause.

@@ -10,29 +10,13 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// Of every global node, the processes that have a node of it, increasing.
-std::vector<std::vector<int>> processes_of_globals(const CoupledProblem& coupled, const Level& level) {
-  const auto of_patch = processes_of_patches(coupled.distribution, static_cast<int>(level.spaces.size()));
-  std::vector<std::vector<int>> result(static_cast<std::size_t>(coupled.global.count()));
-  for (std::size_t p = 0; p < of_patch.size(); ++p)
-    for (int node = level.first_node[p]; node < level.first_node[p + 1]; ++node) {
-      std::vector<int>& all =
-          result[static_cast<std::size_t>(level.global_of[static_cast<std::size_t>(node)])];
-      all.insert(all.end(), of_patch[p].begin(), of_patch[p].end());
-    }
-  for (std::vector<int>& all : result) {
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-  }
-  return result;
-}
-
 // Nodes in the order of all patches, then ties global node by global node.
 solvers::SharedRows saddle_rows(const CoupledProblem& coupled, const Level& level) {
   const std::vector<int>& global_of = coupled.global.global_of;
   if (!level.rows.is_distributed())
     return solvers::SharedRows(static_cast<int>(2 * global_of.size()) - coupled.global.count());
-  const auto of_global = processes_of_globals(coupled, level);
+  const auto of_global =
+      processes_of_rows({global_of, coupled.global.count()}, level.first_node, coupled.distribution);
   std::vector<std::vector<int>> of_row;
   for (const int c : global_of) of_row.push_back(of_global[static_cast<std::size_t>(c)]);
   for (int c = 0; c < coupled.global.count(); ++c)

@@ -9,7 +9,7 @@
 #include "geometry/base/error.hpp"
 #include "geometry/base/larger.hpp"
 #include "geometry/base/stopwatch.hpp"
-#include "iga/assembly/interface_stiffness.hpp"
+#include "iga/assembly/surface_stiffness.hpp"
 #include "iga/coupling/rigid_motions.hpp"
 #include "iga/post/elastic_reactions.hpp"
 #include "iga/post/face_stresses.hpp"
@@ -99,12 +99,6 @@ double external_work(const GlobalNodes& global, const RightSide& side, const Eig
   return 0.5 * work;
 }
 
-// Nitsche's terms.
-NodeBlocks coupling_of_interfaces(const CoupledProblem& coupled) {
-  const SurfaceTerms terms = coupled.surfaces();
-  return interface_stiffness(terms.interfaces, coupled.spaces, terms.materials, terms.same_point);
-}
-
 std::vector<MortarTie> mortar_ties(const CoupledProblem& coupled, const Eigen::VectorXd& multipliers) {
   const MortarConstraints& mortar = coupled.mortar;
   const std::vector<Eigen::Vector3d> forces = forces_on_slaves(mortar, coupled.spaces, multipliers);
@@ -124,15 +118,17 @@ void add_results(const CoupledProblem& coupled, const RightSide& side, const Dis
   Eigen::Matrix3Xd between = Eigen::Matrix3Xd::Zero(3, discrete.displacement.cols());
   between_patches.add_forces(discrete.displacement, between);
   if (!coupled.mortar.empty()) {
-    between += mortar_forces(coupled.mortar, discrete.mortar);
+    // All processes have all multipliers.
+    if (coupled.processes.is_first()) between += mortar_forces(coupled.mortar, discrete.mortar);
     solution.mortar = mortar_ties(coupled, discrete.mortar);
   }
+  if (!side.thermal.empty() && coupled.processes.is_first()) between -= side.thermal_ties;
   share.forces += between;
   const InternalForces internal = summed(std::move(share), coupled.processes);
   springs = summed(std::move(springs), coupled.processes);
   // The internal forces are those of stresses, of which thermal strains cause none.
   const Eigen::Matrix3Xd load =
-      side.thermal.empty() ? side.load : Eigen::Matrix3Xd(side.load - side.thermal_load);
+      side.thermal.empty() ? side.load : Eigen::Matrix3Xd(side.load - side.thermal_load - side.thermal_ties);
   const Eigen::Matrix3Xd unbalanced = internal.forces - load;
   solution.multipliers = multipliers_in_space(
       coupled, discrete.multipliers.size() == static_cast<Eigen::Index>(coupled.multipliers.size())
@@ -154,7 +150,7 @@ void add_results(const CoupledProblem& coupled, const RightSide& side, const Dis
     results.reactions[s].moment += springs.reactions[s].moment;
   }
   results.support_energy = springs.energy;
-  results.interface_energy = 0.5 * between.cwiseProduct(discrete.displacement).sum();
+  results.interface_energy = coupled.processes.sum(0.5 * between.cwiseProduct(discrete.displacement).sum());
   results.load_size = side.load.colwise().norm().sum();
   results.total_load = load.rowwise().sum();
   results.thermal_work = internal.thermal_work;
@@ -224,7 +220,7 @@ std::vector<ElasticitySolution> with_results(const CoupledProblem& coupled,
       internal_forces(coupled.discretization(), coupled.problem->materials, displacements, coupled.parts,
                       coupled.points, progress);
   const std::vector<FaceStresses> faces = stresses_on_faces(fields, coupled.parts);
-  const NodeBlocks between_patches = coupling_of_interfaces(coupled);
+  const NodeBlocks between_patches = interface_stiffness(coupled.spaces, coupled.parts, coupled.surfaces());
   for (std::size_t i = 0; i < sides.size(); ++i) {
     add_results(coupled, sides[i], discrete[i], std::move(internal[i]), faces[i], between_patches, result[i]);
     if (!planned.is_first) require_balance(result[i].results, discrete[i].report);

@@ -32,11 +32,12 @@ struct PatchSpace {
 };
 
 /// The elements of one patch whose third knot span is one of first_layer .. last_layer - 1: a whole patch, or
-/// the share of it that one process integrates.
+/// the share of it that one process integrates, perhaps none.
 struct PatchLayers {
   int patch = 0;
   int first_layer = 0;
   int last_layer = 0;
+  bool couples = true;  ///< also what ties the patch where its sides do not match others
 };
 
 /// The solution space's own functions, one space per patch, pointing into `discretization`.

@@ -11,7 +11,6 @@
 
 #include "geometry/base/dense_matrices.hpp"
 #include "geometry/base/larger.hpp"
-#include "geometry/base/tests/expect_error.hpp"
 #include "geometry/models/box.hpp"
 #include "geometry/models/cylinder.hpp"
 #include "geometry/quadrature.hpp"
@@ -24,6 +23,7 @@
 #include "verification/suites/linear_field.hpp"
 #include "verification/suites/model_cases.hpp"
 #include "verification/suites/moved_patches.hpp"
+#include "verification/suites/several_processes.hpp"
 
 namespace isopatch::verification {
 namespace {
@@ -150,13 +150,90 @@ void expect_orders_of(const NonMatchingModel& m, const Levels& levels) {
   expect_orders(manufactured(m.name, m.model, m.held), levels);
 }
 
-// What is not there yet must be said.
-TEST(NonMatching, RefusesWhatItCannot) {
+// Evenly warm, with the tractions of the stresses that are left: the same displacements.
+TEST(NonMatching, LinearFieldsOfWarmParts) {
+  const LinearField field = generic_linear_field();
+  for (const NonMatchingModel& m : models())
+    for (const iga::ElasticityOptions& way : ways(m)) {
+      if (is_curved(m) && way.non_matching == NonMatchingCoupling::mortar) continue;
+      iga::ElasticityProblem p = pulled(m, field, 2);
+      const double strain = 1.2e-3;
+      for (iga::Material& material : p.materials) material.expansion = strain / 100;
+      const iga::Material material = p.materials.front();
+      p.temperatures = {{"warm", all_patches(m.model), {100, Eigen::Vector3d::Zero()}}};
+      const Eigen::Matrix3d left =
+          iga::stress(field.strain() - strain * Eigen::Matrix3d::Identity(), material);
+      p.surface_loads.front().traction =
+          [left](const Eigen::Vector3d&, const Eigen::Vector3d& n) -> Eigen::Vector3d { return left * n; };
+      const iga::ElasticitySolution solution = iga::solve_elasticity(p, way);
+      const std::string of = fmt::format("warm {}, {}", m.name, words(way));
+      expect(Claim{of + ": largest error of a coefficient of u",
+                   "",
+                   ReferenceKind::exact,
+                   "linear field",
+                   0,
+                   coefficient_error(solution.field, field),
+                   is_curved(m)                                    ? of_curved_interfaces
+                   : way.mortar_side == iga::MortarSide::automatic ? of_plane_interfaces
+                                                                   : of_clipped_cells,
+                   {}});
+      const iga::ElasticityResults& r = solution.results;
+      expect(Claim{of + ": energy of part and interfaces over the work of loads and temperatures",
+                   "",
+                   ReferenceKind::exact,
+                   "balance",
+                   1,
+                   (r.internal_energy + r.interface_energy) / (r.external_work + r.thermal_work),
+                   round_off(1e6, "assembling and solving"),
+                   {}});
+    }
+}
+
+// Where temperature is linear in the place a part that is free grows without stress.
+TEST(NonMatching, FreePartsGrowWithoutStress) {
   const NonMatchingModel m = models().front();
-  iga::ElasticityProblem p = pulled(m, generic_linear_field(), 1);
-  EXPECT_ERROR(iga::natural_modes(p, {}), ErrorCode::unsupported, "natural modes are not for");
-  p.temperatures = {{"warm", all_patches(m.model), {100, Eigen::Vector3d::Zero()}}};
-  EXPECT_ERROR(iga::solve_elasticity(p, {}), ErrorCode::unsupported, "temperatures are not for");
+  for (const NonMatchingCoupling non_matching : {NonMatchingCoupling::nitsche, NonMatchingCoupling::mortar}) {
+    iga::ElasticityProblem p = pulled(m, {}, 2);
+    for (iga::Material& material : p.materials) material.expansion = 1e-5;
+    p.supports = {{"rest", {}, iga::FreeBodySupport{}}};
+    p.surface_loads.clear();
+    p.temperatures = {{"warm", all_patches(m.model), {50, {30, -20, 10}}}};
+    const iga::ElasticitySolution solution = iga::solve_elasticity(p, {.non_matching = non_matching});
+    expect(Claim{
+        fmt::format("free T-joint, {}: largest von Mises stress over E alpha 50 K", iga::name(non_matching)),
+        "",
+        ReferenceKind::exact,
+        "no stress",
+        0,
+        solution.results.max_von_mises.value / (1e9 * 1e-5 * 50),
+        of_plane_interfaces,
+        {}});
+  }
+}
+
+// The frequencies of two patches on one against those of two on two.
+TEST(NonMatching, FrequenciesAreThoseOfMatchingPatches) {
+  const auto frequencies = [](const MultiPatch& model) {
+    iga::Material material = iga::isotropic(1e9, 0.3);
+    material.density = 1000;
+    iga::ElasticityProblem p = unloaded(model, {.degree = {3, 3, 3}, .refine = 1}, material);
+    std::vector<double> result;
+    for (const iga::NaturalMode& mode : iga::natural_modes(p, {.number = 6}).modes)
+      if (!mode.is_rigid) result.push_back(mode.frequency);
+    return result;
+  };
+  const std::vector<double> reference = frequencies(boxes({2, 1, 1}, {2, 1, 1}, 0));
+  const std::vector<double> ours = frequencies(boxes({1, 1, 1}, {2, 1, 1}, 0));
+  ASSERT_EQ(ours.size(), reference.size());
+  for (std::size_t i = 0; i < ours.size(); ++i)
+    expect(Claim{fmt::format("frequency {} of a free box with a T-joint", i + 1),
+                 "Hz",
+                 ReferenceKind::other_method,
+                 "matching patches, degree 3",
+                 reference[i],
+                 ours[i],
+                 {4e-3, "elements twice as long in one half"},
+                 {}});
 }
 
 // With mortar multipliers a linear field comes through a curved interface as well as its traction does among
@@ -379,6 +456,22 @@ TEST(NonMatching, MultipliersOfOneDegreeLessAreNot) {
     }
     EXPECT_LT(constants[2], 0.8 * constants[1]) << "p = " << degree;
     EXPECT_LT(constants[1], 0.8 * constants[0]) << "p = " << degree;
+  }
+}
+
+class NonMatchingParallel : public SeveralProcesses {};
+
+// Every interface is one process' affair, and the figures are those of one process.
+TEST_F(NonMatchingParallel, AreTheSame) {
+  const Tolerance same = {1e-8, "iterations"};
+  for (const std::string coupling : {"nitsche", "mortar"}) {
+    const std::string non_matching = fmt::format("coupling.non_matching='{}'", coupling);
+    for (const std::string method : {"mumps", "cg"})
+      expect_same_energy_of("uneven_link", {non_matching},
+                            {fmt::format("solver.method='{}'", method), "solver.tolerance=1e-11"}, same);
+    expect_same_energy_of("uneven_link", {non_matching},
+                          {"coupling.method='lagrange'", "solver.method='minres'", "solver.tolerance=1e-10"},
+                          same);
   }
 }
 

@@ -7,8 +7,14 @@ namespace isopatch::verification {
 
 void expect_same_energy(const std::string& file, const std::vector<std::string>& overrides,
                         const Tolerance& allowed) {
+  expect_same_energy_of(file, {}, overrides, allowed);
+}
+
+void expect_same_energy_of(const std::string& file, const std::vector<std::string>& of_both,
+                           std::vector<std::string> overrides, const Tolerance& allowed) {
   const std::string path = "verification/studies/" + file + ".toml";
-  const ProgramRun alone = run_program({path, {}}, {1, 1});
+  overrides.insert(overrides.begin(), of_both.begin(), of_both.end());
+  const ProgramRun alone = run_program({path, of_both}, {1, 1});
   const ProgramRun several = run_program({path, overrides}, {2, 1});
   expect(Claim{fmt::format("energy of {} by {} as 2 processes", file, fmt::join(overrides, ", ")),
                "J",

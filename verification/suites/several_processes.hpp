@@ -24,4 +24,8 @@ class SeveralProcesses : public testing::Test {
 void expect_same_energy(const std::string& file, const std::vector<std::string>& overrides,
                         const Tolerance& allowed);
 
+/// The same where one process has some overrides too.
+void expect_same_energy_of(const std::string& file, const std::vector<std::string>& of_both,
+                           std::vector<std::string> overrides, const Tolerance& allowed);
+
 }  // namespace isopatch::verification

@@ -1,0 +1,76 @@
+#include "iga/solution/mortar_share.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace isopatch::iga {
+namespace {
+
+// Entries of the rows that are kept, and of the columns too where these are the rows' as well.
+template <class Matrix>
+Matrix kept(const Matrix& all, const std::vector<int>& new_row, const std::vector<int>& new_column,
+            Eigen::Index rows, Eigen::Index columns) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index outer = 0; outer < all.outerSize(); ++outer)
+    for (typename Matrix::InnerIterator it(all, outer); it; ++it) {
+      const int row = new_row[static_cast<std::size_t>(it.row())];
+      const int column = new_column[static_cast<std::size_t>(it.col())];
+      if (row >= 0 && column >= 0) entries.emplace_back(row, column, it.value());
+    }
+  Matrix result(rows, columns);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+}  // namespace
+
+MortarShare mortar_share(const MortarConstraints& all, const std::vector<PatchLayers>& parts) {
+  const auto is_here = [&](const MortarFace& face) {
+    return std::any_of(parts.begin(), parts.end(), [&](const PatchLayers& part) {
+      return part.couples && part.patch == face.slave.patch.value;
+    });
+  };
+  MortarShare result;
+  MortarConstraints& own = result.constraints;
+  std::vector<int> new_row(static_cast<std::size_t>(all.rows()), -1);
+  own.first_row.push_back(0);
+  for (std::size_t f = 0; f < all.faces.size(); ++f) {
+    if (!is_here(all.faces[f])) continue;
+    own.faces.push_back(all.faces[f]);
+    own.edges.push_back(all.edges[f]);
+    for (int row = all.first_row[f]; row < all.first_row[f + 1]; ++row) {
+      new_row[static_cast<std::size_t>(row)] = static_cast<int>(result.rows.size());
+      result.rows.push_back(row);
+      own.component.push_back(all.component[static_cast<std::size_t>(row)]);
+    }
+    own.first_row.push_back(static_cast<int>(result.rows.size()));
+  }
+  std::vector<int> nodes(static_cast<std::size_t>(all.jumps.cols()));
+  std::iota(nodes.begin(), nodes.end(), 0);
+  const auto count = static_cast<Eigen::Index>(result.rows.size());
+  own.jumps = kept(all.jumps, new_row, nodes, count, all.jumps.cols());
+  own.compliance = kept(all.compliance, new_row, new_row, count, count);
+  return result;
+}
+
+std::vector<int> processes_of_mortar(const MortarConstraints& all, const Distribution& distribution) {
+  std::vector<int> result(static_cast<std::size_t>(all.rows()), 0);
+  for (std::size_t f = 0; f < all.faces.size(); ++f)
+    for (std::size_t process = 0; process < distribution.size(); ++process)
+      for (const PatchShare& share : distribution[process])
+        if (share.couples && share.patch == all.faces[f].slave.patch.value)
+          std::fill(result.begin() + all.first_row[f], result.begin() + all.first_row[f + 1],
+                    static_cast<int>(process));
+  return result;
+}
+
+Eigen::VectorXd whole_mortar(const MortarShare& share, const Eigen::VectorXd& values, int all_rows,
+                             const solvers::Processes& processes) {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(all_rows);
+  for (std::size_t i = 0; i < share.rows.size(); ++i)
+    result[share.rows[i]] = values[static_cast<Eigen::Index>(i)];
+  if (processes.count() > 1) processes.sum(result);
+  return result;
+}
+
+}  // namespace isopatch::iga
