@@ -11,6 +11,11 @@ namespace {
 
 using geometry::Side;
 
+// Displacements that satisfy mortar constraints jump near edges that other faces share, which must not cost
+// much more than the strains beside them; patches that hardly feel each other converge slowly, too. Fewest
+// iterations for degrees 1 to 4, measured on a link, a plate and a bracket, between 0.003 and 0.1.
+constexpr double share_of_springs = 0.02;
+
 // What all points of one cell add to the blocks of its functions: those of the traction's side, and those of
 // either side that are not 0 there, which make the jump. With g the gradients, n the normal and J the jumps
 // everything follows from the sums over the points of J_b g_a n^T and J_a J_b n n^T.
@@ -36,9 +41,9 @@ class CellBlocks {
     }
   }
 
-  void add_to(NodeBlocks& blocks, const Material& material, double penalty) const {
-    add_tractions(blocks, material);
-    add_penalty(blocks, material, penalty);
+  void add_to(NodeBlocks& blocks, const Material& material, double penalty, InterfaceTerms kind) const {
+    if (kind == InterfaceTerms::nitsche) add_tractions(blocks, material);
+    add_penalty(blocks, material, (kind == InterfaceTerms::springs ? share_of_springs : 1) * penalty);
   }
 
  private:
@@ -128,7 +133,7 @@ int loaded_sides(const PatchSpace& space, const std::array<int, 3>& element, con
 
 NodeBlocks interface_stiffness(const std::vector<CoupledFaces>& interfaces,
                                const std::vector<PatchSpace>& spaces, const std::vector<Material>& materials,
-                               double same_point) {
+                               double same_point, InterfaceTerms kind) {
   NodeBlocks result;
   if (interfaces.empty()) return result;
   const std::vector<int> first_node = first_nodes(spaces);
@@ -152,7 +157,7 @@ NodeBlocks interface_stiffness(const std::vector<CoupledFaces>& interfaces,
         const int sides = loaded_sides(spaces[p], own.element(cell.first), traction_sides[p]);
         penalty = penalties.emplace(cell.first, 2 * sides * own.trace_constant(cell.first)).first;
       }
-      CellBlocks(own, other, cell).add_to(result, materials[p], penalty->second);
+      CellBlocks(own, other, cell).add_to(result, materials[p], penalty->second, kind);
     }
   }
   return result;

@@ -9,6 +9,12 @@
 
 namespace isopatch::iga {
 
+/// What ties the two sides of an interface that does not match.
+enum class InterfaceTerms {
+  nitsche,  ///< tractions and penalty
+  springs,  ///< a small share of the penalty alone: for preconditioners beside multipliers
+};
+
 /// Nitsche's method on non-matching interfaces, as blocks beside the stiffness: for displacements u, v with
 /// the jump [u] = u_traction - u_other and the outward normal n of the traction's side the integral of
 ///
@@ -27,6 +33,6 @@ namespace isopatch::iga {
 ///          decomposition in isogeometric analysis, 2014; the constant by Warburton, Hesthaven 2003
 NodeBlocks interface_stiffness(const std::vector<CoupledFaces>& interfaces,
                                const std::vector<PatchSpace>& spaces, const std::vector<Material>& materials,
-                               double same_point);
+                               double same_point, InterfaceTerms kind = InterfaceTerms::nitsche);
 
 }  // namespace isopatch::iga

@@ -64,8 +64,7 @@ class FaceSplines {
 // The integrals of one slave face with its own splines in place of multipliers.
 class FaceIntegrals {
  public:
-  FaceIntegrals(const PatchSide& slave, const Material& material)
-      : slave_(slave), material_(material), splines_(slave) {}
+  explicit FaceIntegrals(const PatchSide& slave) : slave_(slave), splines_(slave) {}
 
   void add(const PatchSide& master, double same_point) {
     for (const geometry::SharedCell& cell : geometry::common_refinement(
@@ -74,7 +73,6 @@ class FaceIntegrals {
   }
   const Triplets& of_slave() const { return of_slave_; }
   const Triplets& of_masters() const { return of_masters_; }
-  const Triplets& of_compliance() const { return of_compliance_; }
 
  private:
   // The traces of one side's functions at the points of a cell.
@@ -100,56 +98,27 @@ class FaceIntegrals {
                              block(i, j));
   }
 
-  double trace_constant(const ElementOfFace& element) {
-    const auto found = trace_constants_.find(element);
-    if (found != trace_constants_.end()) return found->second;
-    return trace_constants_[element] = slave_.trace_constant(element);
-  }
-
   void add(const PatchSide& master, const geometry::SharedCell& cell) {
     const auto points = static_cast<Index>(cell.points.size());
     const std::vector<int> functions = splines_.functions(cell.first);
     Eigen::MatrixXd multipliers(static_cast<Index>(functions.size()), points);
     Eigen::RowVectorXd weights(points);
-    Eigen::Matrix3Xd normals(3, points);
     Traces own, other;
     for (Index q = 0; q < points; ++q) {
       const geometry::SharedPoint& point = cell.points[static_cast<std::size_t>(q)];
-      const PatchSide::Functions of_own = slave_.functions(cell.first, point.first);
-      add_point(of_own, q, points, own);
+      add_point(slave_.functions(cell.first, point.first), q, points, own);
       add_point(master.functions(cell.second, point.second), q, points, other);
       multipliers.col(q) = splines_.values(cell.first, point.first);
       weights[q] = point.weight;
-      normals.col(q) = of_own.normal;
     }
     const Eigen::MatrixXd weighted = multipliers * weights.asDiagonal();
     add_block(functions, own.nodes, weighted * own.values.transpose(), of_slave_);
     add_block(functions, other.nodes, -weighted * other.values.transpose(), of_masters_);
-    add_compliance(functions, multipliers, weighted, normals, 2 * trace_constant(cell.first));
-  }
-
-  // The inverse of Nitsche's penalty t (mu I + (lambda + mu) n n^T).
-  void add_compliance(const std::vector<int>& functions, const Eigen::MatrixXd& multipliers,
-                      const Eigen::MatrixXd& weighted, const Eigen::Matrix3Xd& normals, double penalty) {
-    const double across = 1 / (penalty * material_.mu);
-    const double along = 1 / (penalty * (material_.lambda + 2 * material_.mu)) - across;
-    for (int e = 0; e < 3; ++e)
-      for (int d = 0; d < 3; ++d) {
-        const Eigen::RowVectorXd factor =
-            (d == e ? across : 0.0) + along * normals.row(d).array() * normals.row(e).array();
-        const Eigen::MatrixXd block = weighted * factor.asDiagonal() * multipliers.transpose();
-        for (Index j = 0; j < block.cols(); ++j)
-          for (Index i = 0; i < block.rows(); ++i)
-            of_compliance_.emplace_back(3 * functions[static_cast<std::size_t>(i)] + d,
-                                        3 * functions[static_cast<std::size_t>(j)] + e, block(i, j));
-      }
   }
 
   const PatchSide& slave_;
-  const Material& material_;
   FaceSplines splines_;
-  std::map<ElementOfFace, double> trace_constants_;
-  Triplets of_slave_, of_masters_, of_compliance_;
+  Triplets of_slave_, of_masters_;
 };
 
 using Sparse = Eigen::SparseMatrix<double>;
@@ -174,8 +143,7 @@ void append(const Matrix& matrix, int first_row, int first_column, Triplets& ent
 
 MortarConstraints mortar_constraints(const std::vector<MortarFace>& faces,
                                      const std::vector<std::array<std::optional<SharedEdges>, 3>>& edges,
-                                     const std::vector<PatchSpace>& spaces,
-                                     const std::vector<Material>& materials, double same_point) {
+                                     const std::vector<PatchSpace>& spaces, double same_point) {
   const std::vector<int> first_node = first_nodes(spaces);
   const auto side = [&](const geometry::PatchFace& face) {
     const auto p = static_cast<std::size_t>(face.patch.value);
@@ -185,16 +153,14 @@ MortarConstraints mortar_constraints(const std::vector<MortarFace>& faces,
   result.faces = faces;
   result.edges = edges;
   result.first_row = {0};
-  Triplets jumps, compliance;
+  Triplets jumps;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const PatchSide slave = side(faces[f].slave);
-    FaceIntegrals integrals(slave, materials[static_cast<std::size_t>(faces[f].slave.patch.value)]);
+    FaceIntegrals integrals(slave);
     for (const geometry::PatchFace& master : faces[f].masters) integrals.add(side(master), same_point);
     const Index splines = Index{slave.knots(0).size()} * slave.knots(1).size();
     const SparseRows of_slave = matrix_of(integrals.of_slave(), splines, first_node.back());
     const SparseRows of_masters = matrix_of(integrals.of_masters(), splines, first_node.back());
-    Triplets of_rows;  // (3 splines, rows of the face)
-    const int first = result.first_row.back();
     for (int c = 0; c < 3; ++c) {
       const std::optional<SharedEdges>& shared = edges[f][static_cast<std::size_t>(c)];
       if (!shared) continue;
@@ -206,22 +172,11 @@ MortarConstraints mortar_constraints(const std::vector<MortarFace>& faces,
       const SparseRows both = own + SparseRows(coefficients.transpose() * of_masters);
       const auto next = static_cast<int>(result.component.size());
       append(SparseRows(inverse.asDiagonal() * both), next, 0, jumps);
-      const Sparse scaled = coefficients * inverse.asDiagonal();
-      for (Index k = 0; k < scaled.outerSize(); ++k)
-        for (Sparse::InnerIterator it(scaled, k); it; ++it)
-          of_rows.emplace_back(static_cast<int>(3 * it.row() + c), next - first + static_cast<int>(it.col()),
-                               it.value());
       result.component.insert(result.component.end(), static_cast<std::size_t>(inverse.size()), c);
     }
     result.first_row.push_back(static_cast<int>(result.component.size()));
-    const Sparse to_rows = matrix_of(of_rows, 3 * splines, result.first_row.back() - first);
-    const Sparse of_splines = matrix_of(integrals.of_compliance(), 3 * splines, 3 * splines);
-    append(Sparse(to_rows.transpose() * of_splines * to_rows), first, first, compliance);
   }
-  const int rows = result.rows();
-  result.jumps = matrix_of(jumps, rows, first_node.back());
-  result.compliance.resize(rows, rows);
-  result.compliance.setFromTriplets(compliance.begin(), compliance.end());
+  result.jumps = matrix_of(jumps, result.rows(), first_node.back());
   return result;
 }
 

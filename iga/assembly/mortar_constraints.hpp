@@ -31,9 +31,6 @@ struct MortarConstraints {
   /// (rows, nodes of all patches), of the row's component; s, in m^2, is the sum of the slave's entries'
   /// sizes.
   Eigen::SparseMatrix<double, Eigen::RowMajor> jumps;
-  /// (rows, rows), m^3/N: integral of m_i m_j / (s_i s_j) by the inverse of Nitsche's penalty. What
-  /// multipliers cost in a block diagonal preconditioner.
-  Eigen::SparseMatrix<double> compliance;
 
   int rows() const { return first_row.empty() ? 0 : first_row.back(); }
   bool empty() const { return rows() == 0; }
@@ -41,15 +38,13 @@ struct MortarConstraints {
 
 /// @param edges       of each face's slave, per component
 /// @param spaces      of all patches
-/// @param materials   one per patch
 /// @param same_point  how far faces may be apart, m
 /// @cost    (degree + 1)^4 per quadrature point, of (degree + 3)^2 per cell of the common refinement
 /// @source  Bernardi, Maday, Patera 1994; for splines Brivadis, Buffa, Wohlmuth, Wunderlich, Isogeometric
 ///          mortar methods, 2015
 MortarConstraints mortar_constraints(const std::vector<MortarFace>& faces,
                                      const std::vector<std::array<std::optional<SharedEdges>, 3>>& edges,
-                                     const std::vector<PatchSpace>& spaces,
-                                     const std::vector<Material>& materials, double same_point);
+                                     const std::vector<PatchSpace>& spaces, double same_point);
 
 /// B of the constraints for the unknowns x of block rows, u = prescribed + axes * x. (rows, 3 block rows)
 /// @param frame_of_row  one per block row of the numbering

@@ -33,7 +33,8 @@ std::vector<CoupledFaces> interfaces_of(const SurfaceTerms& terms, const std::ve
 
 NodeBlocks interface_stiffness(const std::vector<PatchSpace>& spaces, const std::vector<PatchLayers>& parts,
                                const SurfaceTerms& terms) {
-  return interface_stiffness(interfaces_of(terms, parts), spaces, terms.materials, terms.same_point);
+  return interface_stiffness(interfaces_of(terms, parts), spaces, terms.materials, terms.same_point,
+                             terms.kind);
 }
 
 }  // namespace isopatch::iga

@@ -14,6 +14,7 @@ struct SurfaceTerms {
   std::vector<CoupledFaces> interfaces;  ///< that do not match
   std::vector<Material> materials;       ///< one per patch
   double same_point = 0;                 ///< m
+  InterfaceTerms kind = InterfaceTerms::nitsche;
 };
 SurfaceTerms surface_terms(const ElasticityProblem& problem);
 

@@ -88,7 +88,8 @@ ElasticityMultigrid::ElasticityMultigrid(const ElasticityProblem& problem, const
   }
   // On coarser levels holds are integrated: seen from there the points of the finest level are everywhere,
   // and points of their own would let coarse functions do what the finest level forbids.
-  const SurfaceTerms of_finest = surface_terms(problem);
+  SurfaceTerms of_finest = surface_terms(problem);
+  of_finest.kind = options.interfaces;
   SurfaceTerms of_coarser = of_finest;
   for (SprungFace& face : of_coarser.springs.faces) face.is_hold = false;
   std::vector<solvers::MultigridLevel> described;

@@ -75,10 +75,10 @@ std::vector<bool> nodes_that_do_not_match(const geometry::MultiPatch& model, con
   return result;
 }
 
-InterfaceBlock::InterfaceBlock(const geometry::MultiPatch& model, const Level& level,
-                               const std::vector<Material>& materials, const NodeBlocks& surfaces,
-                               const std::vector<Eigen::Matrix3d>& diagonal) {
-  if (model.non_matching().empty()) return;
+InterfaceMatrix interface_matrix(const geometry::MultiPatch& model, const Level& level,
+                                 const std::vector<Material>& materials, const NodeBlocks& surfaces,
+                                 const std::vector<Eigen::Matrix3d>& diagonal) {
+  if (model.non_matching().empty()) return {};
   // Rows of the block; nodes elsewhere that share one belong to it too.
   std::vector<int> of_row(static_cast<std::size_t>(level.rows.local_rows()), -1);
   const auto sides_here = sides_that_do_not_match(model, level.parts);
@@ -91,11 +91,10 @@ InterfaceBlock::InterfaceBlock(const geometry::MultiPatch& model, const Level& l
   }
   std::sort(rows.begin(), rows.end());
   rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-  if (rows.empty()) return;
-  rows_ = std::move(rows);
-  for (std::size_t i = 0; i < rows_.size(); ++i)
-    of_row[static_cast<std::size_t>(rows_[i])] = static_cast<int>(i);
-  RowNumbering numbering{{}, static_cast<int>(rows_.size())};
+  if (rows.empty()) return {};
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    of_row[static_cast<std::size_t>(rows[i])] = static_cast<int>(i);
+  RowNumbering numbering{{}, static_cast<int>(rows.size())};
   for (const int row : level.row_of_node)
     numbering.row_of_node.push_back(row < 0 ? -1 : of_row[static_cast<std::size_t>(row)]);
   solvers::SymmetricBlockMatrix matrix = diagonal_blocks(numbering.rows);
@@ -105,17 +104,26 @@ InterfaceBlock::InterfaceBlock(const geometry::MultiPatch& model, const Level& l
     all.add(face_stiffness(level.spaces[p], sides, level.first_node[p], materials[p]));
   }
   all.add_to(matrix, numbering);
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
     Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> block(
         &matrix.values[static_cast<std::size_t>(9 * matrix.row_start[i])]);
-    block = diagonal[static_cast<std::size_t>(rows_[i])];
+    block = diagonal[static_cast<std::size_t>(rows[i])];
   }
   const std::vector<SupportFrame> frames = level.free.frames(level.rows.local_rows());
   std::vector<const SupportFrame*> of_rows;
-  for (const int row : rows_) of_rows.push_back(&frames[static_cast<std::size_t>(row)]);
+  for (const int row : rows) of_rows.push_back(&frames[static_cast<std::size_t>(row)]);
   std::vector<LoadOfRows> no_loads;
   apply_supports(matrix, solvers::SharedRows(numbering.rows), of_rows, no_loads);
-  inverse_ = inverse_of(matrix);
+  return {std::move(rows), std::move(matrix)};
+}
+
+InterfaceBlock::InterfaceBlock(const geometry::MultiPatch& model, const Level& level,
+                               const std::vector<Material>& materials, const NodeBlocks& surfaces,
+                               const std::vector<Eigen::Matrix3d>& diagonal) {
+  InterfaceMatrix of_faces = interface_matrix(model, level, materials, surfaces, diagonal);
+  if (of_faces.rows.empty()) return;
+  rows_ = std::move(of_faces.rows);
+  inverse_ = inverse_of(of_faces.matrix);
 }
 
 void InterfaceBlock::add(const Eigen::VectorXd& residual, Eigen::VectorXd& result) const {

@@ -34,8 +34,7 @@ MortarConstraints constraints_of(const CoupledProblem& coupled, const CouplingOp
   std::vector<std::array<std::optional<SharedEdges>, 3>> edges;
   for (const MortarFace& face : faces)
     edges.push_back(shared_edges(face.slave, slaves, d, coupled.global, coupled.frames));
-  return mortar_constraints(faces, edges, coupled.spaces, coupled.problem->materials,
-                            d.model.tolerance().same_point * d.model.size());
+  return mortar_constraints(faces, edges, coupled.spaces, d.model.tolerance().same_point * d.model.size());
 }
 
 void sum_over(const solvers::Processes& processes, Eigen::Matrix3Xd& of_nodes) {

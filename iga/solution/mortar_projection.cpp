@@ -1,9 +1,5 @@
 #include "iga/solution/mortar_projection.hpp"
 
-#include <fmt/format.h>
-
-#include <utility>
-
 #include "geometry/base/error.hpp"
 
 namespace isopatch::iga {
@@ -11,76 +7,64 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-using Sparse = Eigen::SparseMatrix<double>;
+using Triplets = std::vector<Eigen::Triplet<double>>;
 
-// The nodes of a side that lie on none of its shared edges.
-std::vector<int> inner_nodes(const std::array<int, 3>& sizes, geometry::Side side,
-                             const SharedEdges& shared) {
-  const std::vector<int> all = geometry::face_control_points(sizes, side);
-  const auto along = geometry::tangents(side);
-  const int n = sizes[static_cast<std::size_t>(along[0])], m = sizes[static_cast<std::size_t>(along[1])];
-  std::vector<int> result;
-  for (int j = shared[1][0]; j < m - shared[1][1]; ++j)
-    for (int i = shared[0][0]; i < n - shared[0][1]; ++i)
-      result.push_back(all[static_cast<std::size_t>(i + n * j)]);
-  return result;
+void add_both_triangles(const solvers::SymmetricBlockMatrix& matrix, Triplets& entries) {
+  for (int row = 0; row < matrix.block_rows(); ++row)
+    for (std::int64_t k = matrix.row_start[static_cast<std::size_t>(row)];
+         k < matrix.row_start[static_cast<std::size_t>(row) + 1]; ++k) {
+      const int column = matrix.columns[static_cast<std::size_t>(k)];
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+          const double value = matrix.values[static_cast<std::size_t>(9 * k + 3 * i + j)];
+          if (value == 0) continue;
+          entries.emplace_back(3 * row + i, 3 * column + j, value);
+          if (column != row) entries.emplace_back(3 * column + j, 3 * row + i, value);
+        }
+    }
 }
 
 }  // namespace
 
-MortarProjection::MortarProjection(const MortarConstraints& constraints, const solvers::ConstraintMatrix& b,
-                                   const solvers::SharedRows& rows,
-                                   const std::vector<std::array<int, 3>>& sizes,
-                                   const std::vector<int>& first_node, const std::vector<int>& row_of_node,
-                                   const std::vector<const SupportFrame*>& frame_of_row)
+MortarProjection::MortarProjection(const solvers::ConstraintMatrix& b, const solvers::SharedRows& rows,
+                                   const InterfaceMatrix& of_faces)
     : b_(&b), rows_(rows) {
-  const auto refuse = [](const char* why) {
-    throw Error(ErrorCode::unsupported,
-                fmt::format("faces that do not match and have multipliers {}; use method = \"auto\", "
-                            "\"mumps\" or \"minres\", or halve the elements there",
-                            why));
-  };
-  std::vector<int> place(static_cast<std::size_t>(b.cols()), -1);
-  for (std::size_t f = 0; f < constraints.faces.size(); ++f) {
-    const geometry::PatchFace& face = constraints.faces[f].slave;
-    const auto p = static_cast<std::size_t>(face.patch.value);
-    for (int c = 0; c < 3; ++c) {
-      const std::optional<SharedEdges>& shared = constraints.edges[f][static_cast<std::size_t>(c)];
-      if (!shared) continue;
-      for (const int node : inner_nodes(sizes[p], face.side, *shared)) {
-        const int row = row_of_node[static_cast<std::size_t>(first_node[p] + node)];
-        const int axis = free_axis_along(*frame_of_row[static_cast<std::size_t>(row)], c);
-        if (axis < 0) refuse("are held by supports inside");
-        place[static_cast<std::size_t>(3 * row + axis)] = static_cast<int>(followers_.size());
-        followers_.push_back(3 * Index{row} + axis);
-      }
+  if (b.rows() == 0) return;
+  std::vector<int> place_of(static_cast<std::size_t>(b.cols()), -1);
+  for (const int row : of_faces.rows)
+    for (int i = 0; i < 3; ++i) {
+      place_of[static_cast<std::size_t>(3 * row + i)] = static_cast<int>(places_.size());
+      places_.push_back(3 * Index{row} + i);
     }
-  }
-  const auto count = static_cast<Index>(followers_.size());
-  if (count != b.rows()) refuse("have no inner nodes to follow the others");
-  if (count == 0) return;
-  std::vector<Eigen::Triplet<double>> entries;
+  const auto unknowns = static_cast<Index>(places_.size());
+  Triplets entries;
+  add_both_triangles(of_faces.matrix, entries);
+  const double scale = solvers::mean_diagonal(of_faces.matrix);
   for (Index i = 0; i < b.rows(); ++i)
-    for (solvers::ConstraintMatrix::InnerIterator it(b, i); it; ++it)
-      if (const int column = place[static_cast<std::size_t>(it.col())]; column >= 0)
-        entries.emplace_back(static_cast<int>(i), column, it.value());
-  Sparse of_followers(count, count);
-  of_followers.setFromTriplets(entries.begin(), entries.end());
-  factors_.emplace(of_followers);
-  if (factors_->is_singular()) refuse("do not determine the nodes that follow");
-}
-
-// The displacement of this process' followers.
-VectorXd MortarProjection::followers_for(const VectorXd& g) const {
-  VectorXd result = VectorXd::Zero(b_->cols());
-  if (!factors_) return result;
-  const VectorXd values = factors_->solve(g);
-  for (std::size_t i = 0; i < followers_.size(); ++i) result[followers_[i]] = values[static_cast<Index>(i)];
-  return result;
+    for (solvers::ConstraintMatrix::InnerIterator it(b, i); it; ++it) {
+      const int column = place_of[static_cast<std::size_t>(it.col())];
+      const auto row = static_cast<int>(unknowns + i);
+      entries.emplace_back(row, column, scale * it.value());
+      entries.emplace_back(column, row, scale * it.value());
+    }
+  Eigen::SparseMatrix<double> both(unknowns + b.rows(), unknowns + b.rows());
+  both.setFromTriplets(entries.begin(), entries.end());
+  scale_ = scale;
+  factors_.emplace(both);
+  if (factors_->is_singular())
+    throw Error(ErrorCode::singular_system,
+                "the multipliers between faces that do not match depend on each other; use "
+                "coupling.non_matching = \"nitsche\", or halve the elements there");
 }
 
 VectorXd MortarProjection::particular(const VectorXd& g) const {
-  VectorXd result = followers_for(g);
+  VectorXd result = VectorXd::Zero(b_->cols());
+  if (factors_) {
+    VectorXd right = VectorXd::Zero(static_cast<Index>(places_.size()) + g.size());
+    right.tail(g.size()) = scale_ * g;
+    const VectorXd both = factors_->solve(right);
+    result(places_) = both.head(static_cast<Index>(places_.size()));
+  }
   rows_.sum(result);
   return result;
 }
@@ -92,16 +76,15 @@ VectorXd MortarProjection::project(VectorXd x) const {
 
 VectorXd MortarProjection::multipliers(const VectorXd& force) const {
   if (!factors_) return VectorXd(0);
-  const VectorXd here = force(followers_);
-  return factors_->solve_transposed(here);
+  VectorXd right = VectorXd::Zero(static_cast<Index>(places_.size()) + b_->rows());
+  right.head(static_cast<Index>(places_.size())) = force(places_);
+  return scale_ * VectorXd(factors_->solve(right)).tail(b_->rows());
 }
 
-VectorXd MortarProjection::moved_to_masters(VectorXd force) const {
-  VectorXd moved = b_->transpose() * multipliers(force);
-  // Nothing but round-off would be left there.
-  for (const Index at : followers_) moved[at] = force[at];
-  rows_.sum(moved);
-  return force - moved;
+VectorXd MortarProjection::reduce(VectorXd force) const {
+  VectorXd taken = b_->transpose() * multipliers(force);
+  rows_.sum(taken);
+  return force - taken;
 }
 
 }  // namespace isopatch::iga

@@ -1,29 +1,8 @@
 #include "iga/solution/mortar_share.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace isopatch::iga {
-namespace {
-
-// Entries of the rows that are kept, and of the columns too where these are the rows' as well.
-template <class Matrix>
-Matrix kept(const Matrix& all, const std::vector<int>& new_row, const std::vector<int>& new_column,
-            Eigen::Index rows, Eigen::Index columns) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (Eigen::Index outer = 0; outer < all.outerSize(); ++outer)
-    for (typename Matrix::InnerIterator it(all, outer); it; ++it) {
-      const int row = new_row[static_cast<std::size_t>(it.row())];
-      const int column = new_column[static_cast<std::size_t>(it.col())];
-      if (row >= 0 && column >= 0) entries.emplace_back(row, column, it.value());
-    }
-  Matrix result(rows, columns);
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
-}
-
-}  // namespace
-
 MortarShare mortar_share(const MortarConstraints& all, const std::vector<PatchLayers>& parts) {
   const auto is_here = [&](const MortarFace& face) {
     return std::any_of(parts.begin(), parts.end(), [&](const PatchLayers& part) {
@@ -32,24 +11,22 @@ MortarShare mortar_share(const MortarConstraints& all, const std::vector<PatchLa
   };
   MortarShare result;
   MortarConstraints& own = result.constraints;
-  std::vector<int> new_row(static_cast<std::size_t>(all.rows()), -1);
   own.first_row.push_back(0);
   for (std::size_t f = 0; f < all.faces.size(); ++f) {
     if (!is_here(all.faces[f])) continue;
     own.faces.push_back(all.faces[f]);
     own.edges.push_back(all.edges[f]);
     for (int row = all.first_row[f]; row < all.first_row[f + 1]; ++row) {
-      new_row[static_cast<std::size_t>(row)] = static_cast<int>(result.rows.size());
       result.rows.push_back(row);
       own.component.push_back(all.component[static_cast<std::size_t>(row)]);
     }
     own.first_row.push_back(static_cast<int>(result.rows.size()));
   }
-  std::vector<int> nodes(static_cast<std::size_t>(all.jumps.cols()));
-  std::iota(nodes.begin(), nodes.end(), 0);
-  const auto count = static_cast<Eigen::Index>(result.rows.size());
-  own.jumps = kept(all.jumps, new_row, nodes, count, all.jumps.cols());
-  own.compliance = kept(all.compliance, new_row, new_row, count, count);
+  own.jumps.resize(static_cast<Eigen::Index>(result.rows.size()), all.jumps.cols());
+  own.jumps.reserve(all.jumps.nonZeros());
+  for (std::size_t row = 0; row < result.rows.size(); ++row)
+    own.jumps.row(static_cast<Eigen::Index>(row)) = all.jumps.row(result.rows[row]);
+  own.jumps.makeCompressed();
   return result;
 }
 

@@ -41,8 +41,6 @@ bool may_go_on(const Error& error, const CoupledProblem& coupled) {
       return true;
     case ErrorCode::singular_system:
       return !has_too_few_points(coupled.discretization(), coupled.points);
-    case ErrorCode::unsupported:
-      return !coupled.mortar.empty();
     case ErrorCode::out_of_memory:
     case ErrorCode::internal:
       return coupled.processes.count() == 1;

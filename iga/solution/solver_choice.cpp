@@ -133,8 +133,7 @@ SolverPlan iterative_plan(const SizeForecast& size, const solvers::SolverOptions
   plan.reason = "iterations with a multigrid";
   const double with_matrix = multigrid_bytes(size, Operator::assembled);
   plan.form = options.form;
-  if (size.has_mortar && plan.method == Method::cg)
-    plan.reason += " among the displacements that satisfy the mortar constraints";
+  if (size.has_mortar) plan.reason += " among the displacements that satisfy the mortar constraints";
   if (plan.method == Method::minres || size.has_mortar) {
     plan.form = Operator::matrix_free;
   } else if (options.form == Operator::automatic) {
@@ -157,12 +156,6 @@ SolverPlan without_multipliers(const SizeForecast& size) {
       multigrid_bytes(size, Operator::matrix_free),
       "iterations on the displacements that satisfy all ties, with a multigrid; multipliers are the forces "
       "that these leave"};
-}
-
-// Where the faces with multipliers have no nodes that can follow others.
-SolverPlan with_mortar_multipliers(const SizeForecast& size) {
-  return {Method::minres, Preconditioner::multigrid, Operator::matrix_free,
-          multigrid_bytes(size, Operator::matrix_free), "iterations with a multigrid and mortar multipliers"};
 }
 
 // Flops as "3.2 Gflop".
@@ -206,8 +199,6 @@ std::vector<SolverPlan> automatic_plans(const SizeForecast& size, const solvers:
   // What MUMPS fails on for reasons of its own, LU may do, at twice the cost.
   if (tied && size.processes == 1 && options.form != Operator::matrix_free)
     plans.push_back(direct_plan(size, Method::umfpack, "LU, which pivots more freely"));
-  if (can_iterate && size.has_mortar && size.coupling == Coupling::elimination)
-    plans.push_back(with_mortar_multipliers(size));
   if (tied && can_iterate && !size.has_mortar) plans.push_back(without_multipliers(size));
   return plans;
 }

@@ -176,7 +176,9 @@ TEST(Mortar, DirectAndIterativeSolversAndBothSidesAgree) {
   EXPECT_LT(difference(direct.field, iterated.field), 1e-7);
   const ElasticitySolution projected = solved(p, Method::cg);
   EXPECT_LT(difference(direct.field, projected.field), 1e-8);
-  EXPECT_LT(3 * projected.solver.iterations, 2 * iterated.solver.iterations);
+  // Both take 16; with projections that move nodes of one side alone it was 32.
+  EXPECT_LE(projected.solver.iterations, 20);
+  EXPECT_LE(iterated.solver.iterations, 20);
   for (std::size_t f = 0; f < 2; ++f) {
     EXPECT_LT((direct.mortar[f].force - projected.mortar[f].force).norm(),
               1e-6 * direct.mortar[f].force.norm());
@@ -260,10 +262,10 @@ TEST(Mortar, SlaveFacesOfOnePatchShareTheirEdge) {
 }
 
 // The middle one of three boxes with one linear element shares both its edges.
-TEST(Mortar, FacesWithoutNodesOfTheirOwnNeedFactors) {
+TEST(Mortar, FacesWithoutInnerNodes) {
   const ElasticityProblem p = loaded(box_below(3), 1, 0);
-  EXPECT_ERROR(solved(p, Method::cg), ErrorCode::unsupported, "no inner nodes");
   const ElasticitySolution s = solved(p, Method::mumps);
+  EXPECT_LT(difference(s.field, solved(p, Method::cg).field), 1e-8);
   EXPECT_NEAR(s.results.internal_energy / s.results.external_work, 1, 1e-10);
 }
 
