@@ -6,10 +6,10 @@ namespace isopatch::segmentation {
 
 /// Makes hexahedra of the cells of a complex and leaves the T-joints between them.
 ///
-/// Hexahedra stay as they are. Prisms and tetrahedra are divided by `hexahedral` among themselves; what that
-/// puts on the sides of hexahedra are T-joints too.
-/// @throws Error unsupported  two sides that overlap without one lying in the other; a cell that is no
-///                            hexahedron and meets others in parts of its sides
+/// Every cell gets sides of its own, whole where its neighbours have cut them in parts. Hexahedra stay as they
+/// are; `hexahedral` divides any other cell by itself. Nothing that divides a cell goes on into its
+/// neighbours, so sides meet in parts there as well, and may overlap without one lying in the other.
+/// @throws Error unsupported  as `make_sides_whole` and `hexahedral`
 geometry::CellComplex keep_t_joints(const geometry::Brep& source, geometry::CellComplex complex,
                                     double tolerance, const SideOptions& options = {});
 

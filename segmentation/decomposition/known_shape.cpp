@@ -17,7 +17,9 @@
 #include "segmentation/pieces/mirror_planes.hpp"
 #include "segmentation/pieces/mirrored_cells.hpp"
 #include "segmentation/pieces/pieced_cells.hpp"
+#include "segmentation/pieces/pieces_apart.hpp"
 #include "segmentation/sweeps/in_the_way.hpp"
+#include "segmentation/sweeps/layered_cells.hpp"
 #include "segmentation/sweeps/rounds.hpp"
 #include "segmentation/sweeps/swept_cells.hpp"
 #include "segmentation/turned/turned_cells.hpp"
@@ -122,6 +124,7 @@ struct KnownCells {
   geometry::CellComplex complex;
   std::string seen_as;
   bool in_pieces = false;
+  bool apart = false;  ///< they meet in parts of sides
 };
 
 /// A half and its image.
@@ -194,6 +197,21 @@ std::optional<KnownCells> known_cells(const geometry::Brep& solid, double second
   return best;
 }
 
+/// Layers of a stack, or else pieces between planes, divided each by itself.
+std::optional<KnownCells> cells_apart(const geometry::Brep& solid, double seconds, WhyNot& why) {
+  std::optional<KnownCells> best;
+  if (planes_are_divided(solid)) return best;
+  if (!sweep_frames(solid).empty())
+    look([&] { return layered_cells(solid); }, best, why.stopped_by);
+  else
+    look([&] { return pieces_apart(solid, {}, seconds); }, best, why.stopped_by);
+  if (best) {
+    best->apart = true;
+    best->seen_as += ", each divided by itself";
+  }
+  return best;
+}
+
 /// What is swept or turned is divided along its symmetries at once; what comes in pieces is tried by halves
 /// as well.
 std::optional<KnownCells> known_or_mirrored(const geometry::Brep& solid, double seconds, WhyNot& why) {
@@ -221,13 +239,14 @@ std::optional<KnownCells> known_or_mirrored(const geometry::Brep& solid, double 
 
 /// With the cuts given; nothing else will do.
 KnownCells as_given(const geometry::Brep& solid, const std::vector<geometry::PlaneSurface>& cuts,
-                    double seconds) {
+                    double seconds, TJoints t_joints) {
   WhyNot why;
   std::optional<KnownCells> made;
+  const bool apart = t_joints == TJoints::keep;
   if (cuts.empty())
     made = known_cells(solid, seconds, why);
-  else if (std::optional<PiecedCells> pieces = pieced_cells(solid, cuts, seconds))
-    made = KnownCells{pieces->complex, text_of(*pieces)};
+  else if (auto pieces = apart ? pieces_apart(solid, cuts, seconds) : pieced_cells(solid, cuts, seconds))
+    made = KnownCells{std::move(pieces->complex), text_of(*pieces), true, apart};
   if (!made)
     throw Error(ErrorCode::unsupported,
                 fmt::format("{} come to no pieces that can be swept{}{}; give cuts where its pieces join, or "
@@ -241,11 +260,11 @@ KnownCells by_hand(const geometry::Brep& solid, const DecompositionOptions& opti
   const double seconds = options.time_limit / 4;
   std::vector<geometry::PlaneSurface> cuts;
   for (const GivenPlane& cut : options.cuts) cuts.push_back(plane_of(solid, cut));
-  if (!options.symmetry) return as_given(solid, cuts, seconds);
+  if (!options.symmetry) return as_given(solid, cuts, seconds, options.t_joints);
   std::string halves;
   geometry::CellComplex complex =
       mirrored_cells(solid, plane_of(solid, *options.symmetry), [&](const geometry::Brep& half) {
-        KnownCells made = as_given(half, cuts, seconds);
+        KnownCells made = as_given(half, cuts, seconds, TJoints::remove);
         halves += (halves.empty() ? "" : "; ") + made.seen_as;
         return std::move(made.complex);
       });
@@ -257,6 +276,7 @@ Decomposition decomposition_of(KnownCells cells, double seconds) {
   result.report.cells = result.report.hexahedra = static_cast<int>(cells.complex.cells.size());
   result.report.seen_as = std::move(cells.seen_as);
   result.report.seconds = seconds;
+  result.report.t_joints_kept = cells.apart;
   return result;
 }
 
@@ -269,9 +289,13 @@ KnownShape known_shape(const geometry::Brep& solid, const DecompositionOptions& 
     result.decomposition = decomposition_of(by_hand(solid, options), watch.seconds());
     return result;
   }
-  if (options.method == Method::cuts || options.t_joints == TJoints::keep) return result;
+  if (options.method == Method::cuts) return result;
   WhyNot why;
-  if (std::optional<KnownCells> made = known_or_mirrored(solid, options.time_limit / 4, why))
+  const double seconds = options.time_limit / 4;
+  std::optional<KnownCells> made;
+  if (options.t_joints == TJoints::keep) made = cells_apart(solid, seconds, why);
+  if (!made) made = known_or_mirrored(solid, seconds, why);
+  if (made)
     result.decomposition = decomposition_of(std::move(*made), watch.seconds());
   else if (result.why_not = no_stack(solid, options); result.why_not.empty() && !why.stopped_by.empty())
     result.why_not = "It looks swept or turned, but " + why.stopped_by;

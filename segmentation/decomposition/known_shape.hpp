@@ -18,8 +18,8 @@ struct KnownShape {
   std::string why_not;
 };
 
-/// Nothing where only cuts are asked for, or T-joints, which such solids do not have. What a user asks for by
-/// hand is known or refused.
+/// Nothing where only cuts are asked for. Where T-joints are kept, layers of a stack and pieces between
+/// planes are divided each by itself. What a user asks for by hand is known or refused.
 /// @throws Error invalid_argument  cuts or a symmetry that the solid does not have
 /// @throws Error unsupported  given cuts of which no pieces come that can be swept
 KnownShape known_shape(const geometry::Brep& solid, const DecompositionOptions& options);

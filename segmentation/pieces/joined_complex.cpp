@@ -57,7 +57,8 @@ class Joiner {
     }
   }
 
-  CellComplex make() {
+  CellComplex make(CutSides sides) {
+    if (sides == CutSides::in_parts) open_.clear();
     for (const auto& [edges, face] : open_) {
       Eigen::Vector3d middle = Eigen::Vector3d::Zero();
       for (const EdgeUse& use : result_.face(face).loop)
@@ -121,10 +122,10 @@ class Joiner {
 
 }  // namespace
 
-CellComplex joined_complex(const std::vector<ComplexOfPiece>& pieces, double tolerance) {
+CellComplex joined_complex(const std::vector<ComplexOfPiece>& pieces, double tolerance, CutSides sides) {
   Joiner joiner(tolerance);
   for (const ComplexOfPiece& piece : pieces) joiner.add(piece);
-  return joiner.make();
+  return joiner.make(sides);
 }
 
 }  // namespace isopatch::segmentation

@@ -45,8 +45,10 @@ double cost_of(const Quadrangulation& quads, double least) {
 /// finished. The best of them at all heights.
 class InclinedWalls {
  public:
-  InclinedWalls(const geometry::Brep& solid, const SweepFrame& frame, SweptDrawing drawing)
-      : solid_(solid), frame_(frame), drawing_(std::move(drawing)) {
+  /// @param merged  of the drawing's profile, what is divided in its place; must outlive this
+  InclinedWalls(const geometry::Brep& solid, const SweepFrame& frame, SweptDrawing drawing,
+                const MergedProfile* merged = nullptr)
+      : solid_(solid), frame_(frame), drawing_(std::move(drawing)), merged_(merged) {
     const auto [low, high] = range_of(drawing_.tracks);
     half_way_ = (low + high) / 2;
   }
@@ -88,10 +90,10 @@ class InclinedWalls {
     return result;
   }
   Draft draft_at_lowest(const QuadrangulationOptions& options) const {
-    return draft_of(drawing_.profile, options, false);
+    return draft_of(reduced(drawing_.profile), options, false);
   }
   Draft draft_half_way(const QuadrangulationOptions& options) const {
-    return draft_of(profile_at(solid_, frame_, drawing_, half_way_), options, true);
+    return draft_of(reduced(profile_at(solid_, frame_, drawing_, half_way_)), options, true);
   }
 
   void divide_again_and_again(QuadrangulationOptions options) {
@@ -115,7 +117,7 @@ class InclinedWalls {
 
   /// One beside the other, since each takes seconds.
   std::vector<Draft> both_drafts(const QuadrangulationOptions& options) const {
-    const Profile there = profile_at(solid_, frame_, drawing_, half_way_);
+    const Profile there = reduced(profile_at(solid_, frame_, drawing_, half_way_));
     std::future<Draft> half_way = std::async(std::launch::async | std::launch::deferred,
                                              [&] { return draft_of(there, options, true); });
     std::vector<Draft> result;
@@ -136,9 +138,12 @@ class InclinedWalls {
     enter(draft, [&] { return finished_of(draft); });
   }
 
-  static Quadrangulation finished_of(const Draft& draft) {
+  Profile reduced(Profile profile) const { return merged_ ? merged_->reduced(profile) : std::move(profile); }
+
+  Quadrangulation finished_of(const Draft& draft) const {
     if (draft.refusal) throw Error(*draft.refusal);
-    return draft.quads->finished();
+    Quadrangulation quads = draft.quads->finished();
+    return merged_ ? merged_->expanded(std::move(quads), drawing_.profile) : quads;
   }
 
   template <class Make>
@@ -159,6 +164,7 @@ class InclinedWalls {
   const geometry::Brep& solid_;
   const SweepFrame& frame_;
   SweptDrawing drawing_;
+  const MergedProfile* merged_;
   double half_way_ = 0;
   std::optional<Quadrangulation> best_;
   double least_ = 0;  // scaled Jacobian of the best
@@ -220,6 +226,15 @@ DividedDrawing divided_drawing(const geometry::Brep& solid, const SweepFrame& fr
   }
   if (!best) throw *refusal;
   return std::move(*best);
+}
+
+DividedDrawing divided_drawing(const geometry::Brep& solid, const SweepFrame& frame, SweptDrawing drawing,
+                               const MergedProfile& merged, const QuadrangulationOptions& options) {
+  if (!stays(drawing.tracks))
+    return InclinedWalls(solid, frame, std::move(drawing), &merged).divided(options);
+  Quadrangulation quads = mirrored_quadrangulation(merged.reduced(drawing.profile), {}, options);
+  quads = merged.expanded(std::move(quads), drawing.profile);
+  return {std::move(drawing), std::move(quads)};
 }
 
 }  // namespace isopatch::segmentation

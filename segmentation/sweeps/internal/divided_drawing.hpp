@@ -5,6 +5,7 @@
 
 #include "segmentation/profiles/quadrangulation.hpp"
 #include "segmentation/profiles/quadrangulation_options.hpp"
+#include "segmentation/sweeps/internal/merged_profile.hpp"
 #include "segmentation/sweeps/internal/swept_drawing.hpp"
 
 namespace isopatch::segmentation {
@@ -26,5 +27,11 @@ using AsDivided = std::function<Profile(const SweptDrawing&)>;
 DividedDrawing divided_drawing(const geometry::Brep& solid, const SweepFrame& frame,
                                const std::vector<std::array<Eigen::Vector3d, 2>>& lines,
                                const QuadrangulationOptions& options, const AsDivided& as_divided = {});
+
+/// Divides a drawing of which some regions are one.
+/// @param merged  of its profile
+/// @throws Error as above
+DividedDrawing divided_drawing(const geometry::Brep& solid, const SweepFrame& frame, SweptDrawing drawing,
+                               const MergedProfile& merged, const QuadrangulationOptions& options);
 
 }  // namespace isopatch::segmentation

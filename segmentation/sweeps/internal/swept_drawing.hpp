@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "segmentation/profiles/profile.hpp"
@@ -11,8 +12,8 @@ namespace isopatch::segmentation {
 
 /// Material between two floors.
 struct Slab {
-  double low, high;    ///< heights along the sweep, m
-  FaceId bottom, top;  ///< of the solid
+  double low, high;                   ///< heights along the sweep, m
+  std::optional<FaceId> bottom, top;  ///< of the solid, where it ends there
 };
 
 /// A stack as seen along its direction: the outlines of all its floors over each other, inclined walls where
