@@ -283,18 +283,21 @@ std::vector<ErrorEstimate> ErrorEstimator::estimates(const std::vector<SolutionT
   }
   const std::vector<Correction> corrections =
       corrections_of(std::move(residuals), s.level, s.stiffness, s.smoother, progress);
+  std::vector<Eigen::Matrix3Xd> errors;
+  for (const Correction& correction : corrections)
+    errors.push_back(at_nodes(s.level, s.level.free.to_space(correction.displacement)));
+  std::vector<std::vector<ElementErrors>> elements =
+      element_errors(s.raised.discretization, s.raised.materials, errors, s.level.parts, s.options.processes);
   std::vector<ErrorEstimate> results;
   for (std::size_t i = 0; i < solutions.size(); ++i) {
     const Correction& correction = corrections[i];
-    const Eigen::Matrix3Xd error = at_nodes(s.level, s.level.free.to_space(correction.displacement));
     ErrorEstimate& result = results.emplace_back();
     result.iterations = correction.iterations;
-    result.elements = element_errors(s.raised.discretization, s.raised.materials, error, s.level.parts,
-                                     s.options.processes);
+    result.elements = std::move(elements[i]);
     result.energy = s.has_mortar() ? energy_of(result.elements) : correction.energy;
     const double whole = energies[i] + result.energy;
     result.relative = whole > 0 ? std::sqrt(result.energy / whole) : 0;
-    result.stress_at = stresses_at(solutions[i].places, s.raised, s.level, error, s.options.processes);
+    result.stress_at = stresses_at(solutions[i].places, s.raised, s.level, errors[i], s.options.processes);
   }
   return results;
 }
