@@ -28,13 +28,14 @@ Eigen::VectorXd oscillation(int degree, const geometry::QuadratureRule& rule) {
 struct PointMap {
   Eigen::Matrix3d inverse;  // of the derivatives
   double measure = 0;       // weight times det J, m^3
+  double denominator = 0;   // one over W
 };
 
 struct ElementScratch {
   TensorBuffers<4> geometry, error;
   std::vector<PointMap> maps;
-  std::array<std::vector<double>, 3> stretches;             // |grad xi|^2 of each direction, times the volume
-  std::array<std::vector<Eigen::Vector3d>, 3> derivatives;  // of the error along each direction
+  std::array<std::vector<double>, 3> stretches;           // |grad xi|^2 of each direction, times the volume
+  std::array<std::vector<FieldLanes<4>>, 3> derivatives;  // of the error along each direction, and 0
 };
 
 // Several errors on the elements of one patch.
@@ -76,7 +77,7 @@ class ErrorsOnElements {
       const auto q = static_cast<std::size_t>(point);
       const Eigen::Matrix3d jacobian = rational_point(scratch.geometry, q).derivatives;
       PointMap& map = scratch.maps[q];
-      map = {jacobian.inverse(), weight * jacobian.determinant()};
+      map = {jacobian.inverse(), weight * jacobian.determinant(), 1 / scratch.geometry.at[0][q][3]};
       volume += map.measure;
       for (std::size_t i = 0; i < 3; ++i)
         scratch.stretches[i][q] = map.measure * map.inverse.row(static_cast<Eigen::Index>(i)).squaredNorm();
@@ -88,16 +89,27 @@ class ErrorsOnElements {
                ElementErrors& out) const {
     gather(tensors_, element, errors_[which], patch_.weights(), scratch.error.coefficients);
     tensors_.gradients(element, scratch.error);
+    const double lambda = material_.lambda, mu = material_.mu;
     double energy = 0, squares = 0;
     for (std::size_t q = 0; q < scratch.maps.size(); ++q) {
       const PointMap& map = scratch.maps[q];
-      const Eigen::Matrix3d along = rational_point(scratch.error, q).derivatives;
-      const Eigen::Matrix3d gradient = along * map.inverse;
-      const Eigen::Matrix3d stress = stress_of_gradient(gradient, material_);
-      energy += 0.5 * map.measure * stress.cwiseProduct(gradient).sum();
-      const double equivalent = von_mises(stress);
-      squares += map.measure * equivalent * equivalent;
-      for (std::size_t i = 0; i < 3; ++i) scratch.derivatives[i][q] = along.col(static_cast<Eigen::Index>(i));
+      const FieldLanes<4> value = map.denominator * scratch.error.at[0][q];
+      FieldLanes<4> x = FieldLanes<4>::Zero(), y = x, z = x;  // of the gradient, the derivatives along each
+      for (std::size_t i = 0; i < 3; ++i) {
+        const FieldLanes<4>& of_numerator = scratch.error.at[i + 1][q];
+        const FieldLanes<4> along = map.denominator * (of_numerator - of_numerator[3] * value);
+        const auto row = static_cast<Eigen::Index>(i);
+        x += map.inverse(row, 0) * along;
+        y += map.inverse(row, 1) * along;
+        z += map.inverse(row, 2) * along;
+        scratch.derivatives[i][q] = along;
+      }
+      const double xy = x[1] + y[0], yz = y[2] + z[1], zx = z[0] + x[2];
+      const double shear = xy * xy + yz * yz + zx * zx, trace = x[0] + y[1] + z[2];
+      const double a = x[0] - y[1], b = y[1] - z[2], c = z[2] - x[0];
+      energy += 0.5 * map.measure *
+                (lambda * trace * trace + mu * (2 * (x[0] * x[0] + y[1] * y[1] + z[2] * z[2]) + shear));
+      squares += map.measure * mu * mu * (2 * (a * a + b * b + c * c) + 3 * shear);  // of von Mises' stress
     }
     out.energy[element] = energy;
     out.stress[element] = std::sqrt(squares / volume);
@@ -120,18 +132,18 @@ class ErrorsOnElements {
 
   // The sum over all lines of points along a direction.
   static double along_lines(const Eigen::VectorXd& oscillation, std::size_t count, std::size_t inner,
-                            const std::vector<Eigen::Vector3d>& derivatives,
+                            const std::vector<FieldLanes<4>>& derivatives,
                             const std::vector<double>& stretches) {
     double sum = 0;
     for (std::size_t layer = 0; layer < derivatives.size(); layer += count * inner)
       for (std::size_t start = layer; start < layer + inner; ++start) {
-        Eigen::Vector3d part = Eigen::Vector3d::Zero();
+        FieldLanes<4> part = FieldLanes<4>::Zero();
         double stretch = 0;
         for (std::size_t i = 0; i < count; ++i) {
           part += oscillation[static_cast<Eigen::Index>(i)] * derivatives[start + i * inner];
           stretch += stretches[start + i * inner];
         }
-        sum += stretch * part.squaredNorm();
+        sum += stretch * part.square().sum();
       }
     return sum;
   }
