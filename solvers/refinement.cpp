@@ -98,6 +98,7 @@ std::vector<LinearSolution> with_reports(const ScaledSystems& systems, std::vect
   for (std::size_t i = 0; i < refined.size(); ++i) {
     LinearSolution one{systems[i].unknowns(refined[i].z), systems[i].multipliers(refined[i].z), report};
     one.report.residual_history = std::move(refined[i].history);
+    one.report.relative_residual = one.report.residual_history.back();
     one.report.iterations = static_cast<int>(one.report.residual_history.size()) - 1;
     one.report.solve_seconds = solve_seconds / static_cast<double>(refined.size());
     result.push_back(std::move(one));

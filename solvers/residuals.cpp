@@ -10,24 +10,27 @@
 namespace isopatch::solvers {
 namespace {
 
-constexpr int column_count = 8;
-// One row of eight vectors.
-using Columns = std::array<double, column_count>;
+// One row of some vectors.
+template <std::size_t Count>
+using Columns = std::array<double, Count>;
 
-// Sums of eight columns with the rounding errors that they left. This file is compiled without contraction of
+// Sums of some columns with the rounding errors that they left. This file is compiled without contraction of
 // products and sums, which would take the errors for others.
+template <std::size_t Count>
 struct ExactSums {
-  Columns high = {}, low = {};
+  Columns<Count> high = {}, low = {};
 
-  void add(double factor, const Columns& x) {
-    for (std::size_t l = 0; l < column_count; ++l) {
-      const double product = factor * x[l];
-      const double lost = std::fma(factor, x[l], -product);
-      add(l, product, lost);
+  void add(double factor, const Columns<Count>& x) {
+    for (std::size_t l = 0; l < Count; ++l) {
+      const double sum = high[l] + factor * x[l];
+      const double taken = sum - high[l];
+      // What was lost of the sum before, and of the product, whose own rounding error is in it.
+      low[l] += (high[l] - (sum - taken)) + std::fma(factor, x[l], -taken);
+      high[l] = sum;
     }
   }
   void add(const ExactSums& other) {
-    for (std::size_t l = 0; l < column_count; ++l) add(l, other.high[l], other.low[l]);
+    for (std::size_t l = 0; l < Count; ++l) add(l, other.high[l], other.low[l]);
   }
   // b minus the sum.
   double rest(std::size_t l, double b) const {
@@ -46,23 +49,25 @@ struct ExactSums {
   }
 };
 
-using Sums = std::vector<ExactSums>;
+template <std::size_t Count>
+using Sums = std::vector<ExactSums<Count>>;
 
 // The share of a range of rows and their mirror images, for the rows from its first on.
-Sums range_sums(const SymmetricBlockMatrix& matrix, const BlockRowRange& range,
-                const std::vector<Columns>& x) {
-  Sums y(block_size * (static_cast<std::size_t>(range.last_column) + 1 - range.begin));
+template <std::size_t Count>
+Sums<Count> range_sums(const SymmetricBlockMatrix& matrix, const BlockRowRange& range,
+                       const std::vector<Columns<Count>>& x) {
+  Sums<Count> y(block_size * (static_cast<std::size_t>(range.last_column) + 1 - range.begin));
   for (int row = range.begin; row < range.end; ++row) {
-    const Columns* const x_row = &x[block_size * static_cast<std::size_t>(row)];
-    ExactSums* const y_row = &y[block_size * static_cast<std::size_t>(row - range.begin)];
+    const Columns<Count>* const x_row = &x[block_size * static_cast<std::size_t>(row)];
+    ExactSums<Count>* const y_row = &y[block_size * static_cast<std::size_t>(row - range.begin)];
     for (std::int64_t k = matrix.row_start[row]; k < matrix.row_start[row + 1]; ++k) {
       const int column = matrix.columns[k];
       const double* const block = matrix.values.data() + block_entries * k;
-      const Columns* const x_column = &x[block_size * static_cast<std::size_t>(column)];
+      const Columns<Count>* const x_column = &x[block_size * static_cast<std::size_t>(column)];
       for (int i = 0; i < block_size; ++i)
         for (int j = 0; j < block_size; ++j) y_row[i].add(block[block_size * i + j], x_column[j]);
       if (column == row) continue;
-      ExactSums* const y_column = &y[block_size * static_cast<std::size_t>(column - range.begin)];
+      ExactSums<Count>* const y_column = &y[block_size * static_cast<std::size_t>(column - range.begin)];
       for (int i = 0; i < block_size; ++i)
         for (int j = 0; j < block_size; ++j) y_column[j].add(block[block_size * i + j], x_row[i]);
     }
@@ -71,22 +76,24 @@ Sums range_sums(const SymmetricBlockMatrix& matrix, const BlockRowRange& range,
 }
 
 // The result does not depend on the number of threads.
-Sums stiffness_product(const SymmetricBlockMatrix& matrix, const std::vector<Columns>& x) {
+template <std::size_t Count>
+Sums<Count> stiffness_product(const SymmetricBlockMatrix& matrix, const std::vector<Columns<Count>>& x) {
   const std::vector<BlockRowRange> ranges = balanced_ranges(matrix);
-  std::vector<Sums> parts(ranges.size());
+  std::vector<Sums<Count>> parts(ranges.size());
 #pragma omp parallel for schedule(dynamic, 1) if (ranges.size() > 1)
   for (std::size_t i = 0; i < ranges.size(); ++i) parts[i] = range_sums(matrix, ranges[i], x);
-  Sums y(static_cast<std::size_t>(matrix.rows()));
+  Sums<Count> y(static_cast<std::size_t>(matrix.rows()));
   for (std::size_t i = 0; i < ranges.size(); ++i) {
-    ExactSums* const first = &y[block_size * static_cast<std::size_t>(ranges[i].begin)];
+    ExactSums<Count>* const first = &y[block_size * static_cast<std::size_t>(ranges[i].begin)];
     for (std::size_t k = 0; k < parts[i].size(); ++k) first[k].add(parts[i][k]);
   }
   return y;
 }
 
 // s B^T y and s B x, as rows of the stiffness and behind them.
-void add_constraints(const ConstraintMatrix& constraints, double scale, const std::vector<Columns>& x,
-                     std::size_t first, Sums& sums) {
+template <std::size_t Count>
+void add_constraints(const ConstraintMatrix& constraints, double scale, const std::vector<Columns<Count>>& x,
+                     std::size_t first, Sums<Count>& sums) {
   for (Eigen::Index i = 0; i < constraints.rows(); ++i) {
     const std::size_t multiplier = first + static_cast<std::size_t>(i);
     for (ConstraintMatrix::InnerIterator it(constraints, i); it; ++it) {
@@ -99,17 +106,18 @@ void add_constraints(const ConstraintMatrix& constraints, double scale, const st
   }
 }
 
-// Those of up to eight columns from `first` on.
+// Those of up to `Count` columns from `first` on.
+template <std::size_t Count>
 void add_residuals(const std::vector<const ScaledSystem*>& systems, const Eigen::MatrixXd& z,
                    Eigen::Index first, Eigen::MatrixXd& result) {
   const ScaledSystem& scaled = *systems.front();
   const LinearSystem& system = scaled.system();
-  const Eigen::Index count = std::min<Eigen::Index>(column_count, z.cols() - first);
-  std::vector<Columns> x(static_cast<std::size_t>(z.rows()), Columns{});
+  const Eigen::Index count = std::min(static_cast<Eigen::Index>(Count), z.cols() - first);
+  std::vector<Columns<Count>> x(static_cast<std::size_t>(z.rows()), Columns<Count>{});
   for (Eigen::Index l = 0; l < count; ++l)
     for (Eigen::Index i = 0; i < z.rows(); ++i)
       x[static_cast<std::size_t>(i)][static_cast<std::size_t>(l)] = z(i, first + l);
-  Sums sums = stiffness_product(system.stiffness, x);
+  Sums<Count> sums = stiffness_product(system.stiffness, x);
   const auto rows = sums.size();
   sums.resize(x.size());
   add_constraints(system.constraints, scaled.scale(), x, rows, sums);
@@ -130,8 +138,12 @@ Eigen::MatrixXd residuals(const std::vector<const ScaledSystem*>& systems, const
       result.col(k) = systems[static_cast<std::size_t>(k)]->residual(z.col(k));
     return result;
   }
-  for (Eigen::Index first = 0; first < z.cols(); first += column_count)
-    add_residuals(systems, z, first, result);
+  constexpr Eigen::Index most = 8, few = 2;
+  for (Eigen::Index first = 0; first < z.cols(); first += most)
+    if (z.cols() - first <= few)
+      add_residuals<few>(systems, z, first, result);
+    else
+      add_residuals<most>(systems, z, first, result);
   // What is too large for a double may not be for an extended number.
   for (Eigen::Index k = 0; k < z.cols(); ++k)
     if (!result.col(k).allFinite()) result.col(k) = systems[static_cast<std::size_t>(k)]->residual(z.col(k));

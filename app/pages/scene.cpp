@@ -1,6 +1,9 @@
 #include "app/pages/scene.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "app/pages/internal/base64.hpp"
@@ -16,6 +19,28 @@ std::string block(const std::vector<Eigen::MatrixXd>& values) {
     for (Eigen::Index i = 0; i < of_patch.size(); ++i)
       numbers.push_back(static_cast<float>(of_patch.data()[i]));
   return to_base64(numbers);
+}
+
+// What one unit of a short field's numbers is.
+double step_of(const std::vector<Eigen::MatrixXd>& values) {
+  double largest = 0;
+  for (const Eigen::MatrixXd& of_patch : values)
+    for (Eigen::Index i = 0; i < of_patch.size(); ++i)
+      if (const double size = std::abs(of_patch.data()[i]); std::isfinite(size) && size > largest)
+        largest = size;
+  return largest > 0 ? largest / std::numeric_limits<std::int16_t>::max() : 1;
+}
+
+// The same in units of `step`; the least number there is where there is no finite value.
+std::string short_block(const std::vector<Eigen::MatrixXd>& values, double step) {
+  std::vector<std::int16_t> numbers;
+  for (const Eigen::MatrixXd& of_patch : values)
+    for (Eigen::Index i = 0; i < of_patch.size(); ++i) {
+      const double value = of_patch.data()[i];
+      numbers.push_back(std::isfinite(value) ? static_cast<std::int16_t>(std::lround(value / step))
+                                             : std::numeric_limits<std::int16_t>::min());
+    }
+  return short_to_base64(numbers);
 }
 
 std::string points_block(const iga::PartSamples& samples) {
@@ -114,8 +139,14 @@ std::string scene_json(const Scene& scene) {
                       {"factor", field.unit.factor},
                       {"components", field.values.empty() ? 1 : field.values[0].rows()}};
     if (!field.on.empty()) described["on"] = field.on;
+    if (field.is_short) {
+      const double step = step_of(field.values);
+      described["step"] = step;
+      json[field.key] = short_block(field.values, step);
+    } else {
+      json[field.key] = block(field.values);
+    }
     json["fields"].push_back(described);
-    json[field.key] = block(field.values);
   }
   Eigen::Index first = 0;
   for (std::size_t p = 0; p < scene.samples.patches.size(); ++p) {

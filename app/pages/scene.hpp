@@ -19,6 +19,8 @@ struct SceneField {
   DisplayUnit unit;
   std::string on = {};                  ///< "interfaces" if it is NaN elsewhere
   std::vector<Eigen::MatrixXd> values;  ///< per patch (components, samples), SI
+  /// Whether its numbers are written as multiples of 1/32767 of the largest one: half as many bytes.
+  bool is_short = false;
 };
 
 /// A support or a load and the faces on which it acts.
@@ -69,7 +71,7 @@ struct Scene {
 };
 
 /// The JSON text of a scene; numbers at the samples as base64 of single precision.
-/// @cost  4 bytes and a third for each number
+/// @cost  4 bytes and a third for each number, half of that for those of short fields
 std::string scene_json(const Scene& scene);
 
 }  // namespace isopatch::app

@@ -65,6 +65,7 @@ std::vector<SceneField> fields_of(const iga::PartSamples& samples, std::optional
   double displacement = 0;
   SceneField u{"displacement", "Displacement", {}, "", {}};
   SceneField mises{"von_mises", "Von Mises stress", {}, "", {}};
+  SceneField components{"stress", "Stress", {}, "", {}, true};
   SceneField tension{"max_principal", "Largest principal stress", {}, "", {}};
   SceneField compression{"min_principal", "Smallest principal stress", {}, "", {}};
   SceneField shear{"tresca", "Tresca stress", {}, "", {}};
@@ -74,6 +75,7 @@ std::vector<SceneField> fields_of(const iga::PartSamples& samples, std::optional
     u.values.emplace_back(patch.displacements);
     mises.values.emplace_back(counted_stresses(patch, largest));
     const Eigen::RowVectorXd sound = sound_points(patch);
+    components.values.emplace_back(patch.stress + Eigen::VectorXd::Ones(6) * sound);
     tension.values.emplace_back(patch.principal.row(0) + sound);
     compression.values.emplace_back(patch.principal.row(2) + sound);
     shear.values.emplace_back(patch.principal.row(0) - patch.principal.row(2) + sound);
@@ -81,8 +83,8 @@ std::vector<SceneField> fields_of(const iga::PartSamples& samples, std::optional
   }
   u.unit = display_unit(displacement, "m");
   mises.unit = display_unit(usual_stress(samples), "Pa");
-  tension.unit = compression.unit = shear.unit = mises.unit;
-  return {u, mises, tension, compression, shear, quality};
+  components.unit = tension.unit = compression.unit = shear.unit = mises.unit;
+  return {u, mises, components, tension, compression, shear, quality};
 }
 
 // The estimated error of the element that each sample lies in: of samples between elements the larger one.

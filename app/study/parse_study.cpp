@@ -55,6 +55,11 @@ void read_options(const StudyKeys& top, Study& study) {
   study.options.coupling = coupled.method;
   study.options.non_matching = coupled.non_matching.value_or(iga::NonMatchingCoupling::nitsche);
   study.options.mortar_side = coupled.mortar_side;
+  if (const ConfigEntry* side = coupling.table.find("mortar_side");
+      side && coupled.non_matching != iga::NonMatchingCoupling::mortar)
+    throw error_at(side->value.place,
+                   "mortar_side says which side has the mortar multipliers, which are there with "
+                   "coupling.non_matching = \"mortar\" alone: set that, or leave mortar_side away");
   study.discretization.spread = !coupled.non_matching;
   study.model.tolerance.keep_non_matching = coupled.non_matching.has_value();
   if (auto* blocks = std::get_if<BlocksInput>(&study.model.source))

@@ -109,6 +109,17 @@ TEST_F(NonMatching, MortarSaysWhichFacesHaveTheMultipliersAndAgreesWithNitsche) 
   EXPECT_NEAR(energies[0] / energies[1], 1, 0.01);
 }
 
+TEST_F(NonMatching, AMortarSideWithoutMortarMultipliersIsRefused) {
+  for (const char* way : {"nitsche", "refuse"}) {
+    EXPECT_EQ(run({"run", study(), "--set", std::string("coupling.non_matching=") + way, "--set",
+                   "coupling.mortar_side=other"}),
+              2);
+    EXPECT_THAT(err_,
+                HasSubstr("mortar_side says which side has the mortar multipliers, which are there with "
+                          "coupling.non_matching = \"mortar\" alone"));
+  }
+}
+
 // A corner of two patches is two nodes.
 TEST_F(NonMatching, PointsAreHeldInEveryPatchThatHasThem) {
   const std::string pin = "{ name = 'pin', points = [[0, 0, 1]], displacement = [0, 0, 0] }";

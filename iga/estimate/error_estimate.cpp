@@ -68,20 +68,25 @@ double energy_of(const std::vector<ElementErrors>& errors) {
   return sum;
 }
 
-// A fold is seen by the process whose elements have it, and must be known to all before they talk again.
-Eigen::VectorXd forces_of(const Level& level, const LevelOperator& stiffness, const Eigen::VectorXd& u,
+// Those of displacements, a column each. A fold is seen by the process whose elements have it, and must be
+// known to all before they talk again.
+Eigen::MatrixXd forces_of(const Level& level, const LevelOperator& stiffness, const Eigen::MatrixXd& u,
                           const solvers::Processes& processes) {
-  Eigen::VectorXd forces = Eigen::VectorXd::Zero(u.size());
+  Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(u.rows(), u.cols());
   std::string failure;
   try {
-    forces = stiffness.forces(u);
+    forces = stiffness.forces_each(u);
   } catch (const Error& error) {
     if (processes.count() == 1 || error.code() != ErrorCode::fold_over) throw;
     failure = error.what();
   }
   if (processes.sum(failure.empty() ? 0.0 : 1.0) > 0)
     throw Error(ErrorCode::fold_over, failure.empty() ? "a patch of another process is folded" : failure);
-  level.rows.sum(forces);
+  for (Eigen::Index i = 0; i < u.cols(); ++i) {
+    Eigen::VectorXd sum = forces.col(i);
+    level.rows.sum(sum);
+    forces.col(i) = sum;
+  }
   return forces;
 }
 
@@ -205,12 +210,21 @@ struct ErrorEstimator::State {
         smoother(raised.discretization.model, level, raised.materials, stiffness.diagonal(),
                  stiffness.surfaces()) {}
 
-  // What a solution leaves of the loads.
-  Residual residual(const Eigen::Matrix3Xd& loads, const ElasticField& solution) const {
-    const Eigen::VectorXd u = rows_of(level, in_raised_space(problem, raised, solution.displacement));
-    const Eigen::VectorXd forces = forces_of(level, stiffness, u, options.processes);
-    return {level.free.to_free(sum_of_nodes(level, loads) - forces),
-            0.5 * level.rows.dot(u, forces) - energy_of_jumps(u)};
+  // What each solution leaves of its loads.
+  std::vector<Residual> residuals(const std::vector<SolutionToEstimate>& solutions) const {
+    Eigen::MatrixXd u(3 * static_cast<Eigen::Index>(level.rows.local_rows()),
+                      static_cast<Eigen::Index>(solutions.size()));
+    for (std::size_t i = 0; i < solutions.size(); ++i)
+      u.col(static_cast<Eigen::Index>(i)) =
+          rows_of(level, in_raised_space(problem, raised, solutions[i].solution.displacement));
+    const Eigen::MatrixXd forces = forces_of(level, stiffness, u, options.processes);
+    std::vector<Residual> result;
+    for (std::size_t i = 0; i < solutions.size(); ++i) {
+      const auto k = static_cast<Eigen::Index>(i);
+      result.push_back({level.free.to_free(sum_of_nodes(level, solutions[i].loads) - forces.col(k)),
+                        0.5 * level.rows.dot(u.col(k), forces.col(k)) - energy_of_jumps(u.col(k))});
+    }
+    return result;
   }
 
   bool has_mortar() const {
@@ -279,25 +293,27 @@ std::vector<ErrorEstimate> ErrorEstimator::estimates(const std::vector<SolutionT
   const State& s = *state_;
   std::vector<double> energies;
   std::vector<Eigen::VectorXd> residuals;
-  for (const SolutionToEstimate& one : solutions) {
-    Residual residual = s.residual(one.loads, one.solution);
+  for (Residual& residual : s.residuals(solutions)) {
     energies.push_back(residual.energy);
     residuals.push_back(std::move(residual.force));
   }
   const std::vector<Correction> corrections =
       corrections_of(std::move(residuals), s.level, s.stiffness, s.smoother, progress);
+  std::vector<Eigen::Matrix3Xd> errors;
+  for (const Correction& correction : corrections)
+    errors.push_back(at_nodes(s.level, s.level.free.to_space(correction.displacement)));
+  std::vector<std::vector<ElementErrors>> elements =
+      element_errors(s.raised.discretization, s.raised.materials, errors, s.level.parts, s.options.processes);
   std::vector<ErrorEstimate> results;
   for (std::size_t i = 0; i < solutions.size(); ++i) {
     const Correction& correction = corrections[i];
-    const Eigen::Matrix3Xd error = at_nodes(s.level, s.level.free.to_space(correction.displacement));
     ErrorEstimate& result = results.emplace_back();
     result.iterations = correction.iterations;
-    result.elements = element_errors(s.raised.discretization, s.raised.materials, error, s.level.parts,
-                                     s.options.processes);
+    result.elements = std::move(elements[i]);
     result.energy = s.has_mortar() ? energy_of(result.elements) : correction.energy;
     const double whole = energies[i] + result.energy;
     result.relative = whole > 0 ? std::sqrt(result.energy / whole) : 0;
-    result.stress_at = stresses_at(solutions[i].places, s.raised, s.level, error, s.options.processes);
+    result.stress_at = stresses_at(solutions[i].places, s.raised, s.level, errors[i], s.options.processes);
   }
   return results;
 }

@@ -47,16 +47,26 @@ Eigen::VectorXd LevelOperator::apply(const Eigen::VectorXd& x) const {
   return level_->free.to_free(std::move(result));
 }
 
-Eigen::MatrixXd LevelOperator::apply_each(const Eigen::MatrixXd& x) const {
+Eigen::MatrixXd LevelOperator::forces_each(const Eigen::MatrixXd& displacements) const {
   std::vector<Eigen::Matrix3Xd> of_nodes;
-  for (Eigen::Index i = 0; i < x.cols(); ++i)
-    of_nodes.push_back(at_nodes(*level_, level_->free.to_space(x.col(i))));
+  for (Eigen::Index i = 0; i < displacements.cols(); ++i)
+    of_nodes.push_back(at_nodes(*level_, displacements.col(i)));
   std::vector<Eigen::Matrix3Xd> forces = stiffness_.apply(of_nodes);
-  Eigen::MatrixXd result(x.rows(), x.cols());
-  for (Eigen::Index i = 0; i < x.cols(); ++i) {
+  Eigen::MatrixXd result(displacements.rows(), displacements.cols());
+  for (Eigen::Index i = 0; i < displacements.cols(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     surfaces_.add_forces(of_nodes[k], forces[k]);
-    Eigen::VectorXd sum = sum_of_nodes(*level_, forces[k]);
+    result.col(i) = sum_of_nodes(*level_, forces[k]);
+  }
+  return result;
+}
+
+Eigen::MatrixXd LevelOperator::apply_each(const Eigen::MatrixXd& x) const {
+  Eigen::MatrixXd displacements(x.rows(), x.cols());
+  for (Eigen::Index i = 0; i < x.cols(); ++i) displacements.col(i) = level_->free.to_space(x.col(i));
+  Eigen::MatrixXd result = forces_each(displacements);
+  for (Eigen::Index i = 0; i < x.cols(); ++i) {
+    Eigen::VectorXd sum = result.col(i);
     level_->rows.sum(sum);
     result.col(i) = level_->free.to_free(std::move(sum));
   }

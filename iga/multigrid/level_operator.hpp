@@ -33,6 +33,8 @@ class LevelOperator {
   Eigen::MatrixXd apply_each(const Eigen::MatrixXd& x) const;
   /// Forces of a displacement in coordinate axes, without regard to supports: additive. (3 rows)
   Eigen::VectorXd forces(const Eigen::VectorXd& displacement) const;
+  /// The same for several displacements, a column each. (3 rows, displacements)
+  Eigen::MatrixXd forces_each(const Eigen::MatrixXd& displacements) const;
   /// The diagonal blocks of the local rows in coordinate axes, summed over processes.
   std::vector<Eigen::Matrix3d> diagonal() const;
   /// What is added to the stiffness of the elements.

@@ -123,8 +123,12 @@ Location closest(const NurbsVolume& patch, int index, const Eigen::Vector3d& pla
 }  // namespace
 
 double von_mises(const Eigen::Matrix3d& stress) {
-  const Eigen::Matrix3d deviator = stress - stress.trace() / 3 * Eigen::Matrix3d::Identity();
-  return std::sqrt(1.5) * deviator.norm();
+  const double a = stress(0, 0) - stress(1, 1), b = stress(1, 1) - stress(2, 2),
+               c = stress(2, 2) - stress(0, 0);
+  const double shear = stress(0, 1) * stress(0, 1) + stress(1, 0) * stress(1, 0) +
+                       stress(1, 2) * stress(1, 2) + stress(2, 1) * stress(2, 1) +
+                       stress(2, 0) * stress(2, 0) + stress(0, 2) * stress(0, 2);
+  return std::sqrt(0.5 * (a * a + b * b + c * c) + 1.5 * shear);
 }
 
 FieldValues evaluate(const ElasticField& field, int patch, const Parameter<3>& parameter) {

@@ -16,6 +16,8 @@ struct PatchSamples {
   Eigen::Matrix3Xd points;         ///< undeformed, m
   Eigen::Matrix3Xd displacements;  ///< m; no columns without a solution
   Eigen::VectorXd von_mises;       ///< Pa; empty without a solution
+  /// xx, yy, zz, xy, yz, zx, Pa; no columns without a solution
+  Eigen::Matrix<double, 6, Eigen::Dynamic> stress;
   Eigen::Matrix3Xd principal;  ///< principal stresses, the largest first, Pa; no columns without a solution
   Eigen::VectorXd scaled_jacobian;  ///< det J over the product of its columns' lengths, -1 .. 1
 

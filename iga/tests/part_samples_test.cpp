@@ -55,7 +55,8 @@ std::vector<int> on_side(const PatchSamples& s, geometry::Side side) {
 
 TEST(PartSamples, AreTheFieldsValues) {
   const Discretization d = elbow();
-  const ElasticField field = twisted(d);
+  ElasticField field = twisted(d);
+  field.thermal.assign(d.patches.size(), {2e-3, {1e-3, 0, 3e-3}});
   const PartSamples samples = sample_part(d.model, field);
   ASSERT_EQ(samples.patches.size(), d.patches.size());
   for (int p = 0; p < d.patch_count(); ++p) {
@@ -66,6 +67,10 @@ TEST(PartSamples, AreTheFieldsValues) {
       EXPECT_LT((s.points.col(at) - v.place).norm(), 1e-12);
       EXPECT_LT((s.displacements.col(at) - v.displacement).norm(), 1e-13);
       EXPECT_NEAR(s.von_mises[at], v.von_mises, 1e-9 * v.von_mises);
+      Eigen::Matrix<double, 6, 1> stress;
+      stress << v.stress.diagonal(), v.stress(0, 1), v.stress(1, 2), v.stress(2, 0);
+      EXPECT_LT((s.stress.col(at) - stress).norm(), 1e-9 * stress.norm());
+      EXPECT_NEAR(s.principal.col(at).sum(), v.stress.trace(), 1e-9 * stress.norm());
       EXPECT_NEAR(s.scaled_jacobian[at], jacobian.determinant() / jacobian.colwise().norm().prod(), 1e-12);
     }
   }

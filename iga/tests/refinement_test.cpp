@@ -123,8 +123,8 @@ TEST(Refinement, KnowsTheDirectionOfAnError) {
       error.col(i).setConstant(bump[at[d]] * (1 + at[(d + 1) % 3]));  // linear along the next direction
     }
     const ElementErrors found =
-        element_errors(raised, {testing::steel}, error, whole_patches(isoparametric_spaces(raised)),
-                       solvers::Processes{})[0];
+        element_errors(raised, {testing::steel}, {error}, whole_patches(isoparametric_spaces(raised)),
+                       solvers::Processes{})[0][0];
     EXPECT_GT(found.energy[0], 0);
     EXPECT_NEAR(found.along(direction, 0), found.energy[0], 1e-10 * found.energy[0]);
     EXPECT_NEAR(found.along.sum(), found.energy[0], 1e-12 * found.energy[0]);

@@ -13,7 +13,7 @@ WITHOUT_FILES = {"output.fields": "false", "output.report": "false"}
 def study_text(text, cases):
     """A study with as many load cases in place of its loads, each of one patch's own body force: none depends on others."""
     loads = "".join(f"""[[load]]
-case = "case {i}"
+case = "case_{i}"
 patches = [{i}]
 body_force = ["{3 * (-1) ** i} MN/m^3", "{i - 4.5} MN/m^3", "2 MN/m^3"]
 

@@ -14,6 +14,7 @@ import sys
 WEB = pathlib.Path(__file__).resolve().parent.parent / "web"
 THREE = pathlib.Path("/usr/share/javascript/three/three.min.js")
 DISPLACEMENT = {"key": "displacement", "label": "Displacement", "unit": "um", "factor": 1e6, "components": 3}
+STRESS = {"key": "stress", "label": "Stress", "unit": "MPa", "factor": 1e-6, "components": 6}
 VON_MISES = {"key": "von_mises", "label": "Von Mises stress", "unit": "MPa", "factor": 1e-6, "components": 1}
 JACOBIAN = {"key": "scaled_jacobian", "label": "Scaled Jacobian", "unit": "", "factor": 1, "components": 1}
 TRACTION = {"key": "traction", "label": "Traction", "unit": "MPa", "factor": 1e-6, "components": 3, "on": "interfaces"}
@@ -56,9 +57,21 @@ def block(numbers):
     return base64.b64encode(values.tobytes()).decode()
 
 
+def short_block(numbers, step):
+    values = array.array("h", (-32768 if math.isnan(x) else round(x / step) for x in numbers))
+    if sys.byteorder == "big":
+        values.byteswap()
+    return base64.b64encode(values.tobytes()).decode()
+
+
 def levels(start, end, elements, per_element):
     n = elements * per_element
     return [start + (end - start) * i / n for i in range(n + 1)]
+
+
+def stress_components(stress):
+    """xx, yy, zz, xy, yz, zx, all different."""
+    return [stress, 0.5 * stress, -0.25 * stress, 0.125 * stress, -2 * stress, 3 * stress]
 
 
 class Scene:
@@ -66,7 +79,7 @@ class Scene:
 
     def __init__(self, fields):
         self.fields, self.patches, self.jacobian = fields, [], []
-        self.points, self.displacement, self.von_mises = [], [], []
+        self.points, self.displacement, self.von_mises, self.stress = [], [], [], []
 
     def add(self, name, place, parameters, per_element, faces, jacobian=lambda *parameter: 0.9):
         """`place(u, v, w)`: the point; `faces`: six of (kind, supports, loads)."""
@@ -79,6 +92,7 @@ class Scene:
                     self.points.extend(point)
                     self.displacement.extend(moved)
                     self.von_mises.append(stress)
+                    self.stress.extend(stress_components(stress))
                     self.jacobian.append(jacobian(u, v, w))
         self.patches.append({
             "name": name, "first": first, "sizes": [len(p) for p in parameters], "parameters": parameters,
@@ -88,12 +102,13 @@ class Scene:
 
     def data(self, **more):
         columns = [self.points[c::3] for c in range(3)]
+        step = max(map(abs, self.stress)) / 32767
         return {
             "length": {"unit": "mm", "factor": 1000},
             "box": {"min": [min(c) for c in columns], "max": [max(c) for c in columns]},
-            "fields": [DISPLACEMENT, VON_MISES, JACOBIAN],
+            "fields": [DISPLACEMENT, VON_MISES, {**STRESS, "step": step}, JACOBIAN],
             "points": block(self.points), "displacement": block(self.displacement),
-            "von_mises": block(self.von_mises), "scaled_jacobian": block(self.jacobian), "patches": self.patches,
+            "von_mises": block(self.von_mises), "stress": short_block(self.stress, step), "scaled_jacobian": block(self.jacobian), "patches": self.patches,
             "supports": [], "loads": [], "markers": [], "warnings": [],
             "tolerance": {"chord": 5e-4, "field": 5e-3, "is_coarse": False}, **more}
 
@@ -267,7 +282,7 @@ def ring_parameterization():
 def ring_model():
     scene = ring().data()
     scene["fields"] = [JACOBIAN]
-    del scene["displacement"], scene["von_mises"]
+    del scene["displacement"], scene["von_mises"], scene["stress"]
     return {"kind": "model", "program": "isopatch 0.1.0", "title": "quarter ring", "study": None,
             "summary": {"model": ring_summary(ring_markers())["model"], "parameterization": ring_parameterization()},
             "plots": [], "scene": scene}

@@ -194,6 +194,12 @@ class OtherPages(Pages):
                     return [style(arguments[0]).color, style(".card").backgroundColor]""", f".claims .verdict.{verdict}")
                 self.assertGreater(contrast(*colours), 4.5, (theme, verdict, colours))
 
+    def test_plots_of_a_comparison_fill_the_page(self):
+        self.open("compare")
+        widths = self.browser.run("return [...document.querySelectorAll('.plot svg')].map((x) => x.getBoundingClientRect().width)")
+        self.assertGreater(len(widths), 0)
+        self.assertGreaterEqual(sum(widths), 900, widths)
+
     def test_pages_fit_a_phone(self):
         self.addCleanup(self.browser.resize, 1280, 800)
         self.browser.resize(390, 844, is_phone=True)

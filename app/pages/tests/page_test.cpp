@@ -47,6 +47,7 @@ TEST(Base64, IsThatOfTheStandard) {
   EXPECT_EQ(to_base64({1.0F}), "AACAPw==");
   EXPECT_EQ(to_base64({1.0F, 2.0F, 3.0F}), "AACAPwAAAEAAAEBA");
   EXPECT_EQ(to_base64({}), "");
+  EXPECT_EQ(short_to_base64({1, -2}), "AQD+/w==");
   for (std::size_t n = 1; n < 8; ++n) {
     std::vector<float> numbers;
     for (std::size_t i = 0; i < n; ++i) numbers.push_back(0.1F * static_cast<float>(i) - 3e7F);
@@ -125,7 +126,10 @@ TEST(Scene, HasEverySampleOfEveryPatch) {
       patch.faces[static_cast<std::size_t>(side)] = d.model.label({PatchId(p), side});
     scene.patches.push_back(patch);
   }
-  scene.fields = {quality};
+  SceneField shift{"shift", "Shift", {"", 1}, "", {}, true};
+  for (const ScenePatch& patch : scene.patches)
+    shift.values.emplace_back(Eigen::RowVector3d(std::stod(patch.name) - 2, std::nan(""), 0.25));
+  scene.fields = {quality, shift};
   const json data = json::parse(scene_json(scene));
   const std::vector<float> points = from_base64(data["points"]);
   const std::vector<float> jacobian = from_base64(data["scaled_jacobian"]);
@@ -133,6 +137,10 @@ TEST(Scene, HasEverySampleOfEveryPatch) {
   const auto& second = scene.samples.patches[1];
   const auto count = static_cast<std::size_t>(first.points.cols());
   EXPECT_EQ(data["patches"][1]["first"], count);
+  // -2, none, 0.25; -1, none, 0.25
+  EXPECT_EQ(data["fields"][1]["step"], 2. / 32767);
+  EXPECT_EQ(data["shift"], short_to_base64({-32767, -32768, 4096, -16384, -32768, 4096}));
+  EXPECT_FALSE(data["fields"][0].contains("step"));
   ASSERT_EQ(jacobian.size(), count + static_cast<std::size_t>(second.points.cols()));
   ASSERT_EQ(points.size(), 3 * jacobian.size());
   EXPECT_EQ(points[3 * count + 4], static_cast<float>(second.points(1, 1)));

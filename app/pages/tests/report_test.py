@@ -83,15 +83,17 @@ class Report(Pages):
                 const {canvas, pickAt} = isopatch.viewer; const hits = [];
                 for (let i = 1; i < 40; ++i) for (let j = 1; j < 40; ++j) {
                   const hit = pickAt(canvas.clientWidth * i / 40, canvas.clientHeight * j / 40);
-                  if (hit) hits.push([hit.place, hit.fields.displacement, hit.fields.von_mises[0]]);
+                  if (hit) hits.push([hit.place, hit.fields.displacement, hit.fields.von_mises[0], hit.fields.stress]);
                 }
                 return hits;""")
             self.assertGreater(len(hits), 20)
-            for place, displacement, stress in hits:
+            for place, displacement, stress, components in hits:
                 expected, expected_stress = fixture.ring_fields(place)
                 for x, y in zip(displacement, expected):
                     self.assertAlmostEqual(x, y, delta=ROUND_OFF * 3e-4)
                 self.assertAlmostEqual(stress, expected_stress, delta=ROUND_OFF * 2.2e8)
+                for x, y in zip(components, fixture.stress_components(expected_stress)):
+                    self.assertAlmostEqual(x, y, delta=0.51 * 6.6e8 / 32767)
                 if axis >= 0:
                     low, high = fixture.ring().data()["box"].values()
                     self.assertLessEqual(place[axis], low[axis] + 0.37 * (high[axis] - low[axis]) + 1e-8)
@@ -112,6 +114,44 @@ class Report(Pages):
             self.assertAlmostEqual(p, expected, delta=0.01)
         _, stress = fixture.ring_fields(fixture.ring_place(0.3, 0.5, 1))
         self.assertAlmostEqual(float(found["rows"]["von Mises stress"].split()[0]), stress / 1e6, delta=1)
+
+    def test_colours_by_every_component_of_the_stress(self):
+        found = self.browser.run("""
+            const {scene, statisticsOf} = isopatch.viewer;
+            return scene.quantities.filter((q) => q.field === "stress").map((q) => [q.label, statisticsOf(q).max]);""")
+        largest = dict(xx=2.2e8, yy=1.1e8, zz=-2.5e7, xy=2.75e7, yz=-2e8, zx=6.6e8)
+        self.assertEqual([label for label, _ in found], ["Stress " + name for name in largest])
+        for (_, value), expected in zip(found, largest.values()):
+            self.assertAlmostEqual(value, expected, delta=0.51 * 6.6e8 / 32767)
+
+    def test_axes_point_where_those_of_the_part_do(self):
+        for view in ("isometric", "front", "top", "left"):
+            self.browser.run("document.getElementById('view-' + arguments[0]).click()", view)
+            self.browser.settle()
+            drawn, seen = self.browser.run("""
+                const {project, orbit, scene} = isopatch.viewer; const centre = orbit.state.target.toArray();
+                const axes = ["x", "y", "z"].map((name) => document.querySelector(".axis-" + name + " line"));
+                const start = project(centre);
+                return [axes.map((line) => [line.x2.baseVal.value, line.y2.baseVal.value]), [0, 1, 2].map((c) => {
+                  const end = project(centre.map((x, i) => x + (i === c ? 1e-3 * scene.size : 0)));
+                  return end.map((x, i) => x - start[i]);
+                })];""")
+            largest = [max(math.hypot(*axis) for axis in axes) for axes in (drawn, seen)]
+            for axis, expected in zip(drawn, seen):
+                for x, y in zip(axis, expected):  # the part is seen in perspective
+                    self.assertAlmostEqual(x / largest[0], y / largest[1], delta=0.05)
+
+    def test_labels_have_the_values(self):
+        tip, top, stress = fixture.ring_report()["summary"]["probes"][0], *fixture.ring_markers()[1:]
+        for quantity, of_tip in (("von_mises", four_digits(tip["von_mises"], "Pa")),
+                                 ("displacement_x", four_digits(math.hypot(*tip["displacement"]), "m"))):
+            self.browser.run("const s = document.getElementById('quantity'); s.value = arguments[0]; "
+                             "s.dispatchEvent(new Event('change'))", quantity)
+            self.browser.settle()
+            labels = self.browser.run("return [...document.querySelectorAll('.marker-label')].map((x) => x.textContent)")
+            self.assertEqual(labels[:3], [
+                "tip " + of_tip, "largest displacement " + four_digits(math.hypot(*top["displacement"]), "m"),
+                "largest von Mises stress " + four_digits(stress["von_mises"], "Pa")])
 
     def test_click_beside_the_part_says_so(self):
         self.browser.click(5, 300)
@@ -164,7 +204,7 @@ class Report(Pages):
 
     def test_markers_that_are_cut_off_or_covered(self):
         classes = """return [...document.querySelectorAll('.marker-label')].map((label) => [
-            label.textContent, label.hidden, label.classList.contains('marker-behind')]);"""
+            label.textContent.replace(/ [0-9.]+ [a-zA-Z]+$/, ""), label.hidden, label.classList.contains('marker-behind')]);"""
         def state():
             self.browser.driver.execute_async_script("setTimeout(arguments[0], 300)")
             return {name: (hidden, behind) for name, hidden, behind in self.browser.run(classes)}

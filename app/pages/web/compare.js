@@ -87,7 +87,7 @@ globalThis.isopatch = globalThis.isopatch || {};
     const plots = isopatch.plotFigures(data.plots);
     const sections = [
       differences(summary, scene), isopatch.warningsSection(isopatch.warningTexts(data, scene), viewer),
-      summary.elimination ? isopatch.section("Side by side", sideBySide(summary), element("div", {class: "figures"}, plots)) : null,
+      summary.elimination ? isopatch.section("Side by side", sideBySide(summary), element("div", {class: "figures large"}, plots)) : null,
       levels(summary), interfaces(summary), isopatch.studySection(data)];
     main.append(...sections.filter(Boolean));
   };

@@ -59,6 +59,16 @@ globalThis.isopatch = globalThis.isopatch || {};
           for (const part of [dot, label]) part.classList.toggle("marker-behind", isBehind);
         }
       },
+      // Labels are the names with what text(place) says behind them.
+      name(text) {
+        for (const item of items) {
+          const value = text(item.place);
+          const label = item.place.name + (value ? " " + value : "");
+          if (label === item.label.textContent) continue;
+          item.label.textContent = label;
+          item.width = null;
+        }
+      },
       setPicked(place) { picked.place = place; },
       at(x, y) {
         const distance = (item) => (item.dot.hidden ? Infinity : Math.hypot(item.x - x, item.y - y));

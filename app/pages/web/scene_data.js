@@ -11,6 +11,17 @@ globalThis.isopatch = globalThis.isopatch || {};
     return new Float32Array(bytes.buffer);
   };
 
+  // The same of 16 bits in units of `step`; the least number is none.
+  isopatch.decodeShortBlock = function (text, step) {
+    const binary = atob(text);
+    const result = new Float32Array(binary.length / 2);
+    for (let i = 0; i < result.length; ++i) {
+      const word = binary.charCodeAt(2 * i) | (binary.charCodeAt(2 * i + 1) << 8);
+      result[i] = word === 0x8000 ? NaN : step * (word < 0x8000 ? word : word - 0x10000);
+    }
+    return result;
+  };
+
   function lengths(vectors) {
     const result = new Float32Array(vectors.length / 3);
     for (let i = 0; i < result.length; ++i)
@@ -18,9 +29,10 @@ globalThis.isopatch = globalThis.isopatch || {};
     return result;
   }
 
-  function component(vectors, c) {
-    const result = new Float32Array(vectors.length / 3);
-    for (let i = 0; i < result.length; ++i) result[i] = vectors[3 * i + c];
+  // Component c of n.
+  function component(block, n, c) {
+    const result = new Float32Array(block.length / n);
+    for (let i = 0; i < result.length; ++i) result[i] = block[n * i + c];
     return result;
   }
 
@@ -36,20 +48,22 @@ globalThis.isopatch = globalThis.isopatch || {};
     return () => (value === null ? (value = compute()) : value);
   }
 
-  // What the part can be coloured by: every scalar, every vector's length and components, the patch.
+  // Of symmetric tensors, in the order of the program.
+  isopatch.tensorComponents = ["xx", "yy", "zz", "xy", "yz", "zx"];
+
+  // What the part can be coloured by: every scalar, every vector's length and components, every tensor's components, the patch.
   function quantities(scene) {
     const result = [];
     for (const field of scene.fields) {
       const block = scene.blocks[field.key];
+      const n = field.components;
       const add = (suffix, name, values) => result.push({
         id: field.key + suffix, field: field.key, label: field.label + name, unit: field.unit, factor: field.factor,
         on: field.on || "all", isCategorical: false, values: later(values)});
-      if (field.components === 1) {
-        add("", "", () => block);
-        continue;
-      }
-      add("", "", () => lengths(block));
-      ["x", "y", "z"].forEach((axis, c) => add("_" + axis, " " + axis, () => component(block, c)));
+      if (n === 1) add("", "", () => block);
+      if (n === 3) add("", "", () => lengths(block));
+      const names = n === 3 ? ["x", "y", "z"] : n === 6 ? isopatch.tensorComponents : [];
+      names.forEach((axis, c) => add("_" + axis, " " + axis, () => component(block, n, c)));
     }
     result.push({id: "patch", field: "patch", label: "Patch", unit: "", factor: 1, on: "all", isCategorical: true,
                  values: later(() => patchOfVertices(scene))});
@@ -73,7 +87,8 @@ globalThis.isopatch = globalThis.isopatch || {};
       centre: min.map((x, i) => (x + max[i]) / 2), size: Math.hypot(...max.map((x, i) => x - min[i])), blocks: {},
       supports: data.supports || [], loads: data.loads || [], markers: data.markers || [],
       warnings: data.warnings || [], tolerance: data.tolerance || null};
-    for (const field of data.fields) scene.blocks[field.key] = isopatch.decodeBlock(data[field.key]);
+    for (const field of data.fields)
+      scene.blocks[field.key] = field.step ? isopatch.decodeShortBlock(data[field.key], field.step) : isopatch.decodeBlock(data[field.key]);
     scene.isSolved = "displacement" in scene.blocks;
     scene.displacement = scene.blocks.displacement || new Float32Array(points.length);
     scene.maxDisplacement = scene.isSolved ? (isopatch.statistics(lengths(scene.displacement)) || {max: 0}).max : 0;

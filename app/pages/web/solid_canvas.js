@@ -24,6 +24,7 @@ globalThis.isopatch = globalThis.isopatch || {};
     const layer = isopatch.element("div", {class: "marker-layer", "aria-hidden": "true"});
     host.append(canvas, layer);
     const camera = new THREE.PerspectiveCamera(fieldOfView, 1, 1, 10);
+    const axes = isopatch.makeAxes(host);
     const markers = isopatch.makeMarkers(layer, drawn.places);
     let asked = false;
 
@@ -35,6 +36,7 @@ globalThis.isopatch = globalThis.isopatch || {};
     function draw() {
       asked = false;
       renderer.render(drawn.world, camera);
+      axes.update(camera);
       markers.update(0, project, () => false, canvas.clientWidth);
     }
     function ask() {

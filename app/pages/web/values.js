@@ -25,6 +25,8 @@ globalThis.isopatch = globalThis.isopatch || {};
     if (field.key === "displacement") return displacementRows(scene, value);
     if (field.components === 1) return [[field.key === "von_mises" ? "von Mises stress" : name, scalarText(field, value[0])]];
     if (!value.every(Number.isFinite)) return [];
+    if (value.length === 6)
+      return [[name + " " + isopatch.tensorComponents.join(", "), "(" + value.map((x) => general(x * field.factor)).join(", ") + ") " + field.unit]];
     return [[name, "(" + value.map((x) => general(x * field.factor)).join(", ") + ") " + field.unit],
             [name + ", length", scalarText(field, length(value))]];
   }
@@ -52,6 +54,16 @@ globalThis.isopatch = globalThis.isopatch || {};
     if (Number.isInteger(place.patch)) rows.push(["patch", scene.patches[place.patch] ? scene.patches[place.patch].name : place.patch]);
     if (place.parameter) rows.push(["parameters", parameters(place.parameter)]);
     return {title: place.name, how: "exact: computed by the program at this place", rows};
+  };
+
+  // The value of a marker behind its name in the picture: what it is the largest of, else the displacement's length where
+  // the displacement is shown, and the von Mises stress where anything else is. Empty if it has none.
+  isopatch.valueOfPlace = function (place, quantity) {
+    if (place.kind === "warning") return "";
+    if (place.text) return place.text;
+    const isMoved = place.kind === "max_displacement" || (place.kind !== "max_von_mises" && quantity.field === "displacement");
+    if (isMoved) return place.displacement ? isopatch.withUnit(length(place.displacement), "m") : "";
+    return Number.isFinite(place.von_mises) ? isopatch.withUnit(place.von_mises, "Pa") : "";
   };
 
   isopatch.showValues = function (host, values) {

@@ -38,14 +38,13 @@ UnresolvedEnergy HighestModes::energies(const PointStresses& stresses, const Eig
   Index stride = 1;
   for (std::size_t d = 0; d < 3; ++d) {
     const Index n = points_[d];
-    for (Index start = 0; start < stresses.cols(); ++start) {
-      if (start / stride % n != 0) continue;
-      for (Index i = 0; i < n; ++i) {
-        auto out = buffer.col(start + i * stride);
-        out = remainder_[d](i, 0) * stresses.col(start);
-        for (Index j = 1; j < n; ++j) out += remainder_[d](i, j) * stresses.col(start + j * stride);
-      }
-    }
+    for (Index layer = 0; layer < stresses.cols(); layer += n * stride)
+      for (Index start = layer; start < layer + stride; ++start)
+        for (Index i = 0; i < n; ++i) {
+          Eigen::Matrix<double, 6, 1> sum = remainder_[d](i, 0) * stresses.col(start);
+          for (Index j = 1; j < n; ++j) sum += remainder_[d](i, j) * stresses.col(start + j * stride);
+          buffer.col(start + i * stride) = sum;
+        }
     for (Index q = 0; q < buffer.cols(); ++q) {
       const auto s = buffer.col(q);
       const double mean = (s[0] + s[1] + s[2]) / 3;

@@ -111,7 +111,9 @@ PatchSamples fields_on_grid(const SampledPatch& sampled,
   result.scaled_jacobian.resize(count);
   result.displacements.resize(3, solved ? count : 0);
   result.von_mises.resize(solved ? count : 0);
+  result.stress.resize(6, solved ? count : 0);
   result.principal.resize(3, solved ? count : 0);
+  const ThermalStrain thermal = solved ? sampled.field->thermal_strain(p) : ThermalStrain{};
   const std::array<int, 3> sizes = result.sizes();
   const auto at = [&](Index point) {
     return geometry::Parameter<3>(parameters[0][static_cast<std::size_t>(point % sizes[0])],
@@ -130,7 +132,9 @@ PatchSamples fields_on_grid(const SampledPatch& sampled,
           std::abs(result.scaled_jacobian[i]) < singular
               ? evaluate(*sampled.field, sampled.index, at(i)).stress
               : stress_of_gradient(displacement.derivatives(i, weight) * jacobian.inverse(),
-                                   sampled.field->materials[p]);
+                                   sampled.field->materials[p], thermal.at(result.points.col(i)));
+      result.stress.col(i) << stress(0, 0), stress(1, 1), stress(2, 2), stress(0, 1), stress(1, 2),
+          stress(2, 0);
       result.von_mises[i] = von_mises(stress);
       result.principal.col(i) = principal_values(stress);
     }
