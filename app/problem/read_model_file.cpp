@@ -20,10 +20,13 @@ geometry::PatchSet read_model_file(const std::filesystem::path& path, bool solid
     return geometry::read_patches(path);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::unsupported || !solids_too) throw;
-    throw Error(error.code(),
-                fmt::format("{}. Formats of solids: STEP (.step, .stp), IGES (.iges, .igs), OpenCASCADE "
-                            "(.brep), G+Smo XML with Solid elements (.xml), polyhedra (.off)",
-                            error.what()));
+    throw Error(
+        error.code(),
+        fmt::format(
+            "{}. Formats of solids: STEP (.step, .stp, .p21), IGES (.iges, .igs), OpenCASCADE "
+            "(.brep, .brp), G+Smo XML with Solid elements (.xml), polyhedra (.off); of triangles: STL "
+            "(.stl), Wavefront (.obj), PLY (.ply), 3MF (.3mf)",
+            error.what()));
   }
 }
 

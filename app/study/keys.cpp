@@ -158,11 +158,12 @@ std::string format_default(double value) {
   return fmt::format("{}", value);
 }
 
-Error unknown_key(const ConfigEntry& entry, const std::string& heading,
-                  const std::vector<std::string>& known) {
+UnknownKey unknown_key(const ConfigEntry& entry, const std::string& heading,
+                       const std::vector<std::string>& known) {
   const std::string nearest = did_you_mean(entry.name, known);
   const std::string advice = nearest.empty() ? fmt::format("; known: {}", fmt::join(known, ", ")) : nearest;
-  return error_at(entry.place, fmt::format("unknown key '{}' in {}{}", entry.name, heading, advice));
+  return {error_at(entry.place, fmt::format("unknown key '{}' in {}{}", entry.name, heading, advice)),
+          entry.name};
 }
 
 }  // namespace isopatch::app

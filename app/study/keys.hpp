@@ -13,6 +13,7 @@
 #include "app/base/units.hpp"
 #include "app/study/config_value.hpp"
 #include "geometry/base/angle.hpp"
+#include "geometry/base/error.hpp"
 
 namespace isopatch::app {
 
@@ -198,9 +199,19 @@ Key<S> value_key(const std::string& name, const std::string& type, std::optional
                        [=](S& target, const ConfigValue& value) { target.*member = value; });
 }
 
+/// A key that its section does not have.
+class UnknownKey : public Error {
+ public:
+  UnknownKey(const Error& error, std::string key) : Error(error), key_(std::move(key)) {}
+  const std::string& key() const { return key_; }
+
+ private:
+  std::string key_;
+};
+
 /// "unknown key 'degre' in [discretization] (did you mean 'degree'?)", with the key's place.
-Error unknown_key(const ConfigEntry& entry, const std::string& heading,
-                  const std::vector<std::string>& known);
+UnknownKey unknown_key(const ConfigEntry& entry, const std::string& heading,
+                       const std::vector<std::string>& known);
 
 template <class S>
 std::vector<std::string> names(const Keys<S>& keys) {

@@ -11,6 +11,7 @@
 #include "app/study/modes_keys.hpp"
 #include "app/study/not_a_study.hpp"
 #include "app/study/section_keys.hpp"
+#include "app/study/study_documentation.hpp"
 #include "app/study/study_keys.hpp"
 #include "app/study/study_path.hpp"
 #include "app/study/support_keys.hpp"
@@ -84,10 +85,8 @@ void read_options(const StudyKeys& top, Study& study) {
                                       directory ? directory->value.place : output.place, study.source);
 }
 
-}  // namespace
-
-Study parse_study(const std::string& text, const std::filesystem::path& source_name,
-                  const std::vector<std::string>& overrides) {
+Study parsed(const std::string& text, const std::filesystem::path& source_name,
+             const std::vector<std::string>& overrides) {
   Study study;
   study.source = source_name.string();
   study.text = text;
@@ -114,6 +113,30 @@ Study parse_study(const std::string& text, const std::filesystem::path& source_n
     study.sections.push_back(read_cut(input, study.sections.size()));
   read_options(top, study);
   return study;
+}
+
+// Where a key belongs that was written elsewhere: under another heading of the file, say, which ended too
+// late.
+std::vector<std::string> sections_with(const std::string& key) {
+  std::vector<std::string> result;
+  for (const SectionText& section : study_sections())
+    for (const KeyText& text : section.keys)
+      if (text.name == key) result.push_back(section.heading);
+  return result;
+}
+
+}  // namespace
+
+Study parse_study(const std::string& text, const std::filesystem::path& source_name,
+                  const std::vector<std::string>& overrides) {
+  try {
+    return parsed(text, source_name, overrides);
+  } catch (const UnknownKey& error) {
+    const std::vector<std::string> homes = sections_with(error.key());
+    if (homes.empty() || homes.size() > 2) throw;
+    throw Error(error.code(),
+                fmt::format("{}. '{}' is a key of {}", error.what(), error.key(), fmt::join(homes, " and ")));
+  }
 }
 
 Study read_study(const std::filesystem::path& path, const std::vector<std::string>& overrides) {

@@ -86,7 +86,7 @@ class Processes(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
         self.environment = dict(os.environ, ISOPATCH_DATA=str(DATA))
 
-    def start(self, count, *arguments, timeout=60):
+    def start(self, count, *arguments, timeout=300):
         return subprocess.run([*mpiexec(count), PROGRAM, *map(str, arguments)], cwd=self.folder, text=True,
                               env=self.environment, stdin=subprocess.DEVNULL, capture_output=True, timeout=timeout)
 
@@ -231,7 +231,7 @@ class Processes(unittest.TestCase):
         line = [*mpiexec(2)[:-1], "1", PROGRAM, "run", study, ":",
                 "-n", "1", PROGRAM, "run", study, "--set", "titel=''"]
         run = subprocess.run(line, cwd=self.folder, text=True, env=self.environment, stdin=subprocess.DEVNULL,
-                             capture_output=True, timeout=60)
+                             capture_output=True, timeout=300)
         self.assertEqual(run.returncode, 2, run.stderr)
         self.assertEqual(run.stderr.count("isopatch: error"), 1, run.stderr)
         self.assertIn("unknown key 'titel'", run.stderr)
@@ -263,7 +263,7 @@ class Processes(unittest.TestCase):
     def solve_in(self, command, *more):
         line = f"'{PROGRAM}' run '{self.study()}' --quiet --set solver.method=mumps --output '{self.folder}'/"
         run = subprocess.run([*more, "sh", "-c", command.replace("RUN ", line)], cwd=self.folder, text=True,
-                             env=self.environment, stdin=subprocess.DEVNULL, capture_output=True, timeout=60)
+                             env=self.environment, stdin=subprocess.DEVNULL, capture_output=True, timeout=300)
         self.assertEqual(run.returncode, 0, run.stderr)
         for name in ("one", "two"):
             self.assertEqual(json.loads((self.folder / name / "summary.json").read_text())["solver"]["method"], "mumps")

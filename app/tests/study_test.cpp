@@ -16,7 +16,10 @@
 namespace isopatch::app {
 namespace {
 
+using testing::AllOf;
+using testing::EndsWith;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 const std::string model = "[model]\ngenerate = \"box\"\n";
@@ -175,6 +178,35 @@ TEST(Study, UnknownKeysNameTheNearestKnownOneWithFileAndLine) {
               HasSubstr("unknown key 'plan' in where (did you mean 'plane'?)"));
   EXPECT_THAT(refusal(model + material + "[[support]]\nfaces = [\"a\"]\nzzzzzz = 1\n"),
               HasSubstr("known: name, faces, where"));
+}
+
+TEST(Study, KeysUnderAWrongHeadingNameTheirOwn) {
+  EXPECT_THAT(
+      refusal(model + material + support + "fields = false\n"),
+      AllOf(HasSubstr("unknown key 'fields' in [[support]]"), EndsWith("'fields' is a key of [output]")));
+  EXPECT_THAT(refusal("refine = 3\n" + model + material + support),
+              EndsWith("'refine' is a key of [discretization] and [[discretization.patch]]"));
+  EXPECT_THAT(refusal(model + "faces = [\"a\"]\n" + material + support), Not(HasSubstr("is a key of")))
+      << "too many have faces";
+}
+
+TEST(Study, SupportsThatSayTooLittleOrTooMuchAreRefused) {
+  const std::string held = "[[support]]\nfaces = [\"x_min\"]\n";
+  EXPECT_THAT(refusal(model + material + support + "displacement_gradient = [[1, 0, 0], [0, 1, 0]]\n"),
+              EndsWith("displacement_gradient: expected 3 rows of 3 numbers"));
+  EXPECT_THAT(refusal(model + material + held +
+                      "displacement = [0, 0, 0]\nedges = { plane = { normal = \"z\" } }\npart = { sphere = { "
+                      "radius = 1 } }\n"),
+              HasSubstr("edges hold whole edges; leave out part"));
+  EXPECT_THAT(refusal(model + material + held + "displacement = [0, 0, 0]\npoints = [[0, 0, 0]]\n"),
+              HasSubstr("points or a line beside faces"));
+  EXPECT_THAT(refusal(model + material + "[[support]]\ndisplacement = [0, 0, 0]\nline = [[0, 0, 0]]\n"),
+              HasSubstr("a line needs two points or more"));
+}
+
+TEST(Study, VariablesOfPathsWithoutTheirEndAreNamed) {
+  EXPECT_THAT(refusal("[model]\nfile = \"${HOME/a.g2\"\n" + material + support),
+              HasSubstr("'${' without '}' in \"${HOME/a.g2\""));
 }
 
 TEST(Study, BrokenTomlSaysWhere) {

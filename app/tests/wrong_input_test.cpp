@@ -71,7 +71,8 @@ TEST_F(Program, FormatsThatAreNotReadAreNamedWithThoseThatAre) {
       EXPECT_EQ(run({command, wanted}), 2) << name;
       EXPECT_THAT(err_, HasSubstr(says));
       EXPECT_THAT(err_, HasSubstr("supported are G+Smo XML"));
-      EXPECT_THAT(err_, HasSubstr("Formats of solids: STEP (.step, .stp), IGES"));
+      EXPECT_THAT(err_, HasSubstr("Formats of solids: STEP (.step, .stp, .p21), IGES"));
+      EXPECT_THAT(err_, HasSubstr("of triangles: STL (.stl)"));
     }
   }
 }

@@ -8,6 +8,7 @@
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/error.hpp"
 #include "geometry/base/tests/expect_error.hpp"
+#include "geometry/io/hdf5_writer.hpp"
 #include "geometry/measures.hpp"
 #include "geometry/models/elbow.hpp"
 #include "iga/output/result_file.hpp"
@@ -136,6 +137,33 @@ TEST(ResultFile, NumbersThatDoNotFitThePatchesAreNamedWithTheFile) {
               names_file_and("/patches/material has"));
   EXPECT_THAT(message_of([&](ElasticField& field) { field.patches.pop_back(); }),
               names_file_and("/patches/displacement has 324 columns, of which 297 belong to patches"));
+  std::filesystem::remove(path);
+}
+
+TEST(ResultFile, StrainsByTemperatureThatDoNotFitThePatchesAreRefused) {
+  const ElasticitySolution& solution = elbow_solution();
+  StoredResult result{
+      solution.field, {}, geometry::connections_of(pulled_elbow().discretization.model), "", "{}"};
+  result.field.thermal.assign(result.field.patches.size() + 1, {1e-3, Eigen::Vector3d::Zero()});
+  const auto path = std::filesystem::temp_directory_path() / "isopatch_thermal_result_test.h5";
+  write_file(path, to_hdf5(result));
+  EXPECT_ERROR(read_result(path), ErrorCode::bad_format,
+               std::to_string(result.field.thermal.size()) + " columns for " +
+                   std::to_string(result.field.patches.size()) + " patches");
+  std::filesystem::remove(path);
+}
+
+TEST(ResultFile, OfAnotherProgramOrVersionIsRefused) {
+  const auto path = std::filesystem::temp_directory_path() / "isopatch_foreign_result_test.h5";
+  geometry::Hdf5Writer file;
+  file.write("/format", "isopatch result");
+  file.write("/version", std::int64_t{987});
+  write_file(path, file.image());
+  EXPECT_ERROR(read_result(path), ErrorCode::unsupported, "results in format 987, this program reads format");
+  geometry::Hdf5Writer foreign;
+  foreign.write("/format", "something else");
+  write_file(path, foreign.image());
+  EXPECT_ERROR(read_result(path), ErrorCode::bad_format, "not a result of isopatch");
   std::filesystem::remove(path);
 }
 

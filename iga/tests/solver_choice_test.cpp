@@ -127,6 +127,54 @@ TEST(SolverPlans, LeaveNothingOpenAndKeepToWhatWasAskedFor) {
   }
 }
 
+// What cannot go together, and what to take instead.
+TEST(SolverPlans, PairsThatCannotBeAreToldWhatToTake) {
+  struct Pair {
+    Coupling coupling;
+    Method method;
+    Preconditioner preconditioner;
+    Operator form;
+    const char *reason, *instead;
+  };
+  constexpr Coupling elimination = Coupling::elimination, lagrange = Coupling::lagrange;
+  constexpr Preconditioner multigrid = Preconditioner::multigrid, jacobi = Preconditioner::block_jacobi;
+  constexpr Operator any = Operator::automatic, assembled = Operator::assembled,
+                     matrix_free = Operator::matrix_free;
+  const Pair pairs[] = {
+      {lagrange, Method::cholmod, multigrid, any, "'cholmod' cannot treat the multipliers", "'mumps'"},
+      {lagrange, Method::cg, multigrid, any, "'cg' cannot treat the multipliers", "'minres'"},
+      {elimination, Method::minres, multigrid, any, "'minres' is for coupling 'lagrange'", "'cg'"},
+      {elimination, Method::mumps, multigrid, matrix_free, "'mumps' factorizes a matrix", "'cg'"},
+      {elimination, Method::cholmod, jacobi, any, "'block_jacobi' is for method 'cg'", "needs none"},
+      {elimination, Method::cg, jacobi, matrix_free, "inverts blocks of a matrix", "'multigrid'"},
+      {lagrange, Method::minres, jacobi, any, "cannot treat multipliers", "'multigrid' with method 'minres'"},
+      {lagrange, Method::minres, multigrid, assembled, "iterates without a matrix", "operator = \"auto\""}};
+  for (const Pair& pair : pairs) {
+    const SizeForecast size = size_of(box({2, 1, 1}), {.degree = {2, 2, 2}}, pair.coupling);
+    solvers::SolverOptions options;
+    options.method = pair.method;
+    options.preconditioner = pair.preconditioner;
+    options.form = pair.form;
+    EXPECT_THAT(refusal(size, options),
+                AllOf(HasSubstr("invalid_argument"), HasSubstr(pair.reason), HasSubstr(pair.instead)));
+  }
+}
+
+TEST(SolverPlans, WhatWorksOnOneProcessIsRefusedOnSeveral) {
+  SizeForecast size = size_of(box({2, 1, 1}), {.degree = {2, 2, 2}});
+  size.processes = 3;
+  solvers::SolverOptions options;
+  for (const Method method : {Method::cholmod, Method::umfpack}) {
+    options.method = method;
+    EXPECT_THAT(refusal(size, options),
+                AllOf(HasSubstr("works on one process, and there are 3"), HasSubstr("'mumps'")));
+  }
+  options.method = Method::cg;
+  options.preconditioner = Preconditioner::block_jacobi;
+  EXPECT_THAT(refusal(size, options),
+              AllOf(HasSubstr("'block_jacobi' works on one process"), HasSubstr("'multigrid'")));
+}
+
 TEST(SolverPlans, FitAllOfThemOrSayWhatWouldFit) {
   for (const Coupling coupling : all_couplings) {
     const SizeForecast size = size_of(box({2, 2, 2}), {.degree = {3, 3, 3}, .refine = 3}, coupling);

@@ -46,6 +46,16 @@ class CheckLayers(unittest.TestCase):
             "app/run.cpp": '#include <toml++/toml.h>\n#include <CLI/CLI.hpp>\n#include "iga/assemble.hpp"\n',
         })
 
+    def test_rejects_a_room_that_the_drawing_or_the_table_of_the_house_lacks(self):
+        house = pathlib.Path(__file__).resolve().parents[2] / "CONTRIBUTING.md"
+        text = house.read_text(encoding="utf-8")
+        files = {"geometry/a.hpp": ""}
+        self.accepts({**files, "CONTRIBUTING.md": text})
+        self.rejects({**files, "CONTRIBUTING.md": text.replace("distribution assembly", "assembly")}, "CONTRIBUTING.md:1",
+                     "the drawing of the house lacks iga/distribution")
+        self.rejects({**files, "CONTRIBUTING.md": text.replace("| app/plots |", "| app/plot |")}, "CONTRIBUTING.md:1",
+                     "the table of the house lacks app/plots")
+
     def test_rejects_a_folder_above(self):
         self.rejects({"iga/a.hpp": "", "solvers/b.cpp": '\n#include "iga/a.hpp"\n'}, "solvers/b.cpp:2",
                      "solvers may not include iga")

@@ -6,6 +6,7 @@
 #include "geometry/base/larger.hpp"
 #include "geometry/base/tests/expect_error.hpp"
 #include "geometry/splines/grid.hpp"
+#include "geometry/splines/permute.hpp"
 #include "geometry/splines/tests/random_nurbs.hpp"
 #include "geometry/splines/transfer.hpp"
 
@@ -194,6 +195,19 @@ TEST(Refinement, IsStableAtHighDegree) {
   const Eigen::MatrixXd matrix = transfer(smooth, bezier_knots(smooth));
   EXPECT_LT((matrix.rowwise().sum().array() - 1).abs().maxCoeff<Eigen::PropagateNaN>(), 1e-13);
   EXPECT_GT(matrix.minCoeff<Eigen::PropagateNaN>(), -1e-14);
+}
+
+TEST(Transfer, ToASpaceThatDoesNotHoldTheOtherIsRefused) {
+  EXPECT_ERROR(transfer(KnotVector::uniform(3, 2), KnotVector::uniform(2, 4)), ErrorCode::invalid_argument,
+               "the fine degree 2 is below the coarse degree 3");
+  EXPECT_ERROR(transfer(KnotVector::uniform(2, 4), KnotVector::uniform(2, 3)), ErrorCode::invalid_argument,
+               "knot");
+}
+
+TEST(Permuted, DirectionsThatAppearTwiceAreRefused) {
+  std::mt19937 random(3);
+  EXPECT_ERROR(permuted(random_nurbs<3>(random, 2, true), {0, 1, 1}), ErrorCode::invalid_argument,
+               "every direction must appear exactly once");
 }
 
 }  // namespace

@@ -31,11 +31,12 @@ void least_hexahedra(benchmark::State& state, const segmentation::CellGraph& gra
   state.counters["hexahedra"] = least;
 }
 
-void search(benchmark::State& state, const segmentation::CellGraph& graph) {
+void search(benchmark::State& state, const segmentation::CellGraph& graph,
+            const segmentation::SearchOptions& options) {
   segmentation::SearchCell cell;
   cell.graph = graph;
   segmentation::CutTree tree;
-  for (auto _ : state) tree = segmentation::search_cuts(cell, segmentation::combinatorial_oracle());
+  for (auto _ : state) tree = segmentation::search_cuts(cell, segmentation::combinatorial_oracle(), options);
   state.counters["hexahedra"] = tree.hexahedra;
   state.counters["evaluations"] = tree.evaluations;
 }
@@ -44,7 +45,11 @@ void register_all() {
   using segmentation::test::RandomKind;
   const auto park = segmentation::test::science_park();
   benchmark::RegisterBenchmark("loops/science_park", loops, park)->Unit(benchmark::kMillisecond);
-  benchmark::RegisterBenchmark("search/science_park", search, park)->Unit(benchmark::kMillisecond);
+  const segmentation::SearchOptions usual;
+  segmentation::SearchOptions
+      more_exact;  // least numbers of larger cells: fewer hexahedra, four times as long
+  more_exact.cost.exact_up_to = 12;
+  benchmark::RegisterBenchmark("search/science_park", search, park, usual)->Unit(benchmark::kMillisecond);
   const auto octagon = segmentation::test::prism(8);
   benchmark::RegisterBenchmark("least/octagonal_prism", least_hexahedra, octagon)
       ->Unit(benchmark::kMillisecond);
@@ -54,7 +59,10 @@ void register_all() {
       const std::string name =
           (kind == RandomKind::simple ? "simple_60/" : "mixed_60/") + std::to_string(seed);
       benchmark::RegisterBenchmark(("loops/" + name).c_str(), loops, map)->Unit(benchmark::kMillisecond);
-      benchmark::RegisterBenchmark(("search/" + name).c_str(), search, map)->Unit(benchmark::kMillisecond);
+      benchmark::RegisterBenchmark(("search/" + name).c_str(), search, map, usual)
+          ->Unit(benchmark::kMillisecond);
+      benchmark::RegisterBenchmark(("search_exact_12/" + name).c_str(), search, map, more_exact)
+          ->Unit(benchmark::kMillisecond);
     }
 }
 
