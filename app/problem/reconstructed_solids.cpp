@@ -58,7 +58,8 @@ FoundSolids solids_of_files(const BlocksInput& input, const Progress& progress) 
       segmentation::Reconstruction made =
           reconstructed(file, input.files.length_unit, input.reconstruction, progress);
       read.solids.push_back({std::move(made.brep), file.stem().string(), 0});
-      found.triangles.push_back({"", std::move(made.mesh), std::move(made.regions.of_triangle)});
+      found.triangles.push_back(
+          {"", std::move(made.mesh), std::move(made.regions.of_triangle), made.report.largest_deviation});
       for (const std::string& remark : made.report.remarks)
         read.warnings.push_back(fmt::format("{}: {}", file.string(), remark));
     } else {

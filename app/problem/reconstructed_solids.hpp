@@ -42,6 +42,7 @@ struct SolidTriangles {
   std::string solid;            ///< its name
   geometry::TriangleMesh mesh;  ///< mended, m
   std::vector<int> faces;       ///< by triangle, the solid's face that it lies on
+  double deviation = 0;         ///< m, largest distance of a vertex from the solid's surface
 };
 
 /// Solids of files, and the triangles of those that were made of such.

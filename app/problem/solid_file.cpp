@@ -21,6 +21,7 @@ std::vector<std::int64_t> numbers_of(const Eigen::Matrix3Xi& triangles) {
 void write_triangles(geometry::Hdf5Writer& file, const std::string& group, const SolidTriangles& made) {
   file.write(group + "/vertices", made.mesh.vertices);
   file.write(group + "/grain", made.mesh.grain);
+  file.write(group + "/deviation", made.deviation);
   file.write(group + "/triangles", numbers_of(made.mesh.triangles));
   file.write(group + "/faces", std::vector<std::int64_t>(made.faces.begin(), made.faces.end()));
   write_texts(file, group + "/solid", {made.solid});
@@ -30,6 +31,7 @@ SolidTriangles read_triangles_of(const geometry::Hdf5Reader& file, const std::st
   SolidTriangles made;
   made.mesh.vertices = file.matrix(group + "/vertices", 3);
   made.mesh.grain = file.number(group + "/grain");
+  made.deviation = file.number(group + "/deviation");
   const std::vector<std::int64_t> corners = file.integers(group + "/triangles");
   const std::vector<std::int64_t> faces = file.integers(group + "/faces");
   if (corners.size() != 3 * faces.size())

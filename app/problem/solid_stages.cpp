@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <utility>
 
@@ -48,6 +49,18 @@ std::uint64_t key_of_files(const BlocksInput& input) {
   for (const std::filesystem::path& file : files)
     key = content_hash(read_file(file), content_hash(file.filename().string(), key));
   return key;
+}
+
+/// Patches are no nearer to a solid than that is to the triangles that it was made of; nor coarser than this
+/// share of the size for that.
+constexpr double coarsest_tolerance = 1e-3;
+
+/// The fit's tolerance where none was asked for.
+double suitable_tolerance(const FoundSolids& found, double tolerance) {
+  double size = 0, off = 0;
+  for (const geometry::BrepFile& solid : found.read.solids) size = std::max(size, solid.brep.size());
+  for (const SolidTriangles& triangles : found.triangles) off = std::max(off, triangles.deviation);
+  return size > 0 ? std::max(tolerance, std::min(off / size, coarsest_tolerance)) : tolerance;
 }
 
 /// A stage that is kept, or is made.
@@ -153,8 +166,10 @@ class SolidStages {
       const segmentation::ReadBlocks& blocks = blocks_.get();
       if (!input_.options.keep_t_joints && (input_.decomposition || is_block_file(input_)))
         require_side_to_side(blocks.model);
-      segmentation::Parameterization made =
-          segmentation::parameterize(blocks.model, input_.options, progress_);
+      segmentation::ParameterizationOptions options = input_.options;
+      if (!input_.gives_tolerance && cuts(input_))
+        options.fit.tolerance = suitable_tolerance(solids_.get(), options.fit.tolerance);
+      segmentation::Parameterization made = segmentation::parameterize(blocks.model, options, progress_);
       made.report.warnings = blocks.warnings;
       return made;
     };

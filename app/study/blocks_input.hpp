@@ -16,6 +16,8 @@ struct BlocksInput {
   /// How solids are taken apart that are no topological hexahedra; nothing: such solids are refused.
   std::optional<segmentation::DecompositionOptions> decomposition = {};
   segmentation::ParameterizationOptions options;
+  /// Whether the fit's tolerance was asked for; otherwise it is no finer than what triangles tell.
+  bool gives_tolerance = false;
   segmentation::ReconstructionOptions reconstruction = {};  ///< of files of triangles
   StageTexts texts = {};
   StageOptions stages = {};

@@ -38,6 +38,7 @@ BlocksInput read_solids(std::vector<std::filesystem::path> files, const ModelKey
       read_table<ParameterizationKeys>(how.table, how.place, "[parameterization]", parameterization_keys());
   BlocksInput solids;
   solids.options = options.options;
+  solids.gives_tolerance = options.gives_tolerance;
   solids.options.names = {"parameterization.max_spans", "parameterization.tolerance"};
   solids.files.files = std::move(files);
   solids.files.assembly.same_point = options.same_point;

@@ -28,6 +28,8 @@ Key<P> number_key(const std::string& name, const Range& range, double fallback, 
   return key;
 }
 
+const Range tolerance_range = {1e-8, 0.1};
+
 }  // namespace
 
 const Keys<ParameterizationKeys>& parameterization_keys() {
@@ -42,11 +44,17 @@ const Keys<ParameterizationKeys>& parameterization_keys() {
             target.options.method = read_choice(value, "method", parameterization_methods());
           })
           .with_default("\"shared\""),
-      number_key(
-          "tolerance", {1e-8, 0.1}, segmentation::FitOptions{}.tolerance,
-          [](P& target) -> double& { return target.options.fit.tolerance; },
+      custom_key<P>(
+          "tolerance", "number, " + tolerance_range.text(),
           "Largest deviation of the boundary, as a share of the model's size: knots are inserted until it is "
-          "reached."),
+          "reached.",
+          [](P& target, const ConfigValue& value) {
+            target.options.fit.tolerance =
+                read_quantity(value, "tolerance", dimensions::none, tolerance_range);
+            target.gives_tolerance = true;
+          })
+          .with_default(
+              "1e-4, or by how much vertices of triangles are off the solid made of them, up to 1e-3"),
       fit_integer_key("degree", &segmentation::FitOptions::degree, 2, 8, "Degree of the patches."),
       fit_integer_key("start_spans", &segmentation::FitOptions::start_spans, 1, 64,
                       "Knot spans along every direction before any is halved."),

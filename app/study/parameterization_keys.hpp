@@ -10,6 +10,7 @@ namespace isopatch::app {
 /// What [parameterization] says.
 struct ParameterizationKeys {
   segmentation::ParameterizationOptions options;
+  bool gives_tolerance = false;
   double same_point = segmentation::AssemblyOptions{}.same_point;
 };
 

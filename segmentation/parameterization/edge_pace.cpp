@@ -117,7 +117,12 @@ std::optional<Candidate> pace_of_curve(const std::array<EdgeSide, 2>& sides) {
   return Candidate{identity, {*knots}};
 }
 
-std::optional<Candidate> candidate_of(const std::array<EdgeSide, 2>& sides) {
+/// @param splines  whether splines are kept, or arcs alone
+std::optional<Candidate> candidate_of(const std::array<EdgeSide, 2>& sides, bool splines) {
+  if (!splines) {
+    const bool is_arc = sides[0].face->edges[sides[0].k].exact.has_value();
+    return is_arc ? pace_of_curve(sides) : std::nullopt;
+  }
   const auto first = pace_of_surface(sides[0]), second = pace_of_surface(sides[1]);
   if (!first && !second) return pace_of_curve(sides);
   Candidate result = first ? *first : *second;
@@ -156,12 +161,13 @@ bool is_steady(const Eigen::Matrix3Xd& path) {
 }
 
 /// The paces of an edge in its uses' blocks, in the cubes' directions; empty for arc length.
-std::vector<SidePace> settled(const HexComplex& complex, const HexEdge& edge, EdgeShape& shape) {
+std::vector<SidePace> settled(const HexComplex& complex, const HexEdge& edge, bool splines,
+                              EdgeShape& shape) {
   std::vector<SidePace> paces;
   std::vector<KnotVector> knots;
   std::vector<geometry::NurbsCurve> exact;
   for (const HexEdgeUse& use : edge.uses) {
-    const auto found = candidate_of(sides_at(complex.block(use.edge.block), use.edge.edge));
+    const auto found = candidate_of(sides_at(complex.block(use.edge.block), use.edge.edge), splines);
     paces.push_back(found ? found->pace : identity);
     if (found)
       for (const KnotVector& k : found->knots) knots.push_back(use.reversed ? reversed(k) : k);
@@ -176,13 +182,12 @@ std::vector<SidePace> settled(const HexComplex& complex, const HexEdge& edge, Ed
   return paces;
 }
 
-}  // namespace
-
-void choose_paces(HexComplex& complex) {
+void choose_paces(HexComplex& complex, const std::vector<bool>& keeps_splines) {
   std::vector<std::array<SidePace, 12>> paces(complex.blocks.size());
   for (std::size_t e = 0; e < complex.edges.size(); ++e) {
     const HexEdge& edge = complex.topology.edges[e];
-    const std::vector<SidePace> found = settled(complex, edge, complex.edges[e]);
+    const bool splines = keeps_splines[static_cast<std::size_t>(edge.sheet.value)];
+    const std::vector<SidePace> found = settled(complex, edge, splines, complex.edges[e]);
     for (std::size_t u = 0; u < found.size(); ++u) {
       const BlockEdge at = edge.uses[u].edge;
       paces[static_cast<std::size_t>(at.block.value)][static_cast<std::size_t>(at.edge)] = found[u];
@@ -199,18 +204,44 @@ void choose_paces(HexComplex& complex) {
     }
 }
 
+/// Whether a side of a block has an edge that is run through at another pace than that of arc length.
+bool has_paces(const HexComplex& complex, std::size_t block, Side side) {
+  const auto edges = geometry::side_edges(side);
+  return std::any_of(edges.begin(), edges.end(), [&](int edge) {
+    const HexEdgeId id = complex.topology.at(BlockEdge{BlockId(static_cast<int>(block)), edge});
+    return !complex.edges[static_cast<std::size_t>(id.value)].knots.empty();
+  });
+}
+
+}  // namespace
+
+void choose_paces(HexComplex& complex) {
+  choose_paces(complex, std::vector<bool>(complex.topology.sheets.size(), true));
+}
+
 bool has_paces(const HexComplex& complex) {
   return std::any_of(complex.edges.begin(), complex.edges.end(),
                      [](const EdgeShape& edge) { return !edge.knots.empty(); });
 }
 
+HexComplex with_splines_of(const HexComplex& complex, const std::vector<bool>& sheets) {
+  HexComplex result = without_paces(complex);
+  choose_paces(result, sheets);
+  locate_vertices(result);
+  return result;
+}
+
 HexComplex without_paces(HexComplex complex) {
+  for (std::size_t b = 0; b < complex.blocks.size(); ++b)
+    for (const Side side : geometry::all_sides)
+      if (has_paces(complex, b, side)) {
+        FaceMap& map = complex.maps[b][static_cast<std::size_t>(side)];
+        map = best_face_map(map.face());
+      }
   for (EdgeShape& edge : complex.edges) {
     edge.knots.clear();
     edge.exact.reset();
   }
-  for (auto& maps : complex.maps)
-    for (FaceMap& map : maps) map = best_face_map(map.face());
   locate_vertices(complex);
   return complex;
 }

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <numeric>
 
 #include "segmentation/parameterization/internal/outline.hpp"
 
@@ -12,16 +12,48 @@ namespace {
 
 using Triangle = std::array<int, 3>;
 
-/// The triangle to the left of each directed edge, with the corner across.
-using EdgeMap = std::map<std::pair<int, int>, std::pair<std::size_t, int>>;
+/// A directed edge with the triangle to its left and the corner across.
+struct EdgeOfTriangle {
+  int from = 0, to = 0;
+  std::size_t triangle = 0;
+  int corner = 0;
+};
 
-EdgeMap edge_map(const std::vector<Triangle>& triangles) {
-  EdgeMap map;
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    for (std::size_t k = 0; k < 3; ++k)
-      map[{triangles[t][k], triangles[t][(k + 1) % 3]}] = {t, triangles[t][(k + 2) % 3]};
-  return map;
-}
+/// All directed edges, by their ends.
+class EdgeMap {
+ public:
+  EdgeMap(const std::vector<Triangle>& triangles, std::size_t points) : first_(points + 1, 0) {
+    for (const Triangle& corners : triangles)
+      for (const int corner : corners) ++first_[static_cast<std::size_t>(corner) + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    edges_.resize(first_.back());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const int from = triangles[t][k];
+        edges_[next[static_cast<std::size_t>(from)]++] = {from, triangles[t][(k + 1) % 3], t,
+                                                          triangles[t][(k + 2) % 3]};
+      }
+    for (std::size_t i = 0; i < points; ++i)
+      std::sort(edges_.begin() + static_cast<std::ptrdiff_t>(first_[i]),
+                edges_.begin() + static_cast<std::ptrdiff_t>(first_[i + 1]),
+                [](const EdgeOfTriangle& a, const EdgeOfTriangle& b) { return a.to < b.to; });
+  }
+
+  auto begin() const { return edges_.begin(); }
+  auto end() const { return edges_.end(); }
+  /// Null for none.
+  const EdgeOfTriangle* find(int from, int to) const {
+    for (std::size_t i = first_[static_cast<std::size_t>(from)];
+         i < first_[static_cast<std::size_t>(from) + 1]; ++i)
+      if (edges_[i].to == to) return &edges_[i];
+    return nullptr;
+  }
+
+ private:
+  std::vector<std::size_t> first_;  ///< of each point
+  std::vector<EdgeOfTriangle> edges_;
+};
 
 /// Rounds of flips between two rounds of halving.
 constexpr int flips_between = 3;
@@ -40,8 +72,7 @@ class Refinement {
   /// Halves the outline's pieces that are longer in space than a share of their side.
   void halve_outline(int pieces) {
     std::array<double, 4> limit{};
-    for (const auto& entry : edge_map(triangles_)) {
-      const auto [a, b] = entry.first;
+    for (const auto& [a, b, triangle, corner] : edge_map()) {
       if (const int side = side_of(a, b); side >= 0) limit[static_cast<std::size_t>(side)] += length(a, b);
     }
     for (double& x : limit) x /= pieces;
@@ -127,6 +158,8 @@ class Refinement {
     return -1;
   }
 
+  EdgeMap edge_map() const { return {triangles_, points_.size()}; }
+
   double length(int a, int b) const {
     return (spots_[static_cast<std::size_t>(a)] - spots_[static_cast<std::size_t>(b)]).norm();
   }
@@ -191,26 +224,26 @@ class Refinement {
   // Halves edges, longest first, no triangle twice. Returns whether there was any.
   template <class Which>
   bool halve(Which which) {
-    const EdgeMap map = edge_map(triangles_);
+    const EdgeMap map = edge_map();
     std::vector<std::pair<double, std::pair<int, int>>> chosen;
-    for (const auto& entry : map) {
-      const auto [a, b] = entry.first;
-      const bool inner = map.contains({b, a});
+    for (const auto& [a, b, triangle, corner] : map) {
+      const bool inner = map.find(b, a) != nullptr;
       if ((!inner || a < b) && which(a, b, inner)) chosen.push_back({-length(a, b), {a, b}});
     }
     std::sort(chosen.begin(), chosen.end());
     std::vector<bool> touched(triangles_.size(), false);
     for (const auto& entry : chosen) {
       const auto [a, b] = entry.second;
-      const auto [left, c] = map.at({a, b});
-      const auto other = map.find({b, a});
-      if (touched[left] || (other != map.end() && touched[other->second.first])) continue;
+      const auto& [from, to, left, c] = *map.find(a, b);
+      const EdgeOfTriangle* other = map.find(b, a);
+      if (touched[left] || (other && touched[other->triangle])) continue;
       touched[left] = true;
-      const int m = middle(a, b, other == map.end() ? std::optional(c) : std::nullopt);
+      const int m = middle(a, b, other ? std::nullopt : std::optional(c));
       triangles_[left] = {a, m, c};
       triangles_.push_back({m, b, c});
-      if (other == map.end()) continue;
-      const auto [right, d] = other->second;
+      if (!other) continue;
+      const std::size_t right = other->triangle;
+      const int d = other->corner;
       touched[right] = true;
       triangles_[right] = {b, m, d};
       triangles_.push_back({m, a, d});
@@ -220,15 +253,15 @@ class Refinement {
 
   // One round over all edges, no triangle touched twice. Returns whether one was flipped.
   bool flip_round() {
-    const EdgeMap map = edge_map(triangles_);
+    const EdgeMap map = edge_map();
     std::vector<bool> touched(triangles_.size(), false);
     bool flipped = false;
-    for (const auto& [edge, left] : map) {
-      const auto [a, b] = edge;
-      const auto other = map.find({b, a});
-      if (a > b || other == map.end()) continue;
-      const auto [right_triangle, d] = other->second;
-      const auto [left_triangle, c] = left;
+    for (const auto& [a, b, left_triangle, c] : map) {
+      if (a > b) continue;
+      const EdgeOfTriangle* other = map.find(b, a);
+      if (!other) continue;
+      const std::size_t right_triangle = other->triangle;
+      const int d = other->corner;
       if (touched[left_triangle] || touched[right_triangle]) continue;
       const double now = std::min(shape(a, b, c), shape(b, a, d));
       const double then = std::min(shape(a, d, c), shape(d, b, c));

@@ -19,6 +19,7 @@
 #include "segmentation/parameterization/internal/model_complex.hpp"
 #include "segmentation/parameterization/internal/paper_method.hpp"
 #include "segmentation/parameterization/internal/patch_set.hpp"
+#include "segmentation/parameterization/internal/start_knots.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -163,8 +164,29 @@ std::size_t poor_count(const BlockPatches& blocks, double wanted_quality) {
       [&](const PatchValidity& validity) { return !is_good_enough(validity, wanted_quality); }));
 }
 
+/// The input's splines may bring so many spans along a sheet ...
+constexpr int few_spans = 4;
+/// ... or so many for each that the tolerance needs: they are exact, which is worth something.
+constexpr double worth_of_splines = 1.5;
+
+/// Without the input's splines along sheets where they bring more spans than they are worth, since many edges
+/// with knots of their own meet there, or since they are finer than the tolerance.
+HexComplex lean(const HexComplex& complex, const FitOptions& options) {
+  const std::vector<KnotVector> own = start_knots(complex, options.degree, options.start_spans);
+  const auto is_short = [](const KnotVector& knots) { return knots.element_count() <= few_spans; };
+  if (std::all_of(own.begin(), own.end(), is_short)) return complex;
+  const ComplexFit needed = fit(without_paces(complex), options);
+  std::vector<bool> kept;
+  for (std::size_t k = 0; k < own.size(); ++k)
+    kept.push_back(is_short(own[k]) ||
+                   own[k].element_count() <= worth_of_splines * needed.sheets[k].element_count());
+  if (std::find(kept.begin(), kept.end(), false) == kept.end()) return complex;
+  return with_splines_of(complex, kept);
+}
+
 /// Keeps the input's paces, and with them its splines and arcs, unless arc length leaves fewer poor blocks.
-FittedComplex first_fit(const HexComplex& complex, const ParameterizationOptions& options) {
+FittedComplex first_fit(const HexComplex& given, const ParameterizationOptions& options) {
+  const HexComplex complex = lean(given, options.fit);
   std::optional<FittedComplex> result = fitted_complex(complex, options.fit);
   if (!result) return fitted_complex(without_paces(complex), options.fit).value();
   const std::size_t poor = poor_count(result->blocks, options.wanted_quality);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "segmentation/parameterization/internal/hex_complex.hpp"
 
 namespace isopatch::segmentation {
@@ -16,6 +18,9 @@ void choose_paces(HexComplex& complex);
 
 /// Whether any edge of a complex is run through at another pace than that of arc length.
 bool has_paces(const HexComplex& complex);
+/// The same complex with the input's splines kept along the edges of some sheets, and with its arcs.
+/// @param sheets  for each whether they are
+HexComplex with_splines_of(const HexComplex& complex, const std::vector<bool>& sheets);
 /// The same complex with all edges run through by arc length, and no knots to keep.
 HexComplex without_paces(HexComplex complex);
 

@@ -5,6 +5,7 @@
 #include "geometry/base/error.hpp"
 #include "geometry/brep/write_brep.hpp"
 #include "geometry/measures.hpp"
+#include "geometry/splines/refine.hpp"
 #include "segmentation/parameterization/assemble_model.hpp"
 #include "segmentation/parameterization/parameterize.hpp"
 #include "segmentation/parameterization/read_blocks.hpp"
@@ -93,6 +94,21 @@ TEST(SplineFaces, TwoBlocksThatShareOneHaveTheKnotsOfBoth) {
   ASSERT_EQ(made.patches.interfaces.size(), 1u);
   expect_exact(made, geometry::volume(first) + geometry::volume(second));
   EXPECT_EQ(test::coincident_but_different_points(made.patches), 0);
+}
+
+// Twenty spans of a face that three tell to the tolerance would go through all patches around.
+TEST(SplineFaces, WithManyMoreKnotsThanTheToleranceNeedsAreFitted) {
+  const NurbsVolume plain = test::bent({KnotVector::bezier(3), uneven(1, {}), uneven(1, {})}, wave);
+  const NurbsVolume given =
+      geometry::refined(plain, {KnotVector::uniform(3, 20), KnotVector::bezier(1), KnotVector::bezier(1)});
+  const HexModel model = hex_model({{test::solid_of(given), "block"}});
+  const Parameterization made = parameterize(model);
+  EXPECT_TRUE(made.report.usable()) << testing::PrintToString(made.report.complaints());
+  EXPECT_LE(made.report.worst_face().deviation, made.report.tolerance);
+  EXPECT_LT(made.patches.patches[0].knots(0).element_count(), 14);
+  ParameterizationOptions options;
+  options.fit.tolerance = 1e-8;
+  expect_exact(parameterize(model, options), geometry::volume(given));
 }
 
 // Its speed falls to nothing at an end: such a pace would make det J zero there.
