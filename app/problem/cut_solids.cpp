@@ -12,6 +12,7 @@
 #include "segmentation/decomposition/prepare.hpp"
 #include "segmentation/decomposition/prospect.hpp"
 #include "segmentation/decomposition/without_blends.hpp"
+#include "segmentation/decomposition/without_tips.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -22,36 +23,51 @@ std::string number_of(int number, const std::string& one, const std::string& sev
   return fmt::format("{} {}", number, number == 1 ? one : several);
 }
 
-CutBody cut_body(geometry::BrepFile solid, const segmentation::DecompositionOptions& options,
-                 const Progress& progress) {
+/// Without blends where that is asked for, and with flat drill tips.
+CutBody changed_body(geometry::BrepFile solid, const segmentation::DecompositionOptions& options) {
   CutBody body{std::move(solid), {}};
+  if (is_block(body.solid.brep)) return body;
+  const segmentation::WithoutBlends removal = segmentation::without_blends(body.solid.brep, options);
+  const segmentation::WithoutTips flattening = segmentation::without_tips(removal.brep);
+  body.blends = text_of(removal);
+  body.tips = text_of(flattening);
+  body.solid.brep = flattening.brep;
+  return body;
+}
+
+void cut(CutBody& body, const segmentation::DecompositionOptions& options, const Progress& progress) {
   if (is_block(body.solid.brep)) {
     body.blocks = {body.solid};
-    return body;
+    return;
   }
-  const segmentation::WithoutBlends removal = segmentation::without_blends(body.solid.brep, options);
-  body.blends = text_of(removal);
-  body.solid.brep = removal.brep;
   body.cutting = segmentation::decompose(body.solid.brep, body.solid.name, options, progress);
   body.blocks = segmentation::blocks(body.solid, *body.cutting);
+}
+
+CutBody cut_body(geometry::BrepFile solid, const segmentation::DecompositionOptions& options,
+                 const Progress& progress) {
+  CutBody body = changed_body(std::move(solid), options);
+  cut(body, options, progress);
   return body;
 }
 
 /// With the reason where it cannot be cut.
 CutBody try_to_cut_body(const geometry::BrepFile& solid, const segmentation::DecompositionOptions& options,
                         const Progress& progress) {
-  CutBody failed{solid, {}};
+  CutBody body{solid, {}};
   try {
-    return cut_body(solid, options, progress);
+    body = changed_body(solid, options);
+    cut(body, options, progress);
   } catch (const CuttingError& error) {
-    failed.failure = error;
+    body.failure = error;
   } catch (const geometry::SolidError& error) {
-    failed.failure = CuttingError(error.code(), error.what(), error.fault(), {});
+    body.failure = CuttingError(error.code(), error.what(), error.fault(), {});
   } catch (const Error& error) {
     if (error.code() == ErrorCode::internal) throw;
-    failed.failure = CuttingError(error.code(), error.what(), {}, {});
+    body.failure = CuttingError(error.code(), error.what(), {}, {});
   }
-  return failed;
+  if (body.failure) body.cutting.reset();
+  return body;
 }
 
 /// "face 1 and face 5", "face 1, face 2 and face 5".
@@ -106,8 +122,8 @@ CutSolids each_cut(segmentation::ReadSolids read, const segmentation::Decomposit
     result.bodies.back().recognised = found.text();
   }
   for (const CutBody& body : result.bodies)
-    if (!body.blends.empty())
-      result.warnings.push_back(fmt::format("solid '{}': {}", body.solid.name, body.blends));
+    for (const std::string& change : {body.blends, body.tips})
+      if (!change.empty()) result.warnings.push_back(fmt::format("solid '{}': {}", body.solid.name, change));
   for (const CutBody& body : result.bodies)
     if (std::string warning = made_one(body); !warning.empty()) result.warnings.push_back(std::move(warning));
   return result;
@@ -185,8 +201,9 @@ segmentation::ReadBlocks put_together(const CutSolids& solids, const segmentatio
 std::string cutting_text(const CutSolids& solids) {
   std::string text;
   for (const CutBody& body : solids.bodies)
-    text += fmt::format("  {}: {}{}{}{}{}\n", body.solid.name, body.recognised,
+    text += fmt::format("  {}: {}{}{}{}{}{}{}\n", body.solid.name, body.recognised,
                         body.recognised.empty() ? "" : "; ", body.blends, body.blends.empty() ? "" : "; ",
+                        body.tips, body.tips.empty() ? "" : "; ",
                         body.cutting   ? report_text(body.cutting->report)
                         : body.failure ? "given up"
                                        : "a topological hexahedron as it is");

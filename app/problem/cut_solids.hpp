@@ -18,6 +18,7 @@ struct CutBody {
   /// Of a body that was cut; nothing for one that was a hexahedron.
   std::optional<segmentation::Decomposition> cutting = {};
   std::optional<segmentation::CuttingError> failure = {};
+  std::string tips = {};        ///< likewise of drill tips that were made flat
   std::string blends = {};      ///< what was removed or could not be, for people; "" for nothing
   std::string recognised = {};  ///< what splines of the file really are, as of `geometry::RecognisedBrep`
 };

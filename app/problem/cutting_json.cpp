@@ -16,6 +16,7 @@ Json body_json(const CutBody& body) {
                {"further_cuts", report.further_cuts},
                {"by_tetrahedra", report.by_tetrahedra},
                {"blends", body.blends},
+               {"tips", body.tips},
                {"seen_as", report.seen_as},
                {"evaluations", report.evaluations},
                {"seconds", report.seconds}};

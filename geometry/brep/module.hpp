@@ -11,6 +11,7 @@
 
 #include "geometry/brep/carrier_solid.hpp"
 #include "geometry/brep/cell_complex.hpp"
+#include "geometry/brep/drill_tip.hpp"
 #include "geometry/brep/kernel.hpp"
 #include "geometry/brep/redrawn.hpp"
 #include "geometry/brep/sew_options.hpp"
@@ -94,6 +95,9 @@ class BrepModule {
                                                const Eigen::Vector3d& normal) const = 0;
   /// As `without_faces`; what comes of it is to be checked.
   virtual KernelSolid without_faces(const BrepKernel& source, const std::vector<FaceId>& faces) const = 0;
+  /// As `with_flat_tips`; what comes of it is to be checked.
+  virtual KernelSolid with_flat_tips(const BrepKernel& source, const std::vector<DrillTip>& tips,
+                                     double share) const = 0;
   /// As `recognise_carriers`; no kernel where nothing is recognised.
   /// @param tolerance  m
   virtual KernelSolid with_carriers(const BrepKernel& kernel, double tolerance) const = 0;

@@ -22,6 +22,8 @@ struct Interval {
 constexpr double quarter = std::numbers::pi / 2;
 /// Beside a bore, of its radius: where a plane is put that has nothing else near.
 constexpr double beside = 1;
+/// Likewise: how much is left there at least.
+constexpr double least_beside = 0.1;
 /// Likewise: how near a vertex is that a plane goes through instead.
 constexpr double near_vertex = 0.5;
 /// Up to this, no plane is put between a bore and the end.
@@ -76,8 +78,13 @@ std::vector<double> separators(const std::vector<Interval>& merged, double low, 
 class BoreRoomFinder {
  public:
   BoreRoomFinder(const Brep& solid, const Brep& blank, const SweepFrame& frame,
-                 const std::vector<CrossBore>& bores)
-      : solid_(solid), blank_(blank), frame_(frame), bores_(bores), tolerance_(1e-6 * blank.size()) {}
+                 const std::vector<CrossBore>& bores, FloorLines floors)
+      : solid_(solid),
+        blank_(blank),
+        frame_(frame),
+        bores_(bores),
+        floors_(floors),
+        tolerance_(1e-6 * blank.size()) {}
 
   BoreRoom make() {
     find_heights();
@@ -90,9 +97,9 @@ class BoreRoomFinder {
       done.push_back(direction);
       draw_strips(direction);
     }
+    const std::vector<Line> strips = made_.lines;
     for (const CrossBore& bore : bores_)
-      for (const double floor : bore.branch.floors)
-        draw(bore.branch.view.point({0, 0}, floor), bore.branch.view.y);
+      for (const double floor : bore.branch.floors) draw_floor(bore, floor, strips);
     const std::vector<Line> grid = made_.lines;
     for (const FaceId wall : frame_.walls) draw_spokes(wall, grid);
     return std::move(made_);
@@ -137,7 +144,11 @@ class BoreRoomFinder {
 
   void find_heights() {
     std::vector<Interval> all;
-    for (const CrossBore& bore : bores_) all.push_back(interval(bore, frame_.along));
+    for (const CrossBore& bore : bores_) {
+      all.push_back(interval(bore, frame_.along));
+      made_.kept_free.push_back(
+          {all.back().low - least_beside * bore.radius, all.back().high + least_beside * bore.radius});
+    }
     const auto [low, high] = extent(frame_.along);
     made_.heights = separators(merged(std::move(all)), low, high);
   }
@@ -157,6 +168,38 @@ class BoreRoomFinder {
     const auto [low, high] = extent(across);
     for (const double at : separators(merged(std::move(all)), low, high))
       draw(frame_.origin + at_a_vertex(at, across, direction) * across, direction);
+    if (floors_ == FloorLines::through_all) return;
+    const std::vector<Line> strips = made_.lines;
+    for (const CrossBore& bore : bores_)
+      if (bore.branch.view.along.cross(direction).norm() < 1e-7) draw_ends_of_opening(bore, across, strips);
+  }
+
+  /// Where the plane that a bore opens in ends before the next plane beside it.
+  void draw_ends_of_opening(const CrossBore& bore, const Eigen::Vector3d& across,
+                            const std::vector<Line>& strips) {
+    if (!bore.opening) return;
+    const Interval taken = interval(bore, across);
+    const double middle = (taken.low + taken.high) / 2;
+    const Eigen::Vector3d centre =
+        bore.branch.view.point({0, 0}, 0) +
+        (middle - (bore.branch.view.point({0, 0}, 0) - frame_.origin).dot(across)) * across;
+    const std::array<double, 2> free = cell(centre, across, strips);
+    for (const double side : {-1.0, 1.0}) {
+      const double end = side * ((side < 0 ? taken.low : taken.high) - middle);
+      const double limit = side * free[side < 0 ? 0 : 1], from = end + least_beside * bore.radius;
+      double nearest = limit - tolerance_;
+      std::optional<Eigen::Vector3d> corner;
+      for (const auto& loop : solid_.face(*bore.opening).loops)
+        for (const geometry::EdgeUse& use : loop) {
+          const Eigen::Vector3d place = solid_.vertex(solid_.edge(use.edge).start);
+          const double at = side * ((place - frame_.origin).dot(across) - middle);
+          if (at > from && at < nearest) corner = place, nearest = at;
+        }
+      if (!corner) continue;
+      // What is narrow beyond is bent round: room is left for a row along it.
+      const double back = limit - nearest < beside * bore.radius ? (nearest - end) / 2 : 0;
+      draw(*corner - side * back * across, bore.branch.view.along);
+    }
   }
 
   bool is_hollow(FaceId wall) const {
@@ -241,6 +284,17 @@ class BoreRoomFinder {
     return result;
   }
 
+  /// A floor's line, which ends at the planes beside the bore where that is asked for.
+  void draw_floor(const CrossBore& bore, double floor, const std::vector<Line>& strips) {
+    const PlanView& view = bore.branch.view;
+    const Eigen::Vector3d middle = view.point({0, 0}, floor);
+    const std::array<double, 2> beside = cell(middle, view.y, strips);
+    if (floors_ == FloorLines::through_all)
+      draw(middle, view.y);
+    else
+      made_.lines.push_back({middle + beside[0] * view.y, middle + beside[1] * view.y});
+  }
+
   /// Through all of the drawing.
   void draw(const Eigen::Vector3d& through, const Eigen::Vector3d& direction) {
     const Eigen::Vector2d from = frame_.flat(through);
@@ -259,6 +313,7 @@ class BoreRoomFinder {
   const Brep& blank_;
   const SweepFrame& frame_;
   const std::vector<CrossBore>& bores_;
+  FloorLines floors_;
   double tolerance_;
   BoreRoom made_;
 };
@@ -266,8 +321,8 @@ class BoreRoomFinder {
 }  // namespace
 
 BoreRoom bore_room(const Brep& solid, const Brep& blank, const SweepFrame& frame,
-                   const std::vector<CrossBore>& bores) {
-  return BoreRoomFinder(solid, blank, frame, bores).make();
+                   const std::vector<CrossBore>& bores, FloorLines floors) {
+  return BoreRoomFinder(solid, blank, frame, bores, floors).make();
 }
 
 }  // namespace isopatch::segmentation

@@ -170,9 +170,10 @@ void BranchLevels::find_stretch(std::size_t l) {
   for (const std::size_t side : {0U, 1U}) {
     level.stretch[side] = (here[side] - level.kept) / (drawn_widths_[side] - level.kept);
     if (!(level.kept < (1 - least_left) * std::min(drawn_widths_[side], here[side])))
-      throw Error(ErrorCode::unsupported,
-                  fmt::format("{} leaves no room in a layer of its body that reaches {:.3g} m to a side of it",
-                              describe(solid_, outline(0).walls.front()), here[side]));
+      throw Error(
+          ErrorCode::unsupported,
+          fmt::format("{} leaves no room in a layer of its body that reaches {:.3g} m to a side of it",
+                      describe(solid_, outline(0).walls.front()), here[side]));
   }
 }
 

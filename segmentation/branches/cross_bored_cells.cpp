@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/base/error.hpp"
+#include "geometry/brep/hexahedra_quality.hpp"
 #include "geometry/brep/require_solid.hpp"
 #include "geometry/brep/without_faces.hpp"
 #include "segmentation/branches/internal/bore_room.hpp"
@@ -27,9 +28,10 @@ class BoredStack {
              const std::vector<CrossBore>& bores)
       : solid_(solid), blank_(blank), bores_(bores), frame_(frame) {}
 
-  CrossBoredCells make() {
-    const BoreRoom room = bore_room(solid_, blank_, frame_, bores_);
-    CellComplex complex = swept_with(blank_, frame_, room.lines, room.heights).complex;
+  CrossBoredCells make(FloorLines floors, bool thorough) {
+    const BoreRoom room = bore_room(solid_, blank_, frame_, bores_, floors);
+    CellComplex complex =
+        swept_with(blank_, frame_, room.lines, room.heights, room.kept_free, {.thorough = thorough}).complex;
     std::vector<BranchPlace> places;
     for (const CrossBore& bore : bores_) places.push_back(place_of(bore, complex));
     name_faces(complex);
@@ -112,6 +114,29 @@ class BoredStack {
   SweepFrame frame_;
 };
 
+/// With the floors' planes through all of it, or else no longer than they have to be; last by drawings that
+/// take longer. The first that is good enough, else the best.
+CrossBoredCells made_of(BoredStack stack) {
+  constexpr double good = 0.12;  // least scaled Jacobian
+  std::optional<CrossBoredCells> best;
+  std::optional<Error> refusal;
+  double least = 0;
+  for (const bool thorough : {false, true})
+    for (const FloorLines floors : {FloorLines::through_all, FloorLines::between_planes}) {
+      try {
+        CrossBoredCells made = stack.make(floors, thorough);
+        const double quality = geometry::least_quality(made.complex);
+        if (!best || quality > least) best = std::move(made), least = quality;
+        if (least > good) return std::move(*best);
+      } catch (const Error& error) {
+        if (error.code() == ErrorCode::internal) throw;
+        if (!refusal) refusal = error;
+      }
+    }
+  if (!best) throw *refusal;
+  return std::move(*best);
+}
+
 std::optional<CrossBoredCells> bored_along(const Brep& solid, const Eigen::Vector3d& along) {
   const auto bores = cross_bores(solid, along);
   if (!bores) return std::nullopt;
@@ -119,7 +144,7 @@ std::optional<CrossBoredCells> bored_along(const Brep& solid, const Eigen::Vecto
   for (const CrossBore& bore : *bores) removed.insert(removed.end(), bore.faces.begin(), bore.faces.end());
   const Brep blank = geometry::without_faces(solid, removed);
   for (const SweepFrame& frame : sweep_frames(blank))
-    if (frame.along.cross(along).norm() < 1e-7) return BoredStack(solid, blank, frame, *bores).make();
+    if (frame.along.cross(along).norm() < 1e-7) return made_of(BoredStack(solid, blank, frame, *bores));
   return std::nullopt;
 }
 

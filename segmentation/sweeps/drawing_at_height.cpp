@@ -109,7 +109,7 @@ Quadrangulation as_drawn(const Brep& solid, const SweepFrame& frame, const Swept
   Quadrangulation result = at_height;
   for (std::size_t v = drawing.profile.vertices.size(); v < result.vertices.size(); ++v)
     if (!outlined.contains(static_cast<int>(v)))
-      result.vertices[v] -= frame.flat(moving.place(static_cast<int>(v), height)) - at_height.vertices[v];
+      result.vertices[v] = moving.drawn_place(static_cast<int>(v), height);
   std::copy(drawing.profile.vertices.begin(), drawing.profile.vertices.end(), result.vertices.begin());
   return result;
 }

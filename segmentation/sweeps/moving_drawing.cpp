@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -167,7 +168,9 @@ Eigen::Vector2d MovingDrawing::track_place(const EdgeTrack& track, double t, dou
 }
 
 std::optional<Eigen::Vector2d> MovingDrawing::tracked_place(int vertex, double height) const {
-  if (const auto known = vertex_rings_.find(vertex); known != vertex_rings_.end()) {
+  for (const auto* rings : {&vertex_rings_, &discs_}) {
+    const auto known = rings->find(vertex);
+    if (known == rings->end()) continue;
     const Eigen::Vector2d centre = known->second->centre;
     return centre + growth(*known->second, height) * (places_[static_cast<std::size_t>(vertex)] - centre);
   }
@@ -196,6 +199,37 @@ void MovingDrawing::find_inner_vertices() {
   for (const QuadEdge& drawn : quads_.edges)
     for (const auto& [end, other] : {std::pair(drawn.start, drawn.end), std::pair(drawn.end, drawn.start)})
       if (!outlined[static_cast<std::size_t>(end)]) inner_[end].push_back(other);
+  find_discs();
+}
+
+/// What has no outline around it but one ring grows with that.
+void MovingDrawing::find_discs() {
+  std::set<int> left;
+  for (const auto& [vertex, neighbours] : inner_) left.insert(vertex);
+  while (!left.empty()) {
+    std::vector<int> together = {*left.begin()};
+    left.erase(left.begin());
+    std::set<const RingTrack*> around;
+    for (std::size_t i = 0; i < together.size(); ++i)
+      for (const int other : inner_.at(together[i])) {
+        if (left.erase(other) > 0) together.push_back(other);
+        if (inner_.contains(other)) continue;
+        const auto ring = vertex_rings_.find(other);
+        around.insert(ring == vertex_rings_.end() ? nullptr : ring->second);
+      }
+    if (around.size() != 1 || !*around.begin()) continue;
+    for (const int vertex : together) discs_[vertex] = *around.begin();
+  }
+  for (const auto& [vertex, ring] : discs_) inner_.erase(vertex);
+}
+
+Eigen::Vector2d MovingDrawing::drawn_place(int vertex, double height) const {
+  const Eigen::Vector2d& there = places_[static_cast<std::size_t>(vertex)];
+  if (const auto disc = discs_.find(vertex); disc != discs_.end()) {
+    const Eigen::Vector2d& centre = disc->second->centre;
+    return centre + (there - centre) / growth(*disc->second, height);
+  }
+  return there - shifts(height)[static_cast<std::size_t>(vertex)];
 }
 
 const std::vector<Eigen::Vector2d>& MovingDrawing::shifts(double height) const {
@@ -281,18 +315,21 @@ Eigen::Vector2d MovingDrawing::outline_place(int number, double share, double he
 }
 
 std::vector<double> MovingDrawing::kinks(int number) const {
+  std::vector<double> result = kinks_at(edge(number).start);
+  for (const double kink : kinks_at(edge(number).end)) result.push_back(kink);
+  return result;
+}
+
+std::vector<double> MovingDrawing::kinks_at(int vertex) const {
   std::vector<double> result;
-  const QuadEdge& drawn = edge(number);
-  for (const int vertex : {drawn.start, drawn.end}) {
-    if (const auto known = vertex_tracks_.find(vertex); known != vertex_tracks_.end())
-      for (const VertexTrack* track : known->second)
-        for (const auto& at : track->at) result.push_back(at.first);
-    if (const auto known = vertex_rings_.find(vertex); known != vertex_rings_.end())
-      for (const auto& at : known->second->at) result.push_back(at.first);
-    if (const auto known = on_track_.find(vertex); known != on_track_.end())
-      for (const Piece& piece : known->second)
-        for (const auto& at : piece.track->at) result.push_back(at.height);
-  }
+  if (const auto known = vertex_tracks_.find(vertex); known != vertex_tracks_.end())
+    for (const VertexTrack* track : known->second)
+      for (const auto& at : track->at) result.push_back(at.first);
+  if (const auto known = vertex_rings_.find(vertex); known != vertex_rings_.end())
+    for (const auto& at : known->second->at) result.push_back(at.first);
+  if (const auto known = on_track_.find(vertex); known != on_track_.end())
+    for (const Piece& piece : known->second)
+      for (const auto& at : piece.track->at) result.push_back(at.height);
   return result;
 }
 

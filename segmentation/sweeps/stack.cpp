@@ -10,6 +10,7 @@
 
 #include "geometry/base/error.hpp"
 #include "segmentation/profiles/divide_side.hpp"
+#include "segmentation/sweeps/internal/bent_levels.hpp"
 #include "segmentation/sweeps/internal/column_complex.hpp"
 #include "segmentation/sweeps/internal/column_volume.hpp"
 #include "segmentation/sweeps/internal/divided_drawing.hpp"
@@ -211,11 +212,12 @@ void Stack::divide_at(double height) {
   for (std::vector<double>& heights : parts_->asked) heights.push_back(height);
 }
 
-geometry::CellComplex Stack::complex() const {
+geometry::CellComplex Stack::complex(const std::vector<std::array<double, 2>>& kept_free) const {
   const MovingDrawing moving = parts_->moving();
   const Layers layers = parts_->layers(moving);
   require_whole(parts_->solid, parts_->frame, parts_->quads, moving, layers);
-  return column_complex(parts_->solid, parts_->frame, parts_->quads, moving, layers);
+  return column_complex(parts_->solid, parts_->frame, parts_->quads, moving, layers,
+                        bent_levels(parts_->solid, parts_->frame, parts_->quads, moving, layers, kept_free));
 }
 
 }  // namespace isopatch::segmentation

@@ -56,8 +56,9 @@ class Stack {
   void divide_at(double height);
 
   /// Its hexahedra; they are checked to fill the solid.
+  /// @param kept_free  ranges of heights that levels bend away from where they are no floors, m
   /// @throws Error unsupported  they do not
-  geometry::CellComplex complex() const;
+  geometry::CellComplex complex(const std::vector<std::array<double, 2>>& kept_free = {}) const;
 
  private:
   struct Parts;

@@ -19,11 +19,12 @@ SweptCells swept_along(const geometry::Brep& solid, const SweepFrame& frame,
 }  // namespace
 
 SweptCells swept_with(const geometry::Brep& solid, const SweepFrame& frame, const std::vector<Line>& lines,
-                      const std::vector<double>& heights) {
+                      const std::vector<double>& heights, const std::vector<std::array<double, 2>>& kept_free,
+                      const QuadrangulationOptions& options) {
   if (has_roofs(solid, frame)) return roofed_cells_with(solid, frame, lines, heights);
-  Stack stack(solid, frame, lines);
+  Stack stack(solid, frame, lines, options);
   for (const double height : heights) stack.divide_at(height);
-  return {stack.complex(), frame.along, stack.quadrilaterals(), stack.levels()};
+  return {stack.complex(kept_free), frame.along, stack.quadrilaterals(), stack.levels()};
 }
 
 std::optional<SweptCells> swept_cells(const geometry::Brep& solid, const QuadrangulationOptions& options) {

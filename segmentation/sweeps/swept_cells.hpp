@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -29,8 +30,12 @@ std::optional<SweptCells> swept_cells(const geometry::Brep& solid,
 /// its walls among them, rounds not.
 /// @param lines    on its floors; they become sides of hexahedra
 /// @param heights  all columns are divided at, as the frame measures, m
+/// @param kept_free  ranges of heights that levels bend away from where they are no floors, m; not of those
+/// with such cones
 /// @throws Error as above
 SweptCells swept_with(const geometry::Brep& solid, const SweepFrame& frame, const std::vector<Line>& lines,
-                      const std::vector<double>& heights);
+                      const std::vector<double>& heights,
+                      const std::vector<std::array<double, 2>>& kept_free = {},
+                      const QuadrangulationOptions& options = {});
 
 }  // namespace isopatch::segmentation

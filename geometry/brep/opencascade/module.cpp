@@ -110,6 +110,13 @@ class OpenCascade final : public BrepModule {
                    [&] { return solid_without_faces(dynamic_cast<const ShapeKernel&>(source), faces); });
   }
 
+  KernelSolid with_flat_tips(const BrepKernel& source, const std::vector<DrillTip>& tips,
+                             double share) const override {
+    return guarded("making drill tips flat", [&] {
+      return solid_with_flat_tips(dynamic_cast<const ShapeKernel&>(source), tips, share);
+    });
+  }
+
   KernelSolid with_carriers(const BrepKernel& kernel, double tolerance) const override {
     return guarded("recognising planes and cylinders",
                    [&] { return solid_with_carriers(dynamic_cast<const ShapeKernel&>(kernel), tolerance); });

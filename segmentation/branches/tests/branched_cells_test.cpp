@@ -5,10 +5,15 @@
 #include <cmath>
 #include <string>
 
+#include "geometry/base/larger.hpp"
 #include "geometry/base/tests/expect_error.hpp"
+#include "geometry/brep/flat_tips.hpp"
 #include "geometry/brep/hexahedra_quality.hpp"
 #include "geometry/brep/tests/made_solids.hpp"
+#include "geometry/brep/without_faces.hpp"
 #include "segmentation/branches/cross_bored_cells.hpp"
+#include "segmentation/branches/internal/bore_room.hpp"
+#include "segmentation/branches/internal/cross_bores.hpp"
 #include "segmentation/sweeps/tests/sound_cells.hpp"
 
 namespace isopatch::segmentation {
@@ -84,6 +89,39 @@ INSTANTIATE_TEST_SUITE_P(CrossBored, SolidsWithBranches,
                                          Sample{"flatted_pin", 160, 1, cross_bored, 0.2},
                                          Sample{"vee_block", 42, 2, cross_bored, 0.2}),
                          name_of_sample);
+
+// The tip's levels bend away from the bore across, which is at the height of one.
+TEST(CrossBoredCells, LieBesideATip) {
+  const geometry::Brep pointed = geometry::test::made_brep("tipped_gallery");
+  const geometry::Brep solid = geometry::with_flat_tips(pointed, geometry::drill_tips(pointed), 0.25);
+  const auto made = cross_bored_cells(solid);
+  ASSERT_TRUE(made);
+  EXPECT_LE(made->complex.cells.size(), 38U);
+  EXPECT_GT(geometry::least_quality(made->complex), 0.2);
+  test::expect_sound(solid, made->complex, off_where_crossed);
+}
+
+/// How long the longest line of a block's drawing is along y, in the block's size.
+double longest_line(FloorLines floors) {
+  const geometry::Brep solid = geometry::test::made_brep("blind_bore");
+  const auto bores = *cross_bores(solid, Eigen::Vector3d::UnitX());
+  const geometry::Brep blank = geometry::without_faces(solid, bores.front().faces);
+  for (const SweepFrame& frame : sweep_frames(blank)) {
+    if (std::abs(frame.along.x()) < 0.5) continue;
+    double result = 0;
+    for (const Line& line : bore_room(solid, blank, frame, bores, floors).lines)
+      result = larger(result, std::abs((line[1] - line[0]).y()) / blank.size());
+    return result;
+  }
+  return 0;
+}
+
+// The bore's floor is at right angles to its axis z: its line runs along y.
+TEST(CrossBoredCells, MayHaveFloorsNoLongerThanTheRoomBesideThem) {
+  EXPECT_GT(longest_line(FloorLines::through_all), 1);
+  EXPECT_LT(longest_line(FloorLines::between_planes), 0.6);
+  EXPECT_GT(longest_line(FloorLines::between_planes), 0);
+}
 
 TEST(BranchedCells, AreNoneOfSolidsWithoutATurnedBody) {
   for (const char* name : {"block", "cylinder", "drilled", "fork"})

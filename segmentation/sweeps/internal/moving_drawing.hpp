@@ -21,12 +21,16 @@ class MovingDrawing {
                 const Quadrangulation& quads, const std::map<int, double>& offsets = {});
 
   Eigen::Vector3d place(int vertex, double height) const;
+  /// Where a vertex inside is drawn that the drawing has where it is at a height.
+  Eigen::Vector2d drawn_place(int vertex, double height) const;
   /// Exact, over [0, 1] from start to end, in space.
   geometry::NurbsCurve curve(int edge, double height) const;
   /// A point of an edge of the profile, by its share of the edge's parameter.
   Eigen::Vector2d outline_place(int edge, double share, double height) const;
   /// Heights where walls beside an edge of the drawing begin, end or change their slope.
   std::vector<double> kinks(int edge) const;
+  /// Likewise where a vertex moves.
+  std::vector<double> kinks_at(int vertex) const;
 
  private:
   /// A piece of a track, in the t of its first edge.
@@ -42,6 +46,7 @@ class MovingDrawing {
   void find_vertex_tracks();
   void find_rings();
   void find_inner_vertices();
+  void find_discs();
   /// Where a track has a vertex; nothing for one that no track has.
   std::optional<Eigen::Vector2d> tracked_place(int vertex, double height) const;
   const std::vector<Eigen::Vector2d>& shifts(double height) const;
@@ -66,7 +71,8 @@ class MovingDrawing {
   std::vector<std::vector<Piece>> pieces_;                        // of edges
   std::map<int, std::vector<const VertexTrack*>> vertex_tracks_;  // by vertex
   std::map<int, const RingTrack*> edge_rings_, vertex_rings_;
-  /// Vertices inside the drawing with their neighbours.
+  std::map<int, const RingTrack*> discs_;  // vertices inside of a ring
+  /// Other vertices inside the drawing with their neighbours.
   std::map<int, std::vector<int>> inner_;
   mutable std::map<double, std::vector<Eigen::Vector2d>> shifts_;  // of all vertices, by height
   std::map<int, std::vector<Piece>> on_track_;  // vertices inside edges that move, as pieces of no length

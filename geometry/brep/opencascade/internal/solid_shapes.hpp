@@ -34,5 +34,7 @@ std::vector<KernelPart> parts_cut_by_plane(const ShapeKernel& source, const Eige
                                            const Eigen::Vector3d& normal);
 /// As `without_faces`; what comes of it is to be checked.
 KernelSolid solid_without_faces(const ShapeKernel& source, const std::vector<FaceId>& faces);
+/// As `with_flat_tips`; what comes of it is to be checked.
+KernelSolid solid_with_flat_tips(const ShapeKernel& source, const std::vector<DrillTip>& tips, double share);
 
 }  // namespace isopatch::geometry

@@ -4,8 +4,11 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace {
@@ -26,6 +29,15 @@ TopoDS_Shape block_with(const std::vector<Drill>& drills) {
             BRepPrimAPI_MakeCylinder(gp_Ax2(drill.from, drill.along), drill.radius, drill.length).Shape())
             .Shape();
   return result;
+}
+
+// Likewise, with a tip of 118 degrees at the end of the first.
+TopoDS_Shape block_with_tip(const std::vector<Drill>& drills) {
+  const Drill& first = drills.front();
+  const gp_Ax2 end(first.from.Translated(gp_Vec(first.along) * first.length), first.along);
+  const double depth = first.radius / std::tan(59 * std::numbers::pi / 180);
+  return BRepAlgoAPI_Cut(block_with(drills), BRepPrimAPI_MakeCone(end, first.radius, 0, depth).Shape())
+      .Shape();
 }
 
 // A vee of 90 degrees with its relief and a slot along each side, two bores up into the slots: along y a
@@ -59,6 +71,8 @@ std::map<std::string, TopoDS_Shape> drilled() {
       {"blind_bore", block_with({gallery, {{30, 20, 33}, gp::DZ(), 4, 8}})},
       {"port_beside", block_with({gallery, {{30, 22, 20}, gp::DZ(), 5, 21}})},
       {"vee_block", vee_block()},
+      {"tipped_bore", block_with_tip({{{30, 20, 41}, gp::DZ().Reversed(), 6, 27}})},
+      {"tipped_gallery", block_with_tip({{{-1, 20, 20}, gp::DX(), 7, 40}, {{45, 6, -1}, gp::DZ(), 3, 42}})},
       {"wide_port", block_with({gallery, {{30, 20, 20}, gp::DZ(), 9, 21}})},
   };
 }
