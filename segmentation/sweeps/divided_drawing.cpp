@@ -9,6 +9,7 @@
 
 #include "geometry/base/error.hpp"
 #include "segmentation/profiles/quadrangulate.hpp"
+#include "segmentation/profiles/settled.hpp"
 #include "segmentation/profiles/symmetry.hpp"
 #include "segmentation/sweeps/internal/drawing_at_height.hpp"
 
@@ -35,14 +36,14 @@ double least_jacobian(const Profile& profile, const Quadrangulation& quads) {
 /// Of a scaled Jacobian: better ones are not worth another quadrilateral.
 constexpr double good = 0.25;
 
-/// Their number, and more where some are poor.
-double cost_of(const Quadrangulation& quads, double least) {
-  return static_cast<double>(quads.quads.size()) / std::clamp(least, 0.01, good);
+/// A number of quadrilaterals or hexahedra, and more where some are poor.
+double cost_of(std::size_t number, double least) {
+  return static_cast<double>(number) / std::clamp(least, 0.01, good);
 }
 
 /// Of a drawing whose walls are inclined: divided where they are lowest, and half-way up, where what moves is
-/// nowhere far from where it is divided; thorough ones several times, of which the most promising are
-/// finished. The best of them at all heights.
+/// nowhere far from where it is divided, then settled at all heights; thorough ones several times where that
+/// does not do, of which the most promising are finished. The best of them at all heights.
 class InclinedWalls {
  public:
   /// @param merged  of the drawing's profile, what is divided in its place; must outlive this
@@ -51,6 +52,7 @@ class InclinedWalls {
       : solid_(solid), frame_(frame), drawing_(std::move(drawing)), merged_(merged) {
     const auto [low, high] = range_of(drawing_.tracks);
     half_way_ = (low + high) / 2;
+    there_ = profiles_at_heights(solid, frame, drawing_);
   }
 
   DividedDrawing divided(QuadrangulationOptions options) {
@@ -58,7 +60,7 @@ class InclinedWalls {
       consider(draft_at_lowest(options));
       if (!best_ || least_ < good) consider(draft_half_way(options));
     } else {
-      options.good_jacobian = std::max(options.good_jacobian, at_one_height);
+      options.effort /= 2;  // two at least are made, and settled
       divide_again_and_again(options);
     }
     if (!best_) throw *refusal_;
@@ -66,8 +68,8 @@ class InclinedWalls {
   }
 
  private:
-  /// Of a scaled Jacobian where a drawing is divided, so that it is good at other heights.
-  static constexpr double at_one_height = 0.4;
+  /// Of a scaled Jacobian: what is better at all heights stays as it is.
+  static constexpr double well_settled = 0.4;
   /// Of further drafts, which are made where the first two do not do.
   static constexpr int further = 6, finished_of_them = 2;
 
@@ -98,7 +100,7 @@ class InclinedWalls {
 
   void divide_again_and_again(QuadrangulationOptions options) {
     consider_all(both_drafts(options));
-    if (best_ && least_ >= at_one_height) return;
+    if (best_ && least_ >= good) return;
     std::vector<Draft> drafts;
     while (static_cast<int>(drafts.size()) < further) {
       ++options.seed;
@@ -151,14 +153,32 @@ class InclinedWalls {
     try {
       Quadrangulation made = make();
       if (draft.half_way) made = as_drawn(solid_, frame_, drawing_, std::move(made), half_way_);
-      const double least = least_over_heights(solid_, frame_, drawing_, made);
-      if (best_ && cost_of(*best_, least_) <= cost_of(made, least)) return;
+      StandingQuads stands = standing(made);
+      if (stands.least_jacobian < well_settled) settle(made, stands);
+      const double cost = cost_of(static_cast<std::size_t>(stands.hexahedra), stands.least_jacobian);
+      if (best_ && cost_ <= cost) return;
       best_ = std::move(made);
-      least_ = least;
+      least_ = stands.least_jacobian;
+      cost_ = cost;
     } catch (const Error& error) {
       if (error.code() == ErrorCode::internal) throw;
       if (!refusal_) refusal_ = error;
     }
+  }
+
+  StandingQuads standing(const Quadrangulation& quads) const {
+    return standing_quads(solid_, frame_, drawing_, there_, quads);
+  }
+
+  /// Where that is better at all heights.
+  void settle(Quadrangulation& quads, StandingQuads& stands) const {
+    std::vector<Profile> drawings = {drawing_.profile};
+    drawings.insert(drawings.end(), there_.profiles.begin(), there_.profiles.end());
+    Quadrangulation moved = settled(quads, drawings, stands.upright);
+    StandingQuads stand_then = standing(moved);
+    if (stand_then.least_jacobian <= stands.least_jacobian) return;
+    quads = std::move(moved);
+    stands = std::move(stand_then);
   }
 
   const geometry::Brep& solid_;
@@ -166,8 +186,9 @@ class InclinedWalls {
   SweptDrawing drawing_;
   const MergedProfile* merged_;
   double half_way_ = 0;
+  ProfilesAtHeights there_;
   std::optional<Quadrangulation> best_;
-  double least_ = 0;  // scaled Jacobian of the best
+  double least_ = 0, cost_ = 0;  // scaled Jacobian of the best, and its cost
   std::optional<Error> refusal_;
 };
 
@@ -205,7 +226,7 @@ DividedDrawing divided_drawing(const geometry::Brep& solid, const SweepFrame& fr
     try {
       const Profile profile = profile_of(drawing, as_divided);
       Quadrangulation quads = mirrored_quadrangulation(profile, mirrors, options);
-      const double cost = cost_of(quads, least_jacobian(profile, quads));
+      const double cost = cost_of(quads.quads.size(), least_jacobian(profile, quads));
       if (!best || cost < least) best = DividedDrawing{std::move(drawing), std::move(quads)}, least = cost;
     } catch (const Error& error) {
       if (error.code() == ErrorCode::internal) throw;

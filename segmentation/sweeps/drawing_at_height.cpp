@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "segmentation/sweeps/internal/layers.hpp"
 #include "segmentation/sweeps/internal/moving_drawing.hpp"
 
 namespace isopatch::segmentation {
@@ -59,6 +60,28 @@ Quadrangulation moved_to(const MovingDrawing& moving, const SweepFrame& frame, Q
   return quads;
 }
 
+Profile profile_of(const MovingDrawing& outlines, const SweepFrame& frame, const SweptDrawing& drawing,
+                   double height) {
+  Profile result = drawing.profile;
+  for (std::size_t v = 0; v < result.vertices.size(); ++v)
+    result.vertices[v] = frame.flat(outlines.place(static_cast<int>(v), height));
+  int first = 0;  // piece of the edge
+  for (ProfileEdge& edge : result.edges) {
+    const int pieces = pieces_of(edge);
+    const std::size_t last = edge.points.size() - 1;
+    for (std::size_t i = 0; i <= last; ++i) {
+      const double at = pieces * static_cast<double>(i) / static_cast<double>(last);
+      const int piece = std::min(static_cast<int>(at), pieces - 1);
+      edge.points[i] = outlines.outline_place(first + piece, at - piece, height);
+    }
+    first += pieces;
+    edge.points.front() =
+        edge.start < 0 ? edge.points.back() : result.vertices[static_cast<std::size_t>(edge.start)];
+    if (edge.start >= 0) edge.points.back() = result.vertices[static_cast<std::size_t>(edge.end)];
+  }
+  return result;
+}
+
 }  // namespace
 
 std::array<double, 2> range_of(const Tracks& tracks) {
@@ -78,23 +101,18 @@ std::array<double, 2> range_of(const Tracks& tracks) {
 
 Profile profile_at(const Brep& solid, const SweepFrame& frame, const SweptDrawing& drawing, double height) {
   const Quadrangulation outlines = outlines_of(drawing.profile);
+  return profile_of(MovingDrawing(solid, frame, drawing, outlines), frame, drawing, height);
+}
+
+ProfilesAtHeights profiles_at_heights(const Brep& solid, const SweepFrame& frame,
+                                      const SweptDrawing& drawing) {
+  const Quadrangulation outlines = outlines_of(drawing.profile);
   const MovingDrawing moving(solid, frame, drawing, outlines);
-  Profile result = drawing.profile;
-  for (std::size_t v = 0; v < result.vertices.size(); ++v)
-    result.vertices[v] = frame.flat(moving.place(static_cast<int>(v), height));
-  int first = 0;  // piece of the edge
-  for (ProfileEdge& edge : result.edges) {
-    const int pieces = pieces_of(edge);
-    const std::size_t last = edge.points.size() - 1;
-    for (std::size_t i = 0; i <= last; ++i) {
-      const double at = pieces * static_cast<double>(i) / static_cast<double>(last);
-      const int piece = std::min(static_cast<int>(at), pieces - 1);
-      edge.points[i] = moving.outline_place(first + piece, at - piece, height);
-    }
-    first += pieces;
-    edge.points.front() =
-        edge.start < 0 ? edge.points.back() : result.vertices[static_cast<std::size_t>(edge.start)];
-    if (edge.start >= 0) edge.points.back() = result.vertices[static_cast<std::size_t>(edge.end)];
+  ProfilesAtHeights result;
+  for (const double height : heights_of(drawing)) {
+    if (!result.heights.empty() && height - result.heights.back() < 1e-6 * solid.size()) continue;
+    result.heights.push_back(height);
+    result.profiles.push_back(profile_of(moving, frame, drawing, height));
   }
   return result;
 }
@@ -114,32 +132,31 @@ Quadrangulation as_drawn(const Brep& solid, const SweepFrame& frame, const Swept
   return result;
 }
 
-double least_over_heights(const Brep& solid, const SweepFrame& frame, const SweptDrawing& drawing,
-                          const Quadrangulation& quads) {
+StandingQuads standing_quads(const Brep& solid, const SweepFrame& frame, const SweptDrawing& drawing,
+                             const ProfilesAtHeights& there, const Quadrangulation& quads) {
   const MovingDrawing moving(solid, frame, drawing, quads);
-  const std::vector<double> heights = heights_of(drawing);
-  std::vector<double> upright(quads.vertices.size(), 1);  // cosines
-  for (int v = 0; v < static_cast<int>(upright.size()); ++v)
-    for (std::size_t h = 0; h + 1 < heights.size(); ++h) {
-      if (heights[h + 1] - heights[h] < 1e-6 * solid.size()) continue;  // one height up to round-off
-      const Eigen::Vector3d way = moving.place(v, heights[h + 1]) - moving.place(v, heights[h]);
-      upright[static_cast<std::size_t>(v)] =
-          std::min(upright[static_cast<std::size_t>(v)], way.dot(frame.along) / way.norm());
+  StandingQuads result{1, 0, std::vector<double>(quads.vertices.size(), 1)};
+  for (int v = 0; v < static_cast<int>(quads.vertices.size()); ++v)
+    for (std::size_t h = 0; h + 1 < there.heights.size(); ++h) {
+      const Eigen::Vector3d way = moving.place(v, there.heights[h + 1]) - moving.place(v, there.heights[h]);
+      double& upright = result.upright[static_cast<std::size_t>(v)];
+      upright = std::min(upright, way.dot(frame.along) / way.norm());
     }
-  double result = 1;
-  for (const double height : heights) {
-    const Profile profile = profile_at(solid, frame, drawing, height);
-    const Quadrangulation there = moved_to(moving, frame, quads, height);
+  for (std::size_t h = 0; h < there.heights.size(); ++h) {
+    const Quadrangulation moved = moved_to(moving, frame, quads, there.heights[h]);
     for (int q = 0; q < static_cast<int>(quads.quads.size()); ++q) {
       double steepest = 1;
       for (const geometry::EdgeUse& use : quads.quads[static_cast<std::size_t>(q)].sides) {
         const QuadEdge& edge = quads.edges[static_cast<std::size_t>(use.edge.value)];
         for (const int end : {edge.start, edge.end})
-          steepest = std::min(steepest, upright[static_cast<std::size_t>(end)]);
+          steepest = std::min(steepest, result.upright[static_cast<std::size_t>(end)]);
       }
-      result = std::min(result, steepest * shape_of(profile, there, q).jacobian);
+      result.least_jacobian =
+          std::min(result.least_jacobian, steepest * shape_of(there.profiles[h], moved, q).jacobian);
     }
   }
+  for (const auto& column : layers(quads, drawing.slabs, moving, {}, 1e-7 * solid.size()).columns)
+    result.hexahedra += static_cast<int>(column.size());
   return result;
 }
 

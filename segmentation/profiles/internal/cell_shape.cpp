@@ -69,11 +69,29 @@ double triangle_cost(const ShapeRules& rules, const std::array<const SideShape*,
 
 }  // namespace
 
-Vector2d SideShape::point(int sample) const {
-  if (!straight) return points[sample];
-  const double at = static_cast<double>(sample) / (samples - 1);
-  return (1 - at) * points.front() + at * points.back();
+namespace {
+
+/// The sum of the angles between neighbours, all taken positive.
+double turning_of(const std::array<Vector2d, SideShape::samples>& derivatives) {
+  double result = 0;
+  Vector2d turn(1,
+                0);  // by all since the last sum; angles add up where these are multiplied as complex numbers
+  for (std::size_t s = 1; s < derivatives.size(); ++s) {
+    const Vector2d &a = derivatives[s - 1], &b = derivatives[s];
+    const Vector2d next(a.dot(b), cross2(a, b));
+    const bool goes_on = turn.x() > 0 && next.x() > 0 && turn.y() * next.y() >= 0;  // within half a turn
+    if (!goes_on) {
+      result += std::abs(direction_of(turn));
+      turn = next;
+      continue;
+    }
+    turn = Vector2d(turn.x() * next.x() - turn.y() * next.y(), turn.x() * next.y() + turn.y() * next.x())
+               .normalized();
+  }
+  return result + std::abs(direction_of(turn));
 }
+
+}  // namespace
 
 SideShape side_shape(const std::vector<Curve>& curves, const std::vector<Node>& nodes, const Side& side) {
   SideShape result;
@@ -96,11 +114,9 @@ SideShape side_shape(const std::vector<Curve>& curves, const std::vector<Node>& 
     const double at = side.reversed ? side.high - share * span : side.low + share * span;
     if (s != 0 && s != last) result.points[s] = curve.at(at);
     result.derivatives[s] = (side.reversed ? -span : span) * curve.derivative(at);
-    if (s == 0) continue;
-    result.length += (result.points[s] - result.points[s - 1]).norm();
-    const Vector2d &a = result.derivatives[s - 1], &b = result.derivatives[s];
-    result.turning += std::abs(std::atan2(cross2(a, b), a.dot(b)));
+    if (s != 0) result.length += (result.points[s] - result.points[s - 1]).norm();
   }
+  result.turning = turning_of(result.derivatives);
   result.start_direction = direction_of(result.derivatives.front());
   result.end_direction = direction_of(result.derivatives.back());
   return result;
@@ -147,6 +163,10 @@ double corner_cost(const ShapeRules& rules, double angle) {
 
 namespace {
 
+/// Numbers at samples of a row, filled up so that they are dealt with side by side.
+constexpr int width = 8;
+using Row = std::array<double, width>;
+
 /// The transfinite map of four sides, at samples.
 class MapSamples {
  public:
@@ -154,58 +174,85 @@ class MapSamples {
     const SideShape &bottom = *sides[0], &right = *sides[1], &top = *sides[2], &left = *sides[3];
     const Vector2d a = bottom.points.front(), b = right.points.front(), c = top.points.front(),
                    d = left.points.front();
-    for (int i = 0; i <= last; ++i) {
-      const double share = static_cast<double>(i) / last;
+    for (int i = 0; i < width; ++i) {
+      const int at = std::min(i, last);
       // Parts of the derivative along u that are the same along a column or a row, and likewise along v.
-      low_u_[i] = bottom.derivative(i) - (b - a);
-      high_u_[i] = -top.derivative(last - i) - (c - d);
-      across_u_[i] = right.point(i) - left.point(last - i);
-      low_v_[i] = -left.derivative(last - i) - (d - a);
-      high_v_[i] = right.derivative(i) - (c - b);
-      across_v_[i] = top.point(last - i) - bottom.point(i);
-      share_[i] = share;
+      enter(low_u_, i, bottom.derivative(at) - (b - a));
+      enter(high_u_, i, -top.derivative(last - at) - (c - d));
+      enter(across_u_, i, right.point(at) - left.point(last - at));
+      enter(low_v_, i, -left.derivative(last - at) - (d - a));
+      enter(high_v_, i, right.derivative(at) - (c - b));
+      enter(across_v_, i, top.point(last - at) - bottom.point(at));
+      share_[static_cast<std::size_t>(i)] = static_cast<double>(at) / last;
     }
   }
   static constexpr int last = SideShape::samples - 1;
-  Vector2d along_u(int i, int j) const {
-    return (1 - share_[j]) * low_u_[i] + share_[j] * high_u_[i] + across_u_[j];
-  }
-  Vector2d along_v(int i, int j) const {
-    return (1 - share_[i]) * low_v_[j] + share_[i] * high_v_[j] + across_v_[i];
+
+  /// Of the points with one j: determinants of the derivatives and products of their squared lengths.
+  struct Values {
+    Row determinants, squares;
+  };
+  Values at_row(int number) const {
+    const auto j = static_cast<std::size_t>(number);
+    const double share = share_[j], rest = 1 - share;
+    Values result;
+    for (std::size_t i = 0; i < width; ++i) {
+      const double ux = rest * low_u_[0][i] + share * high_u_[0][i] + across_u_[0][j],
+                   uy = rest * low_u_[1][i] + share * high_u_[1][i] + across_u_[1][j],
+                   vx = (1 - share_[i]) * low_v_[0][j] + share_[i] * high_v_[0][j] + across_v_[0][i],
+                   vy = (1 - share_[i]) * low_v_[1][j] + share_[i] * high_v_[1][j] + across_v_[1][i];
+      result.determinants[i] = ux * vy - uy * vx;
+      result.squares[i] = (ux * ux + uy * uy) * (vx * vx + vy * vy);
+    }
+    return result;
   }
 
  private:
-  std::array<Vector2d, SideShape::samples> low_u_, high_u_, across_u_, low_v_, high_v_, across_v_;
-  std::array<double, SideShape::samples> share_;
+  using Rows = std::array<Row, 2>;  // x and y
+  static void enter(Rows& rows, int i, const Vector2d& value) {
+    rows[0][static_cast<std::size_t>(i)] = value.x();
+    rows[1][static_cast<std::size_t>(i)] = value.y();
+  }
+
+  Rows low_u_, high_u_, across_u_, low_v_, high_v_, across_v_;
+  Row share_;
+};
+
+/// Of all samples.
+struct Determinants {
+  double least = refused, sum = 0;
+  void enter(const Row& row) {
+    for (std::size_t i = 0; i < SideShape::samples; ++i) {
+      least = std::min(least, row[i]);
+      sum += row[i];
+    }
+  }
+  double least_over_mean() const { return least * SideShape::samples * SideShape::samples / sum; }
 };
 
 }  // namespace
 
 double least_jacobian(const std::array<const SideShape*, 4>& sides) {
   const MapSamples map(sides);
-  double least = refused, least_determinant = refused, sum = 0;
-  for (int i = 0; i <= MapSamples::last; ++i)
-    for (int j = 0; j <= MapSamples::last; ++j) {
-      const Vector2d u = map.along_u(i, j), v = map.along_v(i, j);
-      const double determinant = cross2(u, v), scale = u.norm() * v.norm();
-      sum += determinant;
-      least_determinant = std::min(least_determinant, determinant);
-      least = std::min(least, scale > 0 ? determinant / scale : -1.0);
-    }
+  double least = refused;
+  Determinants determinants;
+  for (int j = 0; j <= MapSamples::last; ++j) {
+    const MapSamples::Values values = map.at_row(j);
+    determinants.enter(values.determinants);
+    for (std::size_t i = 0; i < width; ++i)
+      least =
+          std::min(least, values.squares[i] > 0 ? values.determinants[i] / std::sqrt(values.squares[i]) : -1);
+  }
   constexpr int number = SideShape::samples * SideShape::samples;
-  return least_determinant < thinnest_at_all * sum / number ? std::min(least, -1e-3) : least;
+  const bool is_thin = determinants.least < thinnest_at_all * determinants.sum / number;
+  return is_thin ? std::min(least, -1e-3) : least;
 }
 
 double thinness(const std::array<const SideShape*, 4>& sides) {
   const MapSamples map(sides);
-  double least = refused, sum = 0;
-  for (int i = 0; i <= MapSamples::last; ++i)
-    for (int j = 0; j <= MapSamples::last; ++j) {
-      const double determinant = cross2(map.along_u(i, j), map.along_v(i, j));
-      sum += determinant;
-      least = std::min(least, determinant);
-    }
-  return least * SideShape::samples * SideShape::samples / sum;
+  Determinants determinants;
+  for (int j = 0; j <= MapSamples::last; ++j) determinants.enter(map.at_row(j).determinants);
+  return determinants.least_over_mean();
 }
 
 bool map_stands(const std::array<const SideShape*, 4>& sides, double smallest, double thinnest) {
@@ -213,17 +260,17 @@ bool map_stands(const std::array<const SideShape*, 4>& sides, double smallest, d
   if (std::all_of(sides.begin(), sides.end(), [](const SideShape* side) { return side->straight; }))
     return true;
   const MapSamples map(sides);
-  double least = refused, sum = 0;
-  for (int i = 0; i <= MapSamples::last; ++i)
-    for (int j = 0; j <= MapSamples::last; ++j) {
-      const Vector2d u = map.along_u(i, j), v = map.along_v(i, j);
-      const double determinant = cross2(u, v);
-      if (determinant * std::abs(determinant) < smallest * smallest * u.squaredNorm() * v.squaredNorm())
-        return false;
-      sum += determinant;
-      least = std::min(least, determinant);
-    }
-  return least >= thinnest * sum / (SideShape::samples * SideShape::samples);
+  Determinants determinants;
+  for (int j = 0; j <= MapSamples::last; ++j) {
+    const MapSamples::Values values = map.at_row(j);
+    bool stands = true;
+    for (std::size_t i = 0; i < width; ++i)
+      stands &= values.determinants[i] * std::abs(values.determinants[i]) >=
+                smallest * smallest * values.squares[i];
+    if (!stands) return false;
+    determinants.enter(values.determinants);
+  }
+  return determinants.least >= thinnest * determinants.sum / (SideShape::samples * SideShape::samples);
 }
 
 double cost_of(const ShapeRules& rules, const std::array<const SideShape*, 4>& sides, int count) {

@@ -26,7 +26,11 @@ struct SideShape {
   double slant = 0;    ///< of a chord: 0 along the drawing's axes and at 45 degrees to them, at most 1
   double length = 0;   ///< of the chord between its ends if straight
 
-  Eigen::Vector2d point(int sample) const;
+  Eigen::Vector2d point(int sample) const {
+    if (!straight) return points[sample];
+    const double at = static_cast<double>(sample) / (samples - 1);
+    return (1 - at) * points.front() + at * points.back();
+  }
   Eigen::Vector2d derivative(int sample) const {
     return straight ? Eigen::Vector2d(points.back() - points.front()) : derivatives[sample];
   }

@@ -28,6 +28,7 @@ class PolygonDivider {
         triangles_(triangles),
         count_(static_cast<int>(places_.size())),
         table_(static_cast<std::size_t>(2 * (count_ + 1) * (count_ + 1)), -1),
+        costs_(table_.size(), refused),
         from_(static_cast<std::size_t>(count_ + 1)),
         to_(static_cast<std::size_t>(count_ + 1)) {
     const auto fixed =
@@ -94,12 +95,14 @@ class PolygonDivider {
   struct Offer {
     int place;
     Way way;
-    int link;  ///< its number
+    int link;     ///< its number
+    double cost;  ///< the link's
   };
 
-  int& table(int i, int j, Way way) {
-    return table_[static_cast<std::size_t>(2 * (i * (count_ + 1) + j) + way)];
+  std::size_t place_in_table(int i, int j, Way way) const {
+    return static_cast<std::size_t>(2 * (i * (count_ + 1) + j) + way);
   }
+  int& table(int i, int j, Way way) { return table_[place_in_table(i, j, way)]; }
   Link& link(int i, int j, Way way) { return links_[static_cast<std::size_t>(table(i, j, way))]; }
   void enter(int i, int j, Way way, const Link& made) {
     table(i, j, way) = static_cast<int>(links_.size());
@@ -112,8 +115,11 @@ class PolygonDivider {
       };
       offers.insert(std::upper_bound(offers.begin(), offers.end(), made, later), made);
     };
-    insert(from_[static_cast<std::size_t>(i)], {j, way, table(i, j, way)});
-    insert(to_[static_cast<std::size_t>(j)], {i, way, table(i, j, way)});
+    const int number = table(i, j, way);
+    const double cost = links_[static_cast<std::size_t>(number)].cost;
+    insert(from_[static_cast<std::size_t>(i)], {j, way, number, cost});
+    insert(to_[static_cast<std::size_t>(j)], {i, way, number, cost});
+    costs_[place_in_table(i, j, way)] = cost;
   }
 
   /// Every place that is not optional is a corner of cells; n corners take n / 2 - 1 quadrilaterals.
@@ -216,9 +222,9 @@ class PolygonDivider {
     const double at_i = closing.start;
     for (const Offer& one : from_[static_cast<std::size_t>(i)]) {
       if (one.place >= j) break;
-      const Link& first = links_[static_cast<std::size_t>(one.link)];
       const double rest = std::max(0.0, least_between(one.place, j) - 0.5);
-      if (!(first.cost + rest + 1 < best)) continue;
+      if (!(one.cost + rest + 1 < best)) continue;
+      const Link& first = links_[static_cast<std::size_t>(one.link)];
       const double angle_i = between(first.start, at_i);
       if (triangles_) try_triangles(i, one.place, j, one.way, first, angle_i, best, choice, root);
       const double so_far = first.cost + corner_cost(rules_, angle_i) + 1;
@@ -232,17 +238,18 @@ class PolygonDivider {
   void try_quads(int i, int k, int j, Way ik, const Link& first, const Link& closing, double so_far,
                  double& best, Choice& choice, int root) {
     const double back_k = opposite(first.end), from_j = opposite(closing.end);
-    for (const Offer& one : to_[static_cast<std::size_t>(j)]) {
+    const std::vector<Offer>& thirds = to_[static_cast<std::size_t>(j)];
+    const auto beyond_k =
+        std::partition_point(thirds.begin(), thirds.end(), [&](const Offer& one) { return one.place <= k; });
+    for (auto offer = beyond_k; offer != thirds.end(); ++offer) {
+      const Offer& one = *offer;
       const int l = one.place;
-      if (l <= k) continue;
+      if (!(so_far + one.cost + least_between(k, l) < best)) continue;
       const Link& third = links_[static_cast<std::size_t>(one.link)];
-      if (!(so_far + third.cost + least_between(k, l) < best)) continue;
       double with_j = refused;
       for (const Way kl : {along, across}) {
-        const int number = table(k, l, kl);
-        if (number < 0) continue;
-        const Link& second = links_[static_cast<std::size_t>(number)];
-        if (!(so_far + third.cost + second.cost < best)) continue;
+        if (!(so_far + one.cost + costs_[place_in_table(k, l, kl)] < best)) continue;
+        const Link& second = links_[static_cast<std::size_t>(table(k, l, kl))];
         // At j the cell's side leaves against the link.
         if (with_j == refused)
           with_j = so_far + third.cost + corner_cost(rules_, between(from_j, opposite(third.end)));
@@ -339,7 +346,8 @@ class PolygonDivider {
   bool triangles_;
   int count_;
   double smallest_ = 0;
-  std::vector<int> table_;  // numbers of links by ends and way, -1 where there is none
+  std::vector<int> table_;     // numbers of links by ends and way, -1 where there is none
+  std::vector<double> costs_;  // likewise, of those that cells may have as a side
   std::vector<Link> links_;
   std::vector<std::vector<Offer>> from_, to_;  // by place, in order of the other end
   std::vector<double> least_before_;

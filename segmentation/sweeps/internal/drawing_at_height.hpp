@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "segmentation/profiles/quadrangulation.hpp"
 #include "segmentation/sweeps/internal/swept_drawing.hpp"
@@ -15,15 +16,30 @@ std::array<double, 2> range_of(const Tracks& tracks);
 Profile profile_at(const geometry::Brep& solid, const SweepFrame& frame, const SweptDrawing& drawing,
                    double height);
 
+/// The profile where walls begin and end, at floors and half-way up.
+struct ProfilesAtHeights {
+  std::vector<double> heights;  ///< ascending, m
+  std::vector<Profile> profiles;
+};
+ProfilesAtHeights profiles_at_heights(const geometry::Brep& solid, const SweepFrame& frame,
+                                      const SweptDrawing& drawing);
+
 /// Quadrilaterals of the profile at a height as those of the drawing: vertices inside are moved to where they
 /// are drawn.
 Quadrangulation as_drawn(const geometry::Brep& solid, const SweepFrame& frame, const SweptDrawing& drawing,
                          Quadrangulation at_height, double height);
 
-/// The least scaled Jacobian of the hexahedra that stand on a divided drawing, about: of its quadrilaterals
-/// where walls begin and end, at floors and half-way up, each with the steepest way up beside it.
-/// @cost  some milliseconds for 100 quadrilaterals
-double least_over_heights(const geometry::Brep& solid, const SweepFrame& frame, const SweptDrawing& drawing,
-                          const Quadrangulation& quads);
+/// What stands on a divided drawing.
+struct StandingQuads {
+  double least_jacobian = 1;  ///< scaled, about: of the quadrilaterals at these heights, each times the
+                              ///< cosine of the steepest way up beside it
+  int hexahedra = 0;
+  std::vector<double> upright;  ///< by vertex: the least cosine of its way up
+};
+
+/// @cost  some milliseconds for 100 quadrilaterals, and projections onto edges that move
+StandingQuads standing_quads(const geometry::Brep& solid, const SweepFrame& frame,
+                             const SweptDrawing& drawing, const ProfilesAtHeights& there,
+                             const Quadrangulation& quads);
 
 }  // namespace isopatch::segmentation

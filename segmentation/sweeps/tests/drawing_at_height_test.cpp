@@ -30,6 +30,11 @@ struct Pocket {
   std::array<double, 2> range = range_of(drawing.tracks);
 };
 
+double least_over_heights(const Pocket& pocket, const SweptDrawing& drawing, const Quadrangulation& quads) {
+  const ProfilesAtHeights there = profiles_at_heights(pocket.solid, pocket.frame, drawing);
+  return standing_quads(pocket.solid, pocket.frame, drawing, there, quads).least_jacobian;
+}
+
 double to_nearest(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector2d& to) {
   double result = (points.front() - to).norm();
   for (const Eigen::Vector2d& point : points)
@@ -63,19 +68,40 @@ TEST(DrawingAtHeight, QuadrilateralsFromHalfWayUpAreGoodAtAllHeights) {
       as_drawn(pocket.solid, pocket.frame, pocket.drawing, quadrangulate(there), half_way);
   for (std::size_t v = 0; v < pocket.drawing.profile.vertices.size(); ++v)
     EXPECT_EQ(quads.vertices[v], pocket.drawing.profile.vertices[v]);
-  EXPECT_GT(least_over_heights(pocket.solid, pocket.frame, pocket.drawing, quads), 0.4);
+  EXPECT_GT(least_over_heights(pocket, pocket.drawing, quads), 0.4);
 }
 
 TEST(DrawingAtHeight, QuadrilateralsThatFoldHigherUpAreSeen) {
   const Pocket pocket;
   Quadrangulation quads = quadrangulate(pocket.drawing.profile);
-  const double sound = least_over_heights(pocket.solid, pocket.frame, pocket.drawing, quads);
+  const double sound = least_over_heights(pocket, pocket.drawing, quads);
   // A track that leads across the drawing at the top alone.
   SweptDrawing folded = pocket.drawing;
   ASSERT_FALSE(folded.tracks.vertices.empty());
   folded.tracks.vertices.front().at.back().second += Eigen::Vector2d(1, 1) * pocket.solid.size();
   EXPECT_GT(sound, 0.2);
-  EXPECT_LT(least_over_heights(pocket.solid, pocket.frame, folded, quads), 0);
+  EXPECT_LT(least_over_heights(pocket, folded, quads), 0);
+}
+
+// A block of two levels with a pocket: the pocket's floor has one hexahedron below it, all around it two.
+TEST(DrawingAtHeight, HexahedraAreCountedByTheirColumns) {
+  const Pocket pocket;
+  const Quadrangulation quads = quadrangulate(pocket.drawing.profile);
+  const ProfilesAtHeights there = profiles_at_heights(pocket.solid, pocket.frame, pocket.drawing);
+  EXPECT_TRUE(std::is_sorted(there.heights.begin(), there.heights.end()));
+  int expected = 0;
+  for (const Quad& quad : quads.quads) {
+    const std::vector<Slab>& slabs = pocket.drawing.slabs[static_cast<std::size_t>(quad.region)];
+    ASSERT_EQ(slabs.size(), 1U);
+    const bool is_floor = slabs.front().high < pocket.range[1] - 1e-9;
+    expected += is_floor ? 1 : 2;
+  }
+  const StandingQuads stands = standing_quads(pocket.solid, pocket.frame, pocket.drawing, there, quads);
+  EXPECT_EQ(stands.hexahedra, expected);
+  // Drafted walls lean, and nothing is more than upright.
+  const auto leans = [](double cosine) { return cosine < 0.999; };
+  EXPECT_TRUE(std::any_of(stands.upright.begin(), stands.upright.end(), leans));
+  for (const double cosine : stands.upright) EXPECT_LE(cosine, 1 + 1e-12);
 }
 
 }  // namespace
