@@ -9,7 +9,8 @@
 namespace isopatch::app {
 
 /// The discretization of a study, with the patches that it names.
-/// @throws Error invalid_argument  patches that do not exist, with their place
+/// @throws Error invalid_argument  patches that do not exist, or a part that none reaches into, with their
+/// place
 iga::DiscretizationOptions discretization_of(const Study& study, const geometry::MultiPatch& model);
 
 /// One warning for each key of a [[discretization.patch]] that asks for less than [discretization] gives all

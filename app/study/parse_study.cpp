@@ -46,9 +46,14 @@ void read_options(const StudyKeys& top, Study& study) {
                                                     "[discretization]", discretization_keys());
   study.discretization = space.options;
   for (const ConfigSection& input : sections(space.patch, "discretization.patch")) {
-    const auto own = read_table<PatchDiscretizationKeys>(input.table, input.place, "[[discretization.patch]]",
-                                                         patch_discretization_keys());
-    study.patch_discretizations.push_back({own.patches, own.refinement, input.place});
+    auto own = read_table<PatchDiscretizationKeys>(input.table, input.place, "[[discretization.patch]]",
+                                                   patch_discretization_keys());
+    if (!own.patches && !own.reach.part)
+      throw error_at(input.place,
+                     "[[discretization.patch]] needs `patches`, or `part` for all that reach into a place");
+    own.reach.place = input.place;
+    study.patch_discretizations.push_back({own.patches.value_or(PatchSelection{.place = input.place}),
+                                           std::move(own.reach), own.refinement, input.place});
   }
   const ConfigSection coupling = section(top.coupling, "coupling", study.source);
   const auto coupled =

@@ -161,6 +161,13 @@ const Keys<FaceConditions>& part_keys() {
   return keys;
 }
 
+FaceConditions read_part(const ConfigValue& value) {
+  const ConfigTable& table = read_subtable(value, "part");
+  if (table.entries.empty())
+    throw error_at(value.place, "part is empty: give it a plane, cylinder, sphere or box");
+  return read_table<FaceConditions>(table, value.place, "part", part_keys());
+}
+
 const Keys<FaceConditions>& edges_keys() {
   static const Keys<FaceConditions> keys = [] {
     Keys<FaceConditions> result = place_keys("Edges");

@@ -48,18 +48,15 @@ Key<S> where_key(Of selection_of) {
       });
 }
 
+/// A table with at least one of a plane, cylinder, sphere and box.
+FaceConditions read_part(const ConfigValue& value);
+
 template <class S, class Of>
 Key<S> part_key(Of selection_of) {
   return custom_key<S>(
       "part", "table, see below",
       "Only what lies in here of the faces; without `faces` and `where`, of all faces of the part.",
-      [=](S& target, const ConfigValue& value) {
-        const ConfigTable& table = read_subtable(value, "part");
-        if (table.entries.empty())
-          throw error_at(value.place, "part is empty: give it a plane, cylinder, sphere or box");
-        selection_of(target, value).part =
-            read_table<FaceConditions>(table, value.place, "part", part_keys());
-      });
+      [=](S& target, const ConfigValue& value) { selection_of(target, value).part = read_part(value); });
 }
 
 /// Places, at least one.

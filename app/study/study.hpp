@@ -32,6 +32,7 @@ struct MaterialInput {
 /// What some patches have beyond [discretization]: [[discretization.patch]].
 struct PatchDiscretizationInput {
   PatchSelection patches;
+  FaceSelection reach;              ///< only its `part`: those of the patches that reach into it
   iga::PatchRefinement refinement;  ///< of no patch yet; max_size in m
   Place place;
   bool operator==(const PatchDiscretizationInput&) const = default;

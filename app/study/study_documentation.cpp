@@ -155,7 +155,7 @@ std::vector<SectionText> study_sections() {
        "hold "
        "at every point of an edge.",
        texts(edges_keys())},
-      {"part", "part = { ... } of supports and loads",
+      {"part", "part = { ... } of supports, loads and patches",
        "A part of faces, bounded by what need not be an edge of a patch. Loads and springs are integrated up "
        "to "
        "its rim. What is held there are the functions of the solution that are largest there, so the rim is "

@@ -128,7 +128,10 @@ const Keys<PatchDiscretizationKeys>& patch_discretization_keys() {
       custom_key<P>("patches", "patches, as in [[material]]",
                     "Which ones: indices, ranges or names of bodies.",
                     [](P& target, const ConfigValue& value) { target.patches = read_patch_selection(value); })
-          .required(),
+          .with_default("all, with `part`"),
+      custom_key<P>("part", "table, as in [[load]]",
+                    "Only patches that reach into this plane's side, cylinder, sphere or box.",
+                    [](P& target, const ConfigValue& value) { target.reach.part = read_part(value); }),
       per_direction_key("degree", options, &Options::degree, 1, 10, "that of [discretization]",
                         "Degree of the splines, if it is higher than that of [discretization]."),
       option_key("refine", options, &Options::refine, 0, 10, "0",

@@ -24,7 +24,8 @@ struct ProbeKeys {
 
 /// One table of [[discretization.patch]].
 struct PatchDiscretizationKeys {
-  PatchSelection patches;
+  std::optional<PatchSelection> patches;
+  FaceSelection reach;  ///< only its `part`
   iga::PatchRefinement refinement;
 };
 

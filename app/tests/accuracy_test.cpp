@@ -239,6 +239,15 @@ TEST_F(Accuracy, OfPatchesOfTheirOwn) {
   EXPECT_LT(std::abs(difference), 0.01);
   ASSERT_EQ(run({"report", (results() / "results.h5").string()}), 0) << err_;
   ASSERT_EQ(run({"info", (results() / "results.h5").string()}), 0) << err_;
+  // The same patch by a place in it, and a place where there is none.
+  const auto by_part = [](const std::string& centre) {
+    return bracket + "[[discretization.patch]]\npart = { sphere = { centre = " + centre +
+           ", radius = 0.1 } }\nrefine = 1\n";
+  };
+  ASSERT_EQ(run_text(by_part("[1.5, 0.5, 0.5]"), {"--set", "coupling.non_matching=nitsche"}), 0) << err_;
+  EXPECT_EQ(summary()["discretization"]["dofs"], coupled["discretization"]["dofs"]);
+  EXPECT_EQ(run_text(by_part("[9, 9, 9]")), 2);
+  EXPECT_THAT(err_, HasSubstr("no patch reaches into the part of [[discretization.patch]]"));
   // Refined where it is needed, patch by patch.
   ASSERT_EQ(run_text(bracket, {"--set", "coupling.non_matching=nitsche", "--set", "accuracy.energy='6 %'"}),
             0)

@@ -387,6 +387,7 @@ std::vector<ShownSection> sections_of_the_problem() {
       {"discretization.patch",
        "[[discretization.patch]]\n",
        {{"patches", "patches = [3]", "patches of their own 3-3"},
+        {"part", "part = { sphere = { radius = 2 } }", "own part sphere radius 2"},
         {"degree", "degree = [3, 4, 5]", "own degree [3, 4, 5]", "patches = [0]\n"},
         {"refine", "refine = 2", "own refine 2", "patches = [0]\n"},
         {"elements_per_direction", "elements_per_direction = 4", "own elements [4, 4, 4]", "patches = [0]\n"},

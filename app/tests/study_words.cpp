@@ -270,8 +270,9 @@ std::string words_of(const Study& study) {
   for (const PatchDiscretizationInput& input : study.patch_discretizations) {
     const iga::PatchRefinement& own = input.refinement;
     text += fmt::format(
-        "patches of their own{}\nown degree {}\nown refine {}\nown elements {}\nown size {:g}\n",
-        words_of(input.patches), own.degree, own.refine, own.elements_per_direction, own.max_size);
+        "patches of their own{}\n{}own degree {}\nown refine {}\nown elements {}\nown size {:g}\n",
+        words_of(input.patches), input.reach.part ? words_of(*input.reach.part, "own part") : "", own.degree,
+        own.refine, own.elements_per_direction, own.max_size);
   }
   for (const MaterialInput& input : study.materials) text += words_of(input);
   for (const SupportInput& input : study.supports) text += words_of(input);
