@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <ranges>
 
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/atomic_writer.hpp"
@@ -65,7 +66,7 @@ bool is_field_file(std::string_view name) {
 /// Removes those that are empty.
 void remove_directories(const std::vector<fs::path>& made) {
   std::error_code ignored;
-  for (auto path = made.rbegin(); path != made.rend(); ++path) fs::remove(*path, ignored);
+  for (const fs::path& path : std::ranges::reverse_view(made)) fs::remove(path, ignored);
 }
 
 /// Makes a directory and tries to write a file there.

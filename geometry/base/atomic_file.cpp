@@ -12,6 +12,7 @@
 #include <cstring>
 #include <fstream>
 #include <mutex>
+#include <ranges>
 #include <sstream>
 #include <string>
 
@@ -183,8 +184,8 @@ GatheringFolder::~GatheringFolder() {
 MadeFolders::MadeFolders(const std::vector<std::filesystem::path>& folders) {
   made_size = 0;
   std::size_t size = 0;
-  for (auto folder = folders.rbegin(); folder != folders.rend(); ++folder) {
-    const std::string path = folder->string();
+  for (const std::filesystem::path& folder : std::ranges::reverse_view(folders)) {
+    const std::string path = folder.string();
     if (size + path.size() + 1 > sizeof(made)) break;
     std::memcpy(made + size, path.c_str(), path.size() + 1);
     size += path.size() + 1;
