@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <ranges>
 
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/atomic_writer.hpp"
@@ -66,7 +65,7 @@ bool is_field_file(std::string_view name) {
 /// Removes those that are empty.
 void remove_directories(const std::vector<fs::path>& made) {
   std::error_code ignored;
-  for (const fs::path& path : std::ranges::reverse_view(made)) fs::remove(path, ignored);
+  for (std::size_t i = made.size(); i > 0; --i) fs::remove(made[i - 1], ignored);
 }
 
 /// Makes a directory and tries to write a file there.

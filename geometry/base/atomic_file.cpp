@@ -12,7 +12,6 @@
 #include <cstring>
 #include <fstream>
 #include <mutex>
-#include <ranges>
 #include <sstream>
 #include <string>
 
@@ -184,8 +183,8 @@ GatheringFolder::~GatheringFolder() {
 MadeFolders::MadeFolders(const std::vector<std::filesystem::path>& folders) {
   made_size = 0;
   std::size_t size = 0;
-  for (const std::filesystem::path& folder : std::ranges::reverse_view(folders)) {
-    const std::string path = folder.string();
+  for (std::size_t i = folders.size(); i > 0; --i) {
+    const std::string path = folders[i - 1].string();
     if (size + path.size() + 1 > sizeof(made)) break;
     std::memcpy(made + size, path.c_str(), path.size() + 1);
     size += path.size() + 1;
