@@ -14,7 +14,8 @@ namespace isopatch::solvers {
 /// systems that are spread over processes, go through `ScaledSystem::residual`.
 ///
 /// @param systems  of one matrix, one for each column
-/// @cost   one pass over the stored blocks for eight columns, some 16 operations an entry and column; a quarter for one or two
+/// @cost   one pass over the stored blocks for eight columns, some 16 operations an entry and column; a
+/// quarter for one or two
 /// @source Ogita, Rump, Oishi, Accurate sum and dot product, SIAM J. Sci. Comput. 26 (2005), algorithm 5.3
 Eigen::MatrixXd residuals(const std::vector<const ScaledSystem*>& systems, const Eigen::MatrixXd& z);
 

@@ -65,7 +65,7 @@ bool is_field_file(std::string_view name) {
 /// Removes those that are empty.
 void remove_directories(const std::vector<fs::path>& made) {
   std::error_code ignored;
-  for (auto path = made.rbegin(); path != made.rend(); ++path) fs::remove(*path, ignored);
+  for (std::size_t i = made.size(); i > 0; --i) fs::remove(made[i - 1], ignored);
 }
 
 /// Makes a directory and tries to write a file there.
@@ -94,7 +94,7 @@ void check_writable(const fs::path& directory) {
 }
 
 OutputFolder::OutputFolder(fs::path directory)
-    : directory_(std::move(directory)), made_(made_writable(directory_)) {
+    : directory_(std::move(directory)), made_(made_writable(directory_)), removed_on_interrupt_(made_) {
   // The directory itself is the lock: it ends with the process, however that ends, and leaves no file. File
   // systems that know no locks let everybody in.
   descriptor_ = ::open(directory_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/base/made_folders.hpp"
 #include "geometry/io/byte_sink.hpp"
 
 namespace isopatch::app {
@@ -19,13 +20,15 @@ class OutputFolder {
   /// Makes it with its parents and takes it.
   /// @throws Error io  naming the directory: it cannot be written, or another run writes to it
   explicit OutputFolder(std::filesystem::path directory);
-  /// Gives it free. Folders that were made for it go again if nothing came into them.
+  /// Gives it free. Folders that were made for it go again if nothing came into them; so they do where the
+  /// program is interrupted.
   ~OutputFolder();
   OutputFolder(OutputFolder&&) = delete;
 
  private:
   std::filesystem::path directory_;
   std::vector<std::filesystem::path> made_;  ///< the outermost first
+  MadeFolders removed_on_interrupt_;
   int descriptor_ = -1;
 };
 

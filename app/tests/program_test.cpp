@@ -12,6 +12,7 @@ TEST_F(Program, InterruptedLeavesNoFile) {
       ISOPATCH_PROGRAM, study(), (folder_ / "log").string());
   EXPECT_EQ(shell(command), 130);
   EXPECT_THAT(files_below(folder_), testing::UnorderedElementsAre("study.toml", "log"));
+  EXPECT_FALSE(std::filesystem::exists(results()));
 }
 
 TEST_F(Program, AFullDiskIsAnErrorAndLeavesNoPartOfAFile) {

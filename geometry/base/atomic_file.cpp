@@ -18,6 +18,7 @@
 #include "geometry/base/atomic_writer.hpp"
 #include "geometry/base/error.hpp"
 #include "geometry/base/gathering_folder.hpp"
+#include "geometry/base/made_folders.hpp"
 #include "geometry/base/unfinished_file.hpp"
 
 namespace isopatch {
@@ -32,6 +33,10 @@ std::atomic<bool> has_unfinished{false};
 // The folder in which whole files gather, and whether there is one; as above.
 char gathering[4096];
 std::atomic<bool> has_gathering{false};
+
+// Folders that were made, the innermost first, each name with a 0 behind it, and the characters of all.
+char made[8192];
+std::atomic<std::size_t> made_size{0};
 
 void say(const char* text) {
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text, std::strlen(text));
@@ -48,6 +53,7 @@ void remove_and_exit(int signal) {
   } else {
     say("\ninterrupted: nothing half-written was left behind\n");
   }
+  for (std::size_t at = 0; at < made_size; at += std::strlen(made + at) + 1) ::rmdir(made + at);
   ::_exit(128 + signal);
 }
 
@@ -172,6 +178,22 @@ GatheringFolder::GatheringFolder(const std::filesystem::path& folder) {
 
 GatheringFolder::~GatheringFolder() {
   has_gathering = false;
+}
+
+MadeFolders::MadeFolders(const std::vector<std::filesystem::path>& folders) {
+  made_size = 0;
+  std::size_t size = 0;
+  for (std::size_t i = folders.size(); i > 0; --i) {
+    const std::string path = folders[i - 1].string();
+    if (size + path.size() + 1 > sizeof(made)) break;
+    std::memcpy(made + size, path.c_str(), path.size() + 1);
+    size += path.size() + 1;
+  }
+  made_size = size;
+}
+
+MadeFolders::~MadeFolders() {
+  made_size = 0;
 }
 
 struct AtomicWriter::State {

@@ -93,17 +93,9 @@ class ErrorsOnElements {
     double energy = 0, squares = 0;
     for (std::size_t q = 0; q < scratch.maps.size(); ++q) {
       const PointMap& map = scratch.maps[q];
-      const FieldLanes<4> value = map.denominator * scratch.error.at[0][q];
-      FieldLanes<4> x = FieldLanes<4>::Zero(), y = x, z = x;  // of the gradient, the derivatives along each
-      for (std::size_t i = 0; i < 3; ++i) {
-        const FieldLanes<4>& of_numerator = scratch.error.at[i + 1][q];
-        const FieldLanes<4> along = map.denominator * (of_numerator - of_numerator[3] * value);
-        const auto row = static_cast<Eigen::Index>(i);
-        x += map.inverse(row, 0) * along;
-        y += map.inverse(row, 1) * along;
-        z += map.inverse(row, 2) * along;
-        scratch.derivatives[i][q] = along;
-      }
+      const auto [along, gradient] = point_derivatives(scratch.error, q, map.inverse, map.denominator);
+      const auto& [x, y, z] = gradient;
+      for (std::size_t i = 0; i < 3; ++i) scratch.derivatives[i][q] = along[i];
       const double xy = x[1] + y[0], yz = y[2] + z[1], zx = z[0] + x[2];
       const double shear = xy * xy + yz * yz + zx * zx, trace = x[0] + y[1] + z[2];
       const double a = x[0] - y[1], b = y[1] - z[2], c = z[2] - x[0];

@@ -1,6 +1,8 @@
 #include "iga/post/internal_forces.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 #include "iga/material/internal/point_fields.hpp"
@@ -130,24 +132,45 @@ class PatchForces {
     });
   }
 
-  // Stress, energy, and what the functions N = w B / W and their gradients are multiplied by: with the stress
-  // on the unit cube T, sum over k of T_k dN/dk = w (sum over k of T_k / W dB/dk - B sum over k of T_k / W
-  // W_k / W).
+  // What the functions N = w B / W and their gradients are multiplied by: with the stress on the unit cube T,
+  // sum over k of T_k dN/dk = w (sum over k of T_k / W dB/dk - B sum over k of T_k / W W_k / W).
+  static void put_on_cube(const Eigen::Matrix3d& sigma, const PointGeometry& geometry, std::size_t q,
+                          TensorBuffers<4>& test) {
+    const std::array<FieldLanes<4>, 3> columns = {FieldLanes<4>(sigma(0, 0), sigma(1, 0), sigma(2, 0), 0),
+                                                  FieldLanes<4>(sigma(0, 1), sigma(1, 1), sigma(2, 1), 0),
+                                                  FieldLanes<4>(sigma(0, 2), sigma(1, 2), sigma(2, 2), 0)};
+    const double factor = geometry.measure * geometry.denominator;
+    FieldLanes<4> of_values = FieldLanes<4>::Zero();
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      FieldLanes<4>& on_cube = test.at[static_cast<std::size_t>(k + 1)][q];
+      on_cube = factor * (geometry.inverse(k, 0) * columns[0] + geometry.inverse(k, 1) * columns[1] +
+                          geometry.inverse(k, 2) * columns[2]);
+      of_values -= geometry.rate[k] * on_cube;
+    }
+    test.at[0][q] = of_values;
+  }
+
+  // Stress, energy, forces and largest values.
   void at_point(std::int64_t element, Eigen::Index point, std::size_t which, Scratch& scratch,
                 ElementForces& out) const {
     const auto q = static_cast<std::size_t>(point);
     const PointGeometry& geometry = scratch.points[q];
-    const Eigen::Matrix3d gradient = rational_point(scratch.displacement, q).derivatives * geometry.inverse;
+    const auto [x, y, z] =
+        point_derivatives(scratch.displacement, q, geometry.inverse, geometry.denominator).gradient;
     const double thermal = thermal_[which].at(geometry.place);
-    const Eigen::Matrix3d sigma = stress_of_gradient(gradient, material_, thermal);
+    const double xy = 0.5 * (x[1] + y[0]), yz = 0.5 * (y[2] + z[1]), zx = 0.5 * (z[0] + x[2]);
+    const double twice = 2 * material_.mu, trace = x[0] + y[1] + z[2];
+    const double pressure = material_.lambda * trace - (3 * material_.lambda + twice) * thermal;
+    Eigen::Matrix3d sigma;
+    sigma << twice * x[0] + pressure, twice * xy, twice * zx,  //
+        twice * xy, twice * y[1] + pressure, twice * yz,       //
+        twice * zx, twice * yz, twice * z[2] + pressure;
+    const double shear = 2 * (xy * xy + yz * yz + zx * zx);
+    const double squares = x[0] * x[0] + y[1] * y[1] + z[2] * z[2] + shear;  // of the strain
     const double thermal_work = -0.5 * geometry.measure * sigma.trace() * thermal;
-    out.energy += 0.5 * geometry.measure * sigma.cwiseProduct(gradient).sum() + thermal_work;
+    out.energy += 0.5 * geometry.measure * (twice * squares + pressure * trace) + thermal_work;
     out.thermal_work += thermal_work;
-    const Eigen::Matrix3d on_cube =
-        (geometry.measure * geometry.denominator) * sigma * geometry.inverse.transpose();
-    scratch.test.at[0][q] << (-on_cube * geometry.rate).array(), 0.0;
-    for (int k = 0; k < 3; ++k)
-      scratch.test.at[static_cast<std::size_t>(k + 1)][q] << on_cube.col(k).array(), 0.0;
+    put_on_cube(sigma, geometry, q, scratch.test);
     scratch.stresses.col(point) << sigma(0, 0), sigma(1, 1), sigma(2, 2), sigma(0, 1), sigma(1, 2),
         sigma(2, 0);
     if (geometry.state != MapState::sound) {
@@ -164,7 +187,7 @@ class PatchForces {
           return {0, geometry.place, index_, tensors_.parameter(element, point)};
         },
         scratch.seen[which], out.peaks);
-    out.strain.take((0.5 * (gradient + gradient.transpose())).norm(), point, geometry.place);
+    out.strain.take(std::sqrt(squares), point, geometry.place);
   }
 
   const Discretization& d_;

@@ -45,7 +45,10 @@ class LoadCases(unittest.TestCase):
     def test_cases_stand_in_place_of_the_loads(self):
         text = load_cases.study_text((SCRIPTS.parent / "examples" / "link" / "study.toml").read_text(encoding="utf-8"), 10)
         self.assertEqual(text.count("[[load]]"), 10)
-        self.assertEqual(len(set(re.findall(r'case = "(.*)"', text))), 10)
+        names = set(re.findall(r'case = "(.*)"', text))
+        self.assertEqual(len(names), 10)
+        for name in names:
+            self.assertRegex(name, r"^[A-Za-z0-9_-]+$")  # folders are named so
         self.assertNotIn("10 kN", text)
         self.assertIn("[[probe]]", text)
 

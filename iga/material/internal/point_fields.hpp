@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
+#include <array>
 #include <cstddef>
 
 #include "iga/internal/tensor_contraction.hpp"
@@ -27,6 +28,30 @@ RationalPoint rational_point(const TensorBuffers<C>& buffers, std::size_t point,
   for (const auto* d : {&du, &dv, &dw})
     result.derivatives.col(column++) =
         inverse * ((*d)[point].template segment<3>(first).matrix() - (*d)[point][3] * result.value);
+  return result;
+}
+
+/// Derivatives of a displacement at a point, columns with a 0 behind each.
+struct PointDerivatives {
+  std::array<FieldLanes<4>, 3> along;     ///< of the parameters, one per direction
+  std::array<FieldLanes<4>, 3> gradient;  ///< along x, y and z
+};
+
+/// Of a displacement's numerators and the weight.
+/// @param inverse      of the derivatives of the map
+/// @param denominator  one over the weight
+inline PointDerivatives point_derivatives(const TensorBuffers<4>& buffers, std::size_t point,
+                                          const Eigen::Matrix3d& inverse, double denominator) {
+  const FieldLanes<4> value = denominator * buffers.at[0][point];
+  PointDerivatives result;
+  result.gradient.fill(FieldLanes<4>::Zero());
+  for (std::size_t k = 0; k < 3; ++k) {
+    const FieldLanes<4>& of_numerator = buffers.at[k + 1][point];
+    result.along[k] = denominator * (of_numerator - of_numerator[3] * value);
+    for (std::size_t i = 0; i < 3; ++i)
+      result.gradient[i] +=
+          inverse(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i)) * result.along[k];
+  }
   return result;
 }
 
