@@ -25,8 +25,10 @@ std::string described_with_kind(const geometry::BrepFile& solid, FaceId id) {
 
 /// What the whole solid has; a cube has 8, 12 and 6.
 std::string counted(const Brep& brep) {
-  return fmt::format("The solid has {} vertices, {} edges and {} faces; a hexahedron has 8, 12 and 6",
-                     brep.vertices().cols(), brep.edges().size(), brep.faces().size());
+  return fmt::format(
+      "The solid has {} vertices, {} edges and {} faces; a hexahedron has 8, 12 and 6. isopatch segment cuts "
+      "solids into such, and so does a study with [model] file in place of blocks",
+      brep.vertices().cols(), brep.edges().size(), brep.faces().size());
 }
 
 std::string millimetres(const Eigen::Vector3d& point) {
