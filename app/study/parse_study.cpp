@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+#include <variant>
+
 #include "app/study/accuracy_keys.hpp"
 #include "app/study/case_keys.hpp"
 #include "app/study/config_section.hpp"
@@ -38,6 +42,17 @@ AccuracyInput read_accuracy(const ConfigSection& input) {
   if (!accuracy.probe.empty() && !accuracy.stress)
     throw error_at(input.place, "accuracy.probe says whose stress is meant, but accuracy.stress is missing");
   return accuracy;
+}
+
+/// Along each direction of a patch that is fitted to a hexahedron, where the study does not say how fine:
+/// what is straight is one element long otherwise, however long that is.
+constexpr int least_of_fitted_patches = 2;
+
+bool says_how_fine(const ConfigTable& discretization, const AccuracyInput& accuracy) {
+  constexpr const char* keys[] = {"refine", "elements_per_direction", "max_size", "patch"};
+  return accuracy.is_asked() || std::any_of(std::begin(keys), std::end(keys), [&](const char* key) {
+           return discretization.find(key) != nullptr;
+         });
 }
 
 void read_options(const StudyKeys& top, Study& study) {
@@ -78,6 +93,9 @@ void read_options(const StudyKeys& top, Study& study) {
   study.modes = read_table<ModesInput>(modes.table, modes.place, "[modes]", modes_keys());
   const ConfigSection accuracy = section(top.accuracy, "accuracy", study.source);
   study.accuracy = read_accuracy(accuracy);
+  const bool is_fitted = std::holds_alternative<BlocksInput>(study.model.source);
+  if (is_fitted && !says_how_fine(discretization.table, study.accuracy))
+    study.discretization.elements_per_direction.fill(least_of_fitted_patches);
   const ConfigSection output = section(top.output, "output", study.source);
   study.output = read_table<OutputInput>(output.table, output.place, "[output]", output_keys());
   const ConfigEntry* directory = output.table.find("directory");

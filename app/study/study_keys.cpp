@@ -101,7 +101,9 @@ const Keys<DiscretizationKeys>& discretization_keys() {
       per_direction_key(
           "elements_per_direction", options, &Options::elements_per_direction, 1, 10000,
           "as the geometry has",
-          "Least number of elements along each direction of each patch, before refine halves them."),
+          "Least number of elements along each direction of each patch, before refine halves them. Patches "
+          "made of a solid, of triangles or of hexahedra have 2 where neither this, refine, max_size, "
+          "[[discretization.patch]] nor [accuracy] says how fine."),
       custom_key<DiscretizationKeys>(
           "max_size", type_name(dim::length), "Largest length of an element's edge, before refine halves it.",
           [](DiscretizationKeys& target, const ConfigValue& value) {

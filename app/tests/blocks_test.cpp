@@ -357,6 +357,25 @@ TEST_F(Blocks, SolidsThatAreWrongCostNoEarlierResults) {
   EXPECT_TRUE(fs::exists(results() / "summary.json"));
 }
 
+TEST_F(Blocks, HaveTwoElementsAlongEachDirectionWhereNothingSaysHowFine) {
+  write_file(file("a.off"), off(corners, sides));
+  write_file(file("b.off"), off(next_corners, sides));
+  const auto elements = [&](const std::string& more) {
+    EXPECT_EQ(run_text(cube_study + more), 0) << err_;
+    return json::parse(read_file(results() / "summary.json"))["discretization"]["elements"].get<int>();
+  };
+  EXPECT_EQ(elements(""), 16);
+  EXPECT_EQ(elements("[discretization]\ndegree = 3\n"), 16);
+  EXPECT_EQ(elements("[discretization]\nelements_per_direction = 1\n"), 2);
+  EXPECT_EQ(elements("[discretization]\nmax_size = 5\n"), 2);
+  EXPECT_EQ(elements("[discretization]\nrefine = 0\n"), 2);
+  EXPECT_EQ(elements("[discretization]\nrefine = 1\n"), 16);
+  EXPECT_EQ(elements("[[discretization.patch]]\npatches = [0]\nelements_per_direction = 1\n"), 2);
+  EXPECT_EQ(elements("[accuracy]\nenergy = \"50 %\"\n"), 2);
+  ASSERT_EQ(run_text(cube_study, {"--levels", "2"}), 0) << err_;  // halves those
+  EXPECT_EQ(json::parse(read_file(results() / "summary.json"))["discretization"]["elements"], 128);
+}
+
 TEST_F(Blocks, TheReportOfARunHasDeviationAndCertificate) {
   write_file(file("a.off"), off(corners, sides));
   write_file(file("b.off"), off(next_corners, sides));
