@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "geometry/base/larger.hpp"
 #include "geometry/quadrature.hpp"
 #include "geometry/surface_foot.hpp"
 
@@ -63,40 +64,58 @@ bool is_box(const Polygon& polygon, const Point& low, const Point& high, double 
   return std::abs(std::abs(area) - sides[0] * sides[1]) <= 1e-9 * std::abs(area) && polygon.size() >= 4;
 }
 
-void add_box(const Point& low, const Point& high, const QuadratureRule& rule, PlanePoints& points) {
+PlanePoints box_points(const Point& low, const Point& high, const QuadratureRule& rule) {
+  PlanePoints points;
   const Point sides = high - low;
   for (Eigen::Index j = 0; j < rule.nodes.size(); ++j)
     for (Eigen::Index i = 0; i < rule.nodes.size(); ++i)
       points.emplace_back(low + sides.cwiseProduct(Point(rule.nodes[i], rule.nodes[j])),
                           rule.weights[i] * rule.weights[j] * sides[0] * sides[1]);
+  return points;
 }
+
+// Rules of up to so many points, by their number.
+class Rules {
+ public:
+  explicit Rules(int most) {
+    for (int n = 1; n <= most; ++n) rules_.push_back(gauss_legendre(n));
+  }
+  int most() const { return static_cast<int>(rules_.size()); }
+  const QuadratureRule& operator()(int points) const { return rules_[static_cast<std::size_t>(points - 1)]; }
+
+ private:
+  std::vector<QuadratureRule> rules_;
+};
 
 // A square collapsed into a triangle; weights have the sign of its turn.
 // Source: Duffy 1982.
-void add_triangle(const Point& apex, const Point& b, const Point& c, double sign, const QuadratureRule& rule,
-                  PlanePoints& points) {
+void add_triangle(const Point& apex, const Point& b, const Point& c, double sign,
+                  const QuadratureRule& outward, const QuadratureRule& across, PlanePoints& points) {
   const double twice = sign * cross(b - apex, c - apex);
-  for (Eigen::Index j = 0; j < rule.nodes.size(); ++j)
-    for (Eigen::Index i = 0; i < rule.nodes.size(); ++i) {
-      const double away = rule.nodes[i], along = rule.nodes[j];
+  for (Eigen::Index j = 0; j < across.nodes.size(); ++j)
+    for (Eigen::Index i = 0; i < outward.nodes.size(); ++i) {
+      const double away = outward.nodes[i], along = across.nodes[j];
       points.emplace_back(apex + away * ((1 - along) * (b - apex) + along * (c - apex)),
-                          rule.weights[i] * rule.weights[j] * twice * away);
+                          outward.weights[i] * across.weights[j] * twice * away);
     }
 }
 
-PlanePoints plane_points(const Polygon& polygon, double area, const QuadratureRule& rule) {
+// Across a triangle with a side much shorter than the polygon is wide little changes: half the points do.
+PlanePoints plane_points(const Polygon& polygon, double area, const Rules& rules) {
   Point low = polygon[0], high = polygon[0], middle = Point::Zero();
   for (const Point& point : polygon) {
     low = low.cwiseMin(point);
     high = high.cwiseMax(point);
     middle += point / static_cast<double>(polygon.size());
   }
+  if (is_box(polygon, low, high, area)) return box_points(low, high, rules(rules.most()));
   PlanePoints result;
-  if (is_box(polygon, low, high, area)) {
-    add_box(low, high, rule, result);
-  } else {
-    for (std::size_t i = 0; i < polygon.size(); ++i)
-      add_triangle(middle, polygon[i], polygon[(i + 1) % polygon.size()], area > 0 ? 1 : -1, rule, result);
+  constexpr double is_short = 1. / 8;  // of the box around the polygon
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const double share = (b - a).cwiseQuotient(high - low).cwiseAbs().maxCoeff();
+    const int across = share > is_short ? rules.most() : (rules.most() + 1) / 2;
+    add_triangle(middle, a, b, area > 0 ? 1 : -1, rules(rules.most()), rules(across), result);
   }
   return result;
 }
@@ -201,7 +220,7 @@ Point corner(const DividedSurface& divided, int i, int j) {
 class Refinement {
  public:
   Refinement(const DividedSurface& inner, const DividedSurface& outer, int points, double same_point)
-      : inner_(inner), outer_(outer), rule_(gauss_legendre(points)), same_point_(same_point) {}
+      : inner_(inner), outer_(outer), rules_(points), same_point_(same_point) {}
 
   // Cells whose `first` is of the inner and whose `second` is of the outer surface.
   std::vector<SharedCell> cells() const {
@@ -221,6 +240,7 @@ class Refinement {
       low = low.cwiseMin(point);
       high = high.cwiseMax(point);
     }
+    const double whole = std::abs(signed_area(element));
     const auto [first_i, last_i] = elements_met(outer_.breaks[0], low[0], high[0]);
     const auto [first_j, last_j] = elements_met(outer_.breaks[1], low[1], high[1]);
     for (int j = first_j; j <= last_j; ++j)
@@ -231,9 +251,31 @@ class Refinement {
         const double area = signed_area(cell);
         if (std::abs(area) <= 1e-12 * (to - from).prod()) continue;
         SharedCell& made = result.emplace_back(SharedCell{of_inner, {i, j}, {}});
-        for (const auto& [at, weight] : plane_points(cell, area, rule_))
-          made.points.push_back(shared_point(at, weight, of_inner));
+        if (std::abs(area) >= (1 - same_area) * whole)
+          made.points = points_of_whole(of_inner, cell.front());
+        else
+          for (const auto& [at, weight] : plane_points(cell, area, rules_))
+            made.points.push_back(shared_point(at, weight, of_inner));
       }
+  }
+
+  // Of an element of the inner surface that lies within one of the outer: Gauss's, whatever its outline
+  // there.
+  std::vector<SharedPoint> points_of_whole(const std::array<int, 2>& of_inner, const Point& start) const {
+    std::vector<SharedPoint> result;
+    Point near = start.cwiseMax(outer_.surface->low()).cwiseMin(outer_.surface->high());
+    for (const auto& [at, weight] :
+         box_points(corner(inner_, of_inner[0], of_inner[1]),
+                    corner(inner_, of_inner[0] + 1, of_inner[1] + 1), rules_(rules_.most()))) {
+      const auto tangents = inner_.surface->jacobian(at);
+      const Eigen::Vector3d area = Eigen::Vector3d(tangents.col(0)).cross(Eigen::Vector3d(tangents.col(1)));
+      const Eigen::Vector3d place = inner_.surface->point(at);
+      SurfaceFoot foot = surface_foot(*outer_.surface, place, near);
+      if (foot.distance > 10 * same_point_) foot = surface_foot(*outer_.surface, place, same_point_);
+      near = foot.parameter;
+      result.push_back({at, foot.parameter, weight * area.norm()});
+    }
+    return result;
   }
 
   SharedPoint shared_point(const Point& on_outer, double weight, const std::array<int, 2>& of_inner) const {
@@ -249,7 +291,9 @@ class Refinement {
 
   const DividedSurface& inner_;
   const DividedSurface& outer_;
-  QuadratureRule rule_;
+  static constexpr double same_area = 1e-9;  // as a share
+
+  Rules rules_;
   double same_point_;
 };
 
@@ -268,15 +312,22 @@ std::vector<SharedCell> common_refinement(const DividedSurface& first, const Div
   return cells;
 }
 
-double shared_area(const NurbsSurface& first, const NurbsSurface& second, double same_point) {
+SharedSurface shared_surface(const NurbsSurface& first, const NurbsSurface& second, double same_point) {
   const auto divided = [](const NurbsSurface& surface) {
     return DividedSurface{&surface, {surface.knots(0).breaks(), surface.knots(1).breaks()}};
   };
   const int points = 3 + std::max({first.degree(0), first.degree(1), second.degree(0), second.degree(1)});
-  double area = 0;
+  SharedSurface result;
+  double coarse = 0;
   for (const SharedCell& cell : common_refinement(divided(first), divided(second), points, same_point))
-    for (const SharedPoint& point : cell.points) area += point.weight;
-  return area;
+    for (const SharedPoint& point : cell.points) {
+      result.area += point.weight;
+      result.gap = larger(result.gap, (first.point(point.first) - second.point(point.second)).norm());
+    }
+  for (const SharedCell& cell : common_refinement(divided(first), divided(second), points - 1, same_point))
+    for (const SharedPoint& point : cell.points) coarse += point.weight;
+  result.area_error = std::abs(result.area - coarse);
+  return result;
 }
 
 }  // namespace isopatch::geometry

@@ -30,7 +30,8 @@ struct SharedCell {
 /// The common refinement of two faces that are one surface where they overlap, as quadrature.
 ///
 /// Elements of the face that lies within the other, or else of the first, are taken into the other's
-/// parameters, where they are polygons, and clipped by its elements. Where their edges are not straight there
+/// parameters, where they are polygons, and clipped by its elements. Those within one element of the other
+/// have Gauss's points of their own parameters. Where their edges are not straight there
 /// they get 16 segments a side: the cells still cover the overlap once, but near cut lines up to a hundredth
 /// of an element's square is counted to the neighbouring element, whose functions differ there by little.
 /// @param points      Gauss points per direction of a cell that is a rectangle, or of each triangle of others
@@ -40,10 +41,17 @@ struct SharedCell {
 std::vector<SharedCell> common_refinement(const DividedSurface& first, const DividedSurface& second,
                                           int points, double same_point);
 
-/// Area of what two faces share, each in its own elements, model units^2. As exact as the common refinement
-/// is, and as Gauss's rule with three points more than the degree is for the area of an element.
+/// What two faces share, and how well it is known.
+struct SharedSurface {
+  double area = 0;        ///< model units^2
+  double area_error = 0;  ///< estimated: by how much a rule of one point less differs, model units^2
+  double gap = 0;         ///< largest distance between the two at the points of the rule, model units
+};
+
+/// Integrates over what two faces share, each in its own elements, as integrals between patches do: with
+/// three points more than the degree.
 /// @param same_point  how far the faces may be apart, model units
-/// @cost  that of the common refinement
-double shared_area(const NurbsSurface& first, const NurbsSurface& second, double same_point);
+/// @cost  twice that of the common refinement
+SharedSurface shared_surface(const NurbsSurface& first, const NurbsSurface& second, double same_point);
 
 }  // namespace isopatch::geometry

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/base/engineering_units.hpp"
 #include "app/base/place_text.hpp"
@@ -55,11 +56,12 @@ void add_non_matching(const MultiPatch& model, ModelReport& result) {
     const auto surface = [&](const geometry::PatchFace& face) {
       return geometry::face_surface(model.patch(face.patch), face.side);
     };
-    const double area =
-        geometry::shared_area(surface(interface.first), surface(interface.second), same_point);
+    const geometry::SharedSurface shared =
+        geometry::shared_surface(surface(interface.first), surface(interface.second), same_point);
+    const double area = shared.area, gap = std::max(interface.gap, shared.gap);
     result.non_matching.push_back(
-        {model.label(interface.first), model.label(interface.second), area, interface.gap});
-    result.largest_gap = std::max(result.largest_gap, interface.gap);
+        {model.label(interface.first), model.label(interface.second), area, shared.area_error, gap});
+    result.largest_gap = std::max(result.largest_gap, gap);
     for (BoundaryFaceReport& face : result.boundary_faces)
       if (face.face == interface.first || face.face == interface.second) face.area -= area;
   }
@@ -100,8 +102,30 @@ std::string contents_text(const MultiPatch& model, const ModelReport& report) {
                      report.bodies.size() == 1 ? "one body" : fmt::format("{} bodies", report.bodies.size()));
 }
 
-std::vector<Warning> certificate_warnings(const MultiPatch& model, const ModelReport& report) {
+namespace {
+
+/// Where integrals between patches, or what lies between these, would be seen in results.
+std::vector<Warning> shared_surface_warnings(const ModelReport& report) {
+  constexpr double area_share = 1e-4, width_share = 1e-3;
   std::vector<Warning> warnings;
+  for (const NonMatchingReport& pair : report.non_matching) {
+    if (pair.area_error > area_share * pair.area)
+      warnings.push_back(
+          {fmt::format("what faces {} and {} share is integrated to {:.1g} of it only; more "
+                       "elements on their patches help",
+                       pair.first, pair.second, pair.area_error / pair.area)});
+    if (pair.gap > width_share * std::sqrt(pair.area))
+      warnings.push_back(
+          {fmt::format("faces {} and {} are {} apart where they meet, {:.1g} of their width", pair.first,
+                       pair.second, with_unit(pair.gap, "m"), pair.gap / std::sqrt(pair.area))});
+  }
+  return warnings;
+}
+
+}  // namespace
+
+std::vector<Warning> certificate_warnings(const MultiPatch& model, const ModelReport& report) {
+  std::vector<Warning> warnings = shared_surface_warnings(report);
   for (std::size_t i = 0; i < report.patches.size(); ++i) {
     const auto& certificate = report.patches[i].certificate;
     if (certificate.accepted()) continue;

@@ -37,7 +37,8 @@ struct BoundaryFaceReport {
 struct NonMatchingReport {
   std::string first, second;  ///< "3:north", in the input's naming
   double area = 0;            ///< of what they share, m^2
-  double gap = 0;             ///< m
+  double area_error = 0;      ///< estimated, of its integration, m^2
+  double gap = 0;             ///< largest distance found between them, m
 };
 
 /// A model seen as a whole: what `isopatch info` shows.

@@ -98,8 +98,8 @@ std::string non_matching_text(const ModelReport& report, bool all) {
   std::string text = "\nfaces that meet without matching\n";
   for (std::size_t i = 0; i < shown; ++i) {
     const NonMatchingReport& pair = report.non_matching[i];
-    text += fmt::format("  {:<10} {:<10} {:>12}  gap {}\n", pair.first, pair.second,
-                        with_unit(pair.area, "m^2"), with_unit(pair.gap, "m"));
+    text += fmt::format("  {:<10} {:<10} {:>12} +- {:.0e}  gap {}\n", pair.first, pair.second,
+                        with_unit(pair.area, "m^2"), pair.area_error / pair.area, with_unit(pair.gap, "m"));
   }
   return text + cut(shown, total, "pairs");
 }
@@ -135,8 +135,11 @@ Json patch_json(const MultiPatch& model, const PatchReport& patch, int index) {
 Json non_matching_json(const ModelReport& report) {
   Json result = Json::array();
   for (const NonMatchingReport& pair : report.non_matching)
-    result.push_back(
-        {{"first", pair.first}, {"second", pair.second}, {"area", pair.area}, {"gap", pair.gap}});
+    result.push_back({{"first", pair.first},
+                      {"second", pair.second},
+                      {"area", pair.area},
+                      {"area_error", pair.area_error},
+                      {"gap", pair.gap}});
   return result;
 }
 

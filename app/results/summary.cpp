@@ -33,7 +33,11 @@ Json model_json(const StudyRun& run) {
   }
   Json apart = Json::array();
   for (const NonMatchingReport& pair : report.non_matching)
-    apart.push_back({{"first", pair.first}, {"second", pair.second}, {"area", pair.area}});
+    apart.push_back({{"first", pair.first},
+                     {"second", pair.second},
+                     {"area", pair.area},
+                     {"area_error", pair.area_error},
+                     {"gap", pair.gap}});
   return {{"patches", model.patch_count()},
           {"interfaces", model.interfaces().size()},
           {"non_matching_interfaces", model.non_matching().size()},

@@ -18,8 +18,7 @@ void write_connections(Hdf5Writer& file, const std::string& group, const PatchCo
   file.write(group + "/interface_gaps", gaps);
   file.write(group + "/tolerance",
              std::vector<double>{tolerance.same_point, tolerance.near_miss, tolerance.same_knot});
-  if (tolerance.keep_non_matching)
-    file.write(group + "/keep_non_matching", std::vector<std::int64_t>{1});
+  if (tolerance.keep_non_matching) file.write(group + "/keep_non_matching", std::vector<std::int64_t>{1});
   file.write(group + "/size", connections.size);
   write_boundaries(file, group, connections.boundaries);
 }

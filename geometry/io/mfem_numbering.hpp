@@ -13,11 +13,12 @@ namespace isopatch::geometry {
 /// Numbers of the coefficients of each patch, first direction fastest, in the numbering over the whole mesh.
 ///
 /// MFEM numbers vertices, then the insides of edges (from the lower to the higher vertex), of faces (in the
-/// frame of the first patch) and of patches.
+/// frame of the first patch) and of patches. Faces and edges that others divide have the numbers of these.
 class MfemNumbering {
  public:
   /// @param sizes  number of coefficients of every patch along its directions
   /// @param edges  number of coefficients of every edge
+  /// @throws Error bad_format or unsupported  faces that divide another one without having its coefficients
   MfemNumbering(const MfemTopology& topology, std::vector<std::array<int, 3>> sizes,
                 const std::vector<int>& edges);
 
@@ -26,24 +27,37 @@ class MfemNumbering {
   std::vector<std::int64_t> patch(std::size_t index) const;
 
  private:
-  struct Strided {  // number of the coefficient at (a, b), counted inside a face: first + a along + b across
-    std::int64_t first = 0;
-    std::int64_t along = 0;
-    std::int64_t across = 0;
-  };
-  Strided face(std::size_t patch, Side side) const;
-  Strided edge(std::size_t patch, int direction, int corner) const;
+  using Numbers = std::vector<std::int64_t>;
+  /// Vertices of a face at (0, 0), (1, 0), (0, 1) and (1, 1).
+  using FaceCorners = std::array<int, 4>;
+
+  void find_divided_edges();
+  /// Inside an edge, from one end to the other.
+  Numbers edge(int from, int to) const;
+  /// Inside a face, first direction fastest.
+  Numbers face(const FaceCorners& corners) const;
+  Numbers divided_face(const MfemDividedFace& divided, const FaceCorners& corners) const;
   struct Frames {
-    std::array<Strided, 6> faces;   // by side
-    std::array<Strided, 12> edges;  // by direction and the ends of the two others
+    std::array<Numbers, 6> faces;   // by side
+    std::array<Numbers, 12> edges;  // by direction and the ends of the two others
   };
   std::int64_t number(const Frames& frames, std::size_t patch, const std::array<int, 3>& at) const;
 
   const MfemTopology& topology_;
   std::vector<std::array<int, 3>> sizes_;
-  std::map<std::pair<int, int>, std::int64_t> first_of_edge_;
-  std::map<PatchFace, std::size_t> face_of_;
-  std::vector<std::int64_t> first_of_face_;
+  struct OfEdge {
+    std::int64_t first;
+    int inside;
+  };
+  std::map<std::pair<int, int>, OfEdge> edges_;              // by the lower and the higher vertex
+  std::map<std::pair<int, int>, std::vector<int>> divided_;  // vertices, from the lower to the higher
+  struct OfFace {
+    std::array<int, 4> vertices;  // the frame, counter-clockwise
+    std::int64_t first;
+    std::array<int, 2> inside;
+  };
+  std::map<std::array<int, 4>, OfFace> faces_;                          // by the vertices, ascending
+  std::map<std::array<int, 4>, const MfemDividedFace*> divided_faces_;  // likewise
   std::vector<std::int64_t> first_of_patch_;
   std::int64_t size_ = 0;
 };

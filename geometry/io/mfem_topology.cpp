@@ -176,4 +176,55 @@ std::vector<NurbsVolume::KnotVectors> mfem_spaces(const MfemTopology& topology,
   return result;
 }
 
+std::vector<MfemDividedFace> mfem_divided_faces(const std::vector<MfemHangingVertex>& hanging,
+                                                const MfemTopology& topology,
+                                                const std::vector<KnotVector>& knots) {
+  if (hanging.empty()) return {};
+  const std::map<std::pair<int, int>, MfemEdge> edges = edges_by_ends(topology, knots.size());
+  const auto elements = [&](int from, int to) {
+    const auto edge = edges.find(std::minmax(from, to));
+    if (edge == edges.end())
+      throw Error(ErrorCode::bad_format,
+                  fmt::format("the edge {} {} of a divided face is not listed", from, to));
+    return knots[static_cast<std::size_t>(edge->second.knot_vector)].element_count();
+  };
+  std::map<std::array<int, 4>, std::map<std::array<int, 2>, int>> by_face;
+  for (const MfemHangingVertex& vertex : hanging) {
+    for (const int v : {vertex.vertex, vertex.face[0], vertex.face[1], vertex.face[2], vertex.face[3]})
+      if (v >= topology.vertex_count)
+        throw Error(ErrorCode::bad_format,
+                    fmt::format("{} vertices, but vertex {} is named", topology.vertex_count, v));
+    if (!by_face[vertex.face].emplace(vertex.element, vertex.vertex).second)
+      throw Error(ErrorCode::bad_format, fmt::format("vertex {} lies where another one does", vertex.vertex));
+  }
+  std::vector<MfemDividedFace> result;
+  for (auto& [corners, places] : by_face) {
+    MfemDividedFace face{corners, {}, {}};
+    const int m = elements(corners[0], corners[1]), n = elements(corners[1], corners[2]);
+    std::array<std::set<int>, 2> lines = {{{0, m}, {0, n}}};
+    for (const auto& [place, vertex] : places) {
+      if (place[0] > m || place[1] > n)
+        throw Error(ErrorCode::bad_format, fmt::format("vertex {} lies behind the last knot span", vertex));
+      for (const std::size_t d : {0U, 1U}) lines[d].insert(place[d]);
+    }
+    for (const std::size_t d : {0U, 1U}) face.lines[d].assign(lines[d].begin(), lines[d].end());
+    places[{0, 0}] = corners[0];
+    places[{m, 0}] = corners[1];
+    places[{m, n}] = corners[2];
+    places[{0, n}] = corners[3];
+    for (const int j : face.lines[1])
+      for (const int i : face.lines[0]) {
+        const auto place = places.find({i, j});
+        if (place == places.end())
+          throw Error(ErrorCode::unsupported,
+                      fmt::format("the face {} {} {} {} is divided by vertices that are no grid: none is at "
+                                  "knot spans {} and {}",
+                                  corners[0], corners[1], corners[2], corners[3], i, j));
+        face.vertices.push_back(place->second);
+      }
+    result.push_back(std::move(face));
+  }
+  return result;
+}
+
 }  // namespace isopatch::geometry

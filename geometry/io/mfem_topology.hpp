@@ -28,6 +28,15 @@ struct MfemBoundaryElement {
   int line = 0;
 };
 
+/// A face of a patch that meets faces of several others: vertices where these end divide it into a grid.
+struct MfemDividedFace {
+  std::array<int, 4> corners;  ///< counter-clockwise: (0, 0), (1, 0), (1, 1), (0, 1)
+  /// Per direction: elements of the patch before each line of the grid, 0 and all of them included.
+  std::array<std::vector<int>, 2> lines;
+  std::vector<int> vertices;  ///< of the grid, first direction fastest
+  int at(std::size_t i, std::size_t j) const { return vertices[i + lines[0].size() * j]; }
+};
+
 /// Connectivity of the patches of an MFEM mesh, from the file's first sections.
 struct MfemTopology {
   std::vector<std::array<int, 8>> patches;  ///< vertices: the low layer counter-clockwise, then the high one
@@ -35,7 +44,24 @@ struct MfemTopology {
   std::vector<MfemEdge> edges;
   int vertex_count = 0;
   std::vector<MfemFace> faces;  ///< numbered as the patches first meet them
+  std::vector<MfemDividedFace> divided;
 };
+
+/// A vertex of some patches within a face of another one, or within an edge of it.
+struct MfemHangingVertex {
+  int vertex = 0;
+  std::array<int, 2> element{};  ///< before which elements of the face it lies, per direction
+  std::array<int, 4>
+      face{};  ///< its corners, counter-clockwise; its first direction is from the first to the second
+};
+
+/// Faces that hanging vertices divide into grids.
+/// @param knots  by the numbers that the topology's edges give
+/// @throws Error bad_format   vertices that do not exist, or two in one place; faces without listed edges
+/// @throws Error unsupported  vertices that are not all of a grid
+std::vector<MfemDividedFace> mfem_divided_faces(const std::vector<MfemHangingVertex>& hanging,
+                                                const MfemTopology& topology,
+                                                const std::vector<KnotVector>& knots);
 
 /// Vertex of a patch at the low (0) or high (1) end of each direction.
 int mfem_corner(const std::array<int, 8>& patch, const std::array<int, 3>& ends);

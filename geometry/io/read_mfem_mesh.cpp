@@ -39,17 +39,15 @@ class MfemReader {
   void read_head() {
     in_.expect("MFEM");
     in_.expect("NURBS");
-    if (in_.peek() == "NC-patch")
-      in_.fail(
-          "NC-patch meshes are not supported: their patches meet at parts of faces; write the patches as an "
-          "MFEM NURBS mesh whose faces meet whole",
-          ErrorCode::unsupported);
+    meets_in_parts_ = in_.peek() == "NC-patch";
+    if (meets_in_parts_) in_.word("'NC-patch'");
     in_.expect("mesh");
     const std::string_view version = in_.word("the version");
-    if (version != "v1.0" && version != "v1.1")
-      in_.fail(fmt::format("version {}; v1.0 and v1.1 are supported", quoted(version)),
+    if (version != "v1.0" && (version != "v1.1" || meets_in_parts_))
+      in_.fail(fmt::format("version {}; v1.0{} supported", quoted(version),
+                           meets_in_parts_ ? " of NC-patch meshes is" : " and v1.1 are"),
                ErrorCode::unsupported);
-    has_spacing_ = version == "v1.1";
+    has_spacing_ = version == "v1.1" || meets_in_parts_;
     in_.expect("dimension");
     if (const int dimension = in_.integer("the dimension", 1, 3); dimension != 3)
       in_.fail(fmt::format("a mesh of dimension {}; volumes (dimension 3) are needed", dimension),
@@ -76,7 +74,10 @@ class MfemReader {
     const int patches = in_.integer("the number of elements (patches)", 1, max_patches);
     const int first_line = in_.line();
     for (int p = 0; p < patches; ++p) {
+      if (meets_in_parts_) in_.integer("the rank of an element", 0, max_attribute);
       shape(cube, "cube");
+      if (meets_in_parts_ && in_.integer("the refinement of an element", 0, 100) != 0)
+        in_.fail("elements (patches) that are divided into others are not supported", ErrorCode::unsupported);
       topology_.patches.push_back(vertices<8>());
     }
     in_.expect("boundary");
@@ -85,6 +86,7 @@ class MfemReader {
       const int attribute = shape(square, "square");
       topology_.boundary.push_back({attribute, vertices<4>(), in_.line()});
     }
+    if (meets_in_parts_) read_hanging_vertices();
     in_.expect("edges");
     edges_line_ = in_.line();
     const int edges = in_.integer("the number of edges", 0, 12 * max_patches);
@@ -93,11 +95,37 @@ class MfemReader {
       const auto [from, to] = vertices<2>();
       topology_.edges.push_back({knots, from, to});
     }
-    in_.expect("vertices");
-    topology_.vertex_count = in_.integer("the number of vertices", 8, 8 * max_patches);
+    if (!meets_in_parts_) {
+      in_.expect("vertices");
+      topology_.vertex_count = in_.integer("the number of vertices", 8, 8 * max_patches);
+    }
     check_vertices();
     topology_.faces =
         located(in_.source(), first_line, "elements", [&] { return mfem_faces(topology_.patches); });
+  }
+
+  // Vertices within faces, and the number of all vertices. Their places are those of control points as well.
+  void read_hanging_vertices() {
+    hanging_line_ = in_.line();
+    if (in_.peek() == "vertex_to_knotspan") {
+      in_.word("'vertex_to_knotspan'");
+      const int count = in_.integer("the number of vertices within faces", 0, 8 * max_patches);
+      for (int i = 0; i < count; ++i) {
+        MfemHangingVertex vertex;
+        vertex.vertex = in_.integer("a vertex", 0, max_control_points);
+        for (int& element : vertex.element) element = in_.integer("a knot span", 0, max_control_points);
+        vertex.face = vertices<4>();
+        hanging_.push_back(vertex);
+      }
+    }
+    if (in_.peek() == "vertex_parents")
+      in_.fail("patches that were divided after they had been made are not supported",
+               ErrorCode::unsupported);
+    in_.expect("coordinates");
+    topology_.vertex_count = in_.integer("the number of vertices", 8, 8 * max_patches);
+    if (in_.integer("the number of coordinates", 1, 10) != 3)
+      in_.fail("vertices must have three coordinates", ErrorCode::unsupported);
+    for (int i = 0; i < 3 * topology_.vertex_count; ++i) in_.number("a coordinate of a vertex");
   }
 
   void check_vertices() {
@@ -168,6 +196,8 @@ class MfemReader {
     std::vector<KnotVector> knots;
     for (int k = 0; k < count; ++k) knots.push_back(read_knots(fmt::format("knot vector {}", k)));
     const int line = in_.line();
+    topology_.divided = located(in_.source(), hanging_line_, "vertex_to_knotspan",
+                                [&] { return mfem_divided_faces(hanging_, topology_, knots); });
     if (has_spacing_) skip_spacing(count);
     const std::vector<NurbsVolume::KnotVectors> spaces =
         located(in_.source(), edges_line_, "edges", [&] { return mfem_spaces(topology_, knots); });
@@ -180,8 +210,14 @@ class MfemReader {
     std::vector<int> edge_sizes;
     for (const MfemEdge& edge : topology_.edges)
       edge_sizes.push_back(knots[static_cast<std::size_t>(edge.knot_vector)].size());
-    const MfemNumbering numbering(topology_, std::move(sizes), edge_sizes);
+    const MfemNumbering numbering = located(in_.source(), line, "patches", [&] {
+      MfemNumbering made(topology_, std::move(sizes), edge_sizes);
+      if (!topology_.divided.empty())
+        for (std::size_t p = 0; p < spaces.size(); ++p) made.patch(p);  // whether sides and their parts agree
+      return made;
+    });
     const Coefficients coefficients = read_coefficients(numbering);
+    if (in_.peek() == "mfem_mesh_end") in_.word("'mfem_mesh_end'");
     in_.expect_end("the last control point");
     return build(spaces, numbering, coefficients, line);
   }
@@ -251,14 +287,20 @@ class MfemReader {
   }
 
   int read_space() {
+    const bool has_version = in_.peek() == "MFEM";
+    if (has_version) in_.expect("MFEM");
     in_.expect("FiniteElementSpace");
+    if (has_version) in_.expect("v1.0");
     in_.expect("FiniteElementCollection:");
     if (const std::string_view name = in_.word("the collection"); !name.starts_with("NURBS"))
       in_.fail(fmt::format("collection {}; NURBS is supported", quoted(name)), ErrorCode::unsupported);
     in_.expect("VDim:");
     if (in_.integer("VDim", 1, 100) != 3) in_.fail("VDim must be 3: points in space", ErrorCode::unsupported);
     in_.expect("Ordering:");
-    return in_.integer("Ordering", 0, 1);
+    const int ordering = in_.integer("Ordering", 0, 1);
+    if (has_version)
+      for (const char* word : {"End:", "MFEM", "FiniteElementSpace", "v1.0"}) in_.expect(word);
+    return ordering;
   }
 
   Eigen::Matrix3Xd points_by_patch(const MfemNumbering& numbering) {
@@ -284,8 +326,11 @@ class MfemReader {
 
   TextScanner in_;
   MfemTopology topology_;
+  std::vector<MfemHangingVertex> hanging_;
   int edges_line_ = 1;
+  int hanging_line_ = 1;
   bool has_spacing_ = false;
+  bool meets_in_parts_ = false;  // an NC-patch mesh
 };
 
 }  // namespace

@@ -59,7 +59,7 @@ TEST(CommonRefinement, KeepsToWhereTwoFacesOverlap) {
   const NurbsSurface right = rectangle({0.7, 0.2, 0}, {1.6, 1.5, 0}, {3, 3});
   const auto cells = common_refinement(divided(left), divided(right), 2, 1e-9);
   EXPECT_NEAR(integral(cells, left, right, [](const Vector3d&) { return 1.0; }).first, 0.3 * 0.8, 1e-14);
-  EXPECT_NEAR(shared_area(left, right, 1e-9), 0.3 * 0.8, 1e-14);
+  EXPECT_NEAR(shared_surface(left, right, 1e-9).area, 0.3 * 0.8, 1e-14);
 }
 
 // Elements of a turned square are polygons on the other's.

@@ -5,6 +5,7 @@
 
 #include "geometry/common_refinement.hpp"
 #include "iga/assembly/internal/patch_side.hpp"
+#include "iga/internal/parallel_for.hpp"
 
 namespace isopatch::iga {
 namespace {
@@ -143,7 +144,10 @@ NodeBlocks interface_stiffness(const std::vector<CoupledFaces>& interfaces,
     if (std::find(sides.begin(), sides.end(), faces.traction.side) == sides.end())
       sides.push_back(faces.traction.side);
   }
-  for (const CoupledFaces& faces : interfaces) {
+  std::vector<NodeBlocks> of_interfaces(interfaces.size());
+  parallel_for(static_cast<std::int64_t>(interfaces.size()), [&](std::int64_t number, int) {
+    const auto i = static_cast<std::size_t>(number);
+    const CoupledFaces& faces = interfaces[i];
     const auto p = static_cast<std::size_t>(faces.traction.patch.value);
     const auto q = static_cast<std::size_t>(faces.other.patch.value);
     const PatchSide own(spaces[p], faces.traction.side, first_node[p]);
@@ -157,9 +161,10 @@ NodeBlocks interface_stiffness(const std::vector<CoupledFaces>& interfaces,
         const int sides = loaded_sides(spaces[p], own.element(cell.first), traction_sides[p]);
         penalty = penalties.emplace(cell.first, 2 * sides * own.trace_constant(cell.first)).first;
       }
-      CellBlocks(own, other, cell).add_to(result, materials[p], penalty->second, kind);
+      CellBlocks(own, other, cell).add_to(of_interfaces[i], materials[p], penalty->second, kind);
     }
-  }
+  });
+  for (const NodeBlocks& blocks : of_interfaces) result.add(blocks);
   return result;
 }
 

@@ -65,7 +65,9 @@ DividedDrawing divided_layer(const Brep& solid, const SweepFrame& frame, SweptDr
     slabs = clipped(slabs, low, high, 1e-7 * solid.size());
     groups.push_back(slabs.empty() ? -1 : 0);
   }
-  const MergedProfile merged(drawing.profile, groups);
+  const Tracks& tracks = drawing.tracks;
+  const bool stays = tracks.vertices.empty() && tracks.edges.empty() && tracks.rings.empty();
+  const MergedProfile merged(drawing.profile, groups, stays ? CollinearLines::one : CollinearLines::apart);
   const std::vector<std::vector<Slab>> apart = drawing.slabs;
   for (const std::vector<int>& members : merged.members())
     for (const int region : members)

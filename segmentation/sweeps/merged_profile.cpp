@@ -1,6 +1,7 @@
 #include "segmentation/sweeps/internal/merged_profile.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -53,7 +54,7 @@ std::vector<Loop> chained(const Profile& profile, const Loop& uses) {
 
 }  // namespace
 
-MergedProfile::MergedProfile(const Profile& whole, const std::vector<int>& groups) {
+MergedProfile::MergedProfile(const Profile& whole, const std::vector<int>& groups, CollinearLines lines) {
   UnionFind together(static_cast<int>(whole.regions.size()));
   std::map<EdgeId, int> beside;
   for (int r = 0; r < static_cast<int>(whole.regions.size()); ++r)
@@ -67,6 +68,9 @@ MergedProfile::MergedProfile(const Profile& whole, const std::vector<int>& group
   for (int r = 0; r < static_cast<int>(whole.regions.size()); ++r)
     if (groups[static_cast<std::size_t>(r)] >= 0) members[together.find(r)].push_back(r);
   for (const auto& [root, regions] : members) merge(whole, regions);
+  if (lines == CollinearLines::one)
+    for (ProfileRegion& region : regions_)
+      for (Loop& loop : region.loops) straighten(whole, loop);
   number(whole);
 }
 
@@ -86,13 +90,53 @@ void MergedProfile::merge(const Profile& whole, const std::vector<int>& members)
   members_.push_back(members);
 }
 
+/// Lines one after the other in one direction become one. Regions that touch are one, so nothing else ends
+/// between them.
+void MergedProfile::straighten(const Profile& whole, Loop& loop) {
+  const auto direction = [&](const EdgeUse& use) -> Eigen::Vector2d {
+    const auto at = [&](int vertex) { return whole.vertices[static_cast<std::size_t>(vertex)]; };
+    return (at(to(whole, use)) - at(from(whole, use))).normalized();
+  };
+  const auto goes_on = [&](const EdgeUse& a, const EdgeUse& b) {
+    if (edge_of(whole, a).points.size() != 2 || edge_of(whole, b).points.size() != 2) return false;
+    const Eigen::Vector2d one = direction(a), other = direction(b);
+    return one.dot(other) > 0 && std::abs(one[0] * other[1] - one[1] * other[0]) < 1e-9;
+  };
+  std::size_t corner = 0;
+  while (corner < loop.size() && goes_on(loop[(corner + loop.size() - 1) % loop.size()], loop[corner]))
+    ++corner;
+  if (corner == loop.size()) return;
+  std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(corner), loop.end());
+  Loop result;
+  for (std::size_t i = 0; i < loop.size();) {
+    std::size_t last = i;
+    while (last + 1 < loop.size() && goes_on(loop[last], loop[last + 1])) ++last;
+    if (last == i) {
+      result.push_back(loop[i]);
+    } else {
+      result.push_back({EdgeId(static_cast<int>(whole.edges.size() + lines_.size())), false});
+      lines_.push_back({from(whole, loop[i]), to(whole, loop[last])});
+    }
+    i = last + 1;
+  }
+  loop = std::move(result);
+}
+
+/// Vertices of the whole profile; -1 of a closed edge.
+std::array<int, 2> MergedProfile::ends(const Profile& whole, EdgeUse use) const {
+  const auto e = static_cast<std::size_t>(use.edge.value);
+  if (e >= whole.edges.size()) return lines_[e - whole.edges.size()];
+  return {whole.edges[e].start, whole.edges[e].end};
+}
+
 void MergedProfile::number(const Profile& whole) {
   std::set<int> edges, vertices;
   for (const ProfileRegion& region : regions_)
     for (const Loop& loop : region.loops)
       for (const EdgeUse& use : loop) {
         edges.insert(use.edge.value);
-        if (edge_of(whole, use).start >= 0) vertices.insert({from(whole, use), to(whole, use)});
+        for (const int vertex : ends(whole, use))
+          if (vertex >= 0) vertices.insert(vertex);
       }
   edges_.assign(edges.begin(), edges.end());
   vertices_.assign(vertices.begin(), vertices.end());
@@ -106,10 +150,17 @@ Profile MergedProfile::reduced(const Profile& whole) const {
   for (const int vertex : vertices_)
     result.vertices.push_back(whole.vertices[static_cast<std::size_t>(vertex)]);
   for (const int number : edges_) {
-    ProfileEdge edge = whole.edges[static_cast<std::size_t>(number)];
-    if (edge.start >= 0) {
-      edge.start = number_of(vertices_, edge.start);
-      edge.end = number_of(vertices_, edge.end);
+    ProfileEdge edge;
+    const auto e = static_cast<std::size_t>(number);
+    const auto [start, end] = ends(whole, {EdgeId(number), false});
+    if (e < whole.edges.size())
+      edge.points = whole.edges[e].points;
+    else
+      edge.points = {whole.vertices[static_cast<std::size_t>(start)],
+                     whole.vertices[static_cast<std::size_t>(end)]};
+    if (start >= 0) {
+      edge.start = number_of(vertices_, start);
+      edge.end = number_of(vertices_, end);
     }
     result.edges.push_back(std::move(edge));
   }
@@ -134,7 +185,9 @@ Quadrangulation MergedProfile::expanded(Quadrangulation quads, const Profile& wh
   for (QuadEdge& edge : quads.edges) {
     edge.start = vertex(edge.start);
     edge.end = vertex(edge.end);
-    if (edge.profile_edge >= 0) edge.profile_edge = edges_[static_cast<std::size_t>(edge.profile_edge)];
+    if (edge.profile_edge < 0) continue;
+    edge.profile_edge = edges_[static_cast<std::size_t>(edge.profile_edge)];
+    if (edge.profile_edge >= static_cast<int>(whole.edges.size())) edge.profile_edge = -1;
   }
   for (Quad& quad : quads.quads) quad.region = members_[static_cast<std::size_t>(quad.region)].front();
   return quads;

@@ -400,7 +400,6 @@ TEST(MfemMesh, ErrorsNameFileLineAndCause) {
   ASSERT_EQ(error_of([&] { read_mfem_text(good); }), "no error");
   const std::vector<std::array<std::string, 3>> cases = {
       {"v1.0", "v2.0", "unsupported: a.mesh:1: version 'v2.0'; v1.0 and v1.1 are supported"},
-      {"mesh v1.0", "NC-patch mesh v1.0", "unsupported: a.mesh:1: NC-patch meshes are not supported"},
       {"v1.0", "v1.1", "bad_format: a.mesh:50: 'unitweights' found where 'spacing' is expected"},
       {"dimension\n3", "dimension\n2",
        "unsupported: a.mesh:4: a mesh of dimension 2; volumes (dimension 3) are needed"},

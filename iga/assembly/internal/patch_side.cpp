@@ -47,7 +47,24 @@ std::array<int, 3> PatchSide::element(const ElementOfFace& of_face) const {
 
 PatchSide::Functions PatchSide::functions(const ElementOfFace& of_face,
                                           const geometry::Parameter<2>& on_side) const {
-  return functions_behind(of_face, geometry::on_side(*space_.geometry, side_, on_side));
+  const Functions all = functions_behind(of_face, geometry::on_side(*space_.geometry, side_, on_side));
+  const auto sizes = space_.sizes();
+  const int across = geometry::direction(side_);
+  int stride = 1;
+  for (int d = 0; d < across; ++d) stride *= sizes[static_cast<std::size_t>(d)];
+  const int count = sizes[static_cast<std::size_t>(across)];
+  Functions result;
+  result.normal = all.normal;
+  for (std::size_t f = 0; f < all.nodes.size(); ++f) {
+    const int index = (all.nodes[f] - first_node_) / stride % count;
+    const int layer = geometry::is_high(side_) ? count - 1 - index : index;
+    if (layer > 1) continue;  // neither its values nor its slopes reach the side
+    result.nodes.push_back(all.nodes[f]);
+    result.is_on_side.push_back(all.is_on_side[f]);
+    result.values.push_back(all.values[f]);
+    result.gradients.push_back(all.gradients[f]);
+  }
+  return result;
 }
 
 std::array<geometry::Parameter<3>, 2> PatchSide::box_behind(const ElementOfFace& of_face) const {

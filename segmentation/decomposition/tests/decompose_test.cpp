@@ -240,11 +240,14 @@ TEST(Decompose, TellsHowFarItIs) {
 TEST(Decompose, KeepsTJointsIfAsked) {
   DecompositionOptions options;
   options.t_joints = TJoints::keep;
+  options.method = Method::cuts;
   const std::vector<std::pair<const char*, std::vector<std::array<double, 2>>>> outlines = {
       {"e", {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {2, 2}, {2, 3}, {1, 3}, {1, 4}, {3, 4}, {3, 5}, {0, 5}}},
       {"triangle", {{0, 0}, {1, 0}, {0, 1}}},
       {"pentagon", {{0, 0}, {2, 0}, {3, 2}, {1, 3}, {-1, 2}}},
-      {"arrow", {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {0.5, 3}}}};
+      {"arrow", {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {0.5, 3}}},
+      // Its trunk is a prism over five corners, and two arms meet parts of a side of it.
+      {"fork", {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {3, 2}, {3, 3}, {0, 3}, {-1, 1.5}}}};
   for (const auto& [name, outline] : outlines) {
     SCOPED_TRACE(name);
     const geometry::BrepFile solid{geometry::make_brep(samples::prism(outline, 1)), name, 0};
@@ -268,6 +271,23 @@ TEST(Decompose, KeepsTJointsIfAsked) {
   // Four parts, three of which meet the trunk.
   const geometry::Brep e = geometry::make_brep(samples::prism(outlines[0].second, 1));
   EXPECT_EQ(decompose(e, "e", options).report.hexahedra, 4);
+}
+
+TEST(Decompose, DividesLayersByThemselvesIfTJointsAreKept) {
+  // A rib on a plate, along one of its directions: three blocks at least where they meet side to side.
+  const geometry::BrepFile solid{geometry::make_brep(samples::prism(
+                                     {{0, 0}, {3, 0}, {3, 1}, {2, 1}, {2, 2}, {1, 2}, {1, 1}, {0, 1}}, 1)),
+                                 "rib", 0};
+  DecompositionOptions options;
+  options.t_joints = TJoints::keep;
+  const Decomposition kept = decompose(solid.brep, solid.name, options);
+  EXPECT_TRUE(kept.report.t_joints_kept);
+  EXPECT_EQ(kept.report.hexahedra, 2);
+  EXPECT_EQ(kept.report.seen_as, "swept along y: 2 quadrilaterals between 3 levels, each divided by itself");
+  EXPECT_GE(decompose(solid.brep, solid.name).report.hexahedra, 3);
+  double volume = 0;
+  for (const geometry::BrepFile& part : blocks(solid, kept)) volume += part.brep.volume();
+  EXPECT_NEAR(volume, solid.brep.volume(), 1e-9);
 }
 
 TEST(Prospect, CountsSidesAndConcaveEdgesOrRefuses) {
