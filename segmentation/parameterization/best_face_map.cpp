@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "geometry/base/error.hpp"
 #include "segmentation/parameterization/internal/mean_value_map.hpp"
 #include "segmentation/parameterization/internal/spline_fit.hpp"
 
@@ -43,6 +44,16 @@ double narrowest_corner(const FaceMap& map) {
   return smallest;
 }
 
+/// Nothing where slivers of the mesh make it singular: the blend is no worse for that.
+std::optional<MeanValueMap> mean_value_map(const FaceMap& blend, const DomainMesh& mesh) {
+  try {
+    return MeanValueMap(blend, mesh);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::singular_system) throw;
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 FaceMap best_face_map(const QuadFace& face) {
@@ -55,10 +66,11 @@ FaceMap best_face_map(const QuadFace& face, const std::array<SidePace, 4>& paces
   if (best > std::min(good_sine, 0.95 * narrowest_corner(blend))) return blend;
   const std::optional<DomainMesh> mesh = face.mesh ? face.mesh() : std::nullopt;
   if (!mesh) return blend;
+  const std::optional<MeanValueMap> mean_value = mean_value_map(blend, *mesh);
+  if (!mean_value) return blend;
   FaceMap result = blend;
-  const MeanValueMap mean_value(blend, *mesh);
   for (const int spans : {4, 8, 16, 32}) {
-    FaceMap candidate = blend.moved(displacement(blend, mean_value, spans), FaceMapKind::mean_value);
+    FaceMap candidate = blend.moved(displacement(blend, *mean_value, spans), FaceMapKind::mean_value);
     const double sine = smallest_sine(candidate);
     if (sine <= best) continue;
     best = sine;

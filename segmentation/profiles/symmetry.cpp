@@ -297,6 +297,7 @@ bool is_left(const Profile& profile, const ProfileRegion& region, const std::vec
 }  // namespace
 
 std::vector<MirrorLine> mirror_lines(const Profile& profile) {
+  validate(profile);
   constexpr std::size_t most = 8;
   const double size = extent_of(profile);
   const std::vector<Curve> curves = planar::curves_of(profile);

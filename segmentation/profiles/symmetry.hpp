@@ -13,6 +13,7 @@ struct MirrorLine {
 };
 
 /// Lines about which all edges of a profile are symmetric, eight at most; those along its axes come first.
+/// @throws Error bad_format  the profile is invalid (see `validate`)
 /// @cost  the square of the number of edges for each direction that is tried, some 20
 std::vector<MirrorLine> mirror_lines(const Profile& profile);
 

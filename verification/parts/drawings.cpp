@@ -6,6 +6,7 @@
 #include "verification/parts/internal/demonstrator.hpp"
 #include "verification/parts/internal/drawn_later.hpp"
 #include "verification/parts/internal/held_out.hpp"
+#include "verification/parts/internal/held_out_later.hpp"
 #include "verification/parts/internal/shop_parts.hpp"
 #include "verification/parts/internal/turned_parts.hpp"
 
@@ -71,6 +72,18 @@ const std::vector<Drawing>& drawings() {
       {"lid", "held_out", "a lid with a round edge, a rim and a groove", lid},
       {"eye_bolt", "held_out", "an eye bolt", eye_bolt},
       {"swing_plate", "held_out", "a lever with a bent slot and a round edge", swing_plate},
+      {"pillow_block", "held_out_later", "a bearing block with a hole for grease", pillow_block},
+      {"pilot_flange", "held_out_later", "a motor's flange with pilot, bent slots and tapped holes",
+       pilot_flange},
+      {"radial_bushing", "held_out_later", "a stepped bushing with a groove and radial holes",
+       radial_bushing},
+      {"bent_bracket", "held_out_later", "a bracket of bent sheet with holes and a slot", bent_bracket},
+      {"yoke", "held_out_later", "a yoke of a universal joint", yoke},
+      {"timing_pulley", "held_out_later", "a pulley with keyway and set screw", timing_pulley},
+      {"valve_body", "held_out_later", "a valve's body with three ports", valve_body},
+      {"clamp_collar", "held_out_later", "a slit collar with its screw", clamp_collar},
+      {"webbed_lever", "held_out_later", "a lever hollowed from both sides", webbed_lever},
+      {"mounting_rail", "held_out_later", "a rail of bent sheet with slots", mounting_rail},
       {"demonstrator", "models", "the TERRIFIC demonstrator, from its dimensions", demonstrator},
       {"car_part", "models", "a wishbone of a car, of sharp edges", car_part},
       {"chair_stand", "models", "one fifth of a chair's base, from its dimensions", chair_stand},

@@ -20,13 +20,6 @@ Outline slot_along_x(double length, double width, gp_Pnt2d centre) {
   return Outline::rectangle(length, width, {centre.X() - length / 2, centre.Y() - width / 2}, width / 2);
 }
 
-/// A drilled hole: its tip has 118 degrees.
-TopoDS_Shape drilled(gp_Pnt from, gp_Dir direction, double radius, double depth) {
-  return joined(
-      {cylinder(from, direction, radius, depth), cone(from.Translated(gp_Vec(direction) * depth), direction,
-                                                      radius, 0, radius / std::tan(59 * pi / 180))});
-}
-
 }  // namespace
 
 // An angle of 8 with a fillet of 6: a foot with four slots, a back for a motor with a pilot of 38 and four

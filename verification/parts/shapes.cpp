@@ -87,6 +87,12 @@ TopoDS_Shape cone(gp_Pnt from, gp_Dir direction, double radius, double other_rad
   return BRepPrimAPI_MakeCone(gp_Ax2(from, direction), radius, other_radius, length).Shape();
 }
 
+TopoDS_Shape drilled(gp_Pnt from, gp_Dir direction, double radius, double depth) {
+  return joined({cylinder(from, direction, radius, depth),
+                 cone(from.Translated(gp_Vec(direction) * depth), direction, radius, 0,
+                      radius / std::tan(59 * std::numbers::pi / 180))});
+}
+
 TopoDS_Shape prism(const Outline& outline, double from, double to) {
   return BRepPrimAPI_MakePrism(outline.face(gp_Ax3(gp_Pnt(0, 0, from), gp::DZ(), gp::DX())),
                                gp_Vec(0, 0, to - from))

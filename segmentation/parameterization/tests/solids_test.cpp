@@ -1,5 +1,7 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -77,6 +79,28 @@ TEST(Solids, ATrimmedFaceWhoseBlendFoldsTakesTheMeanValueMap) {
     EXPECT_GT(plain.smallest_area(), -1e-15);
   }
   EXPECT_EQ(folded, 2);
+}
+
+/// A fan around a point that lies on the outline's number `at`: one of its edges has no length.
+DomainMesh fan_from_outline(DomainMesh mesh, std::size_t at) {
+  const auto count = static_cast<int>(mesh.outline.size());
+  mesh.points.resize(mesh.outline.size());
+  mesh.points.push_back(mesh.points[at]);
+  mesh.triangles.clear();
+  for (int i = 0; i < count; ++i) mesh.triangles.push_back({i, (i + 1) % count, count});
+  return mesh;
+}
+
+TEST(Solids, AFaceKeepsItsBlendWhereTheMeanValueMapIsSingular) {
+  Hexahedron block = hexahedra(hex_model({test::trimmed_slab()})).front();
+  const auto folded = std::find_if(block.faces.begin(), block.faces.end(),
+                                   [](const QuadFace& face) { return smallest_sine(FaceMap(face)) < 0; });
+  ASSERT_NE(folded, block.faces.end());
+  const DomainMesh mesh = fan_from_outline(*folded->mesh(), 1);
+  ASSERT_THAT([&] { MeanValueMap(FaceMap(*folded), mesh); },
+              ThrowsError(ErrorCode::singular_system, {"singular"}));
+  folded->mesh = [&] { return std::optional(mesh); };
+  EXPECT_EQ(best_face_map(*folded).kind(), FaceMapKind::coons);
 }
 
 void expect_exact(const std::filesystem::path& path) {

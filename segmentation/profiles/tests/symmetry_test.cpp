@@ -42,6 +42,10 @@ Profile bored(double corner = 1) {
   return result;
 }
 
+TEST(MirrorLines, AreOfSoundProfilesOnly) {
+  EXPECT_ERROR(mirror_lines(bored(std::nan(""))), ErrorCode::bad_format, "not finite");
+}
+
 TEST(MirrorLines, AreFoundAlongBothAxes) {
   const std::vector<MirrorLine> lines = mirror_lines(bored());
   ASSERT_EQ(lines.size(), 2U);

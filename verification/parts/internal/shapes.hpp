@@ -19,6 +19,8 @@ TopoDS_Shape cylinder(gp_Pnt from, gp_Dir direction, double radius, double lengt
 TopoDS_Shape upright_cylinder(double x, double y, double radius, double from, double to);
 /// A countersink or the tip of a drill: from radius to other_radius.
 TopoDS_Shape cone(gp_Pnt from, gp_Dir direction, double radius, double other_radius, double length);
+/// A drilled hole: its tip has 118 degrees.
+TopoDS_Shape drilled(gp_Pnt from, gp_Dir direction, double radius, double depth);
 /// From z = from to z = to.
 TopoDS_Shape prism(const Outline& outline, double from, double to);
 /// Of an outline in the plane of x and z, from y = from to y = to.

@@ -85,6 +85,10 @@ TEST(Parts, HeldOutOnesAreSoundHaveTheirNamesAndTheirVolume) {
   expect_all_of("held_out");
 }
 
+TEST(Parts, ThoseHeldOutLaterAreSoundHaveTheirNamesAndTheirVolume) {
+  expect_all_of("held_out_later");
+}
+
 TEST(Parts, ModelsAreSoundAndHaveTheirNames) {
   expect_all_of("models");
 }
