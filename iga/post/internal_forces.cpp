@@ -262,7 +262,7 @@ std::vector<InternalForces> internal_forces(const Discretization& d, const std::
           for (const ElementResults& element : elements) {
             for (std::size_t i = 0; i < element.size(); ++i)
               add(of_patch, part.patch, range.first + first, element[i],
-                  result[i].forces.data() + 3 * d.first_node[patch], result[i]);
+                  result[i].forces.data() + std::ptrdiff_t{3} * d.first_node[patch], result[i]);
             ++first;
           }
           done += static_cast<std::int64_t>(elements.size());

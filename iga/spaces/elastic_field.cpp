@@ -44,7 +44,7 @@ std::array<FirstDerivatives, 2> first_derivatives(const NurbsVolume& patch,
         sums += factors * (patch.weights()[index] * row);
       }
   std::array<FirstDerivatives, 2> result;
-  for (int which = 0; which < 2; ++which) {
+  for (Eigen::Index which = 0; which < 2; ++which) {
     FirstDerivatives& out = result[static_cast<std::size_t>(which)];
     out.value = sums.block<1, 3>(0, 3 * which).transpose() / sums(0, 6);
     for (int d = 0; d < 3; ++d)
@@ -64,7 +64,8 @@ Parameter<3> clamped(const NurbsVolume& patch, const Parameter<3>& parameter) {
 
 // Gauss-Newton for the closest point, with the parameter kept in the domain and steps halved while they do
 // not help.
-Location closest(const NurbsVolume& patch, int index, const Eigen::Vector3d& place, Parameter<3> start) {
+Location closest(const NurbsVolume& patch, int index, const Eigen::Vector3d& place,
+                 const Parameter<3>& start) {
   Location best{index, start, (patch.point(start) - place).norm()};
   for (int iteration = 0; iteration < 50; ++iteration) {
     const Eigen::Matrix3d jacobian = patch.jacobian(best.parameter);
