@@ -99,6 +99,8 @@ class InclinedWalls {
   }
 
   void divide_again_and_again(QuadrangulationOptions options) {
+    if (consider_all(both_drafts(options))) return;
+    ++options.seed;
     consider_all(both_drafts(options));
     if (best_ && least_ >= good) return;
     std::vector<Draft> drafts;
@@ -129,12 +131,18 @@ class InclinedWalls {
   }
 
   /// Likewise.
-  void consider_all(const std::vector<Draft>& drafts) {
+  /// @return  whether all of them are good
+  bool consider_all(const std::vector<Draft>& drafts) {
     std::vector<std::future<Quadrangulation>> finished;
     for (const Draft& draft : drafts)
       finished.push_back(
           std::async(std::launch::async | std::launch::deferred, [&] { return finished_of(draft); }));
-    for (std::size_t i = 0; i < drafts.size(); ++i) enter(drafts[i], [&] { return finished[i].get(); });
+    bool all_are_good = true;
+    for (std::size_t i = 0; i < drafts.size(); ++i) {
+      const bool is_good = enter(drafts[i], [&] { return finished[i].get(); });
+      all_are_good = all_are_good && is_good;
+    }
+    return all_are_good;
   }
   void consider(const Draft& draft) {
     enter(draft, [&] { return finished_of(draft); });
@@ -148,21 +156,25 @@ class InclinedWalls {
     return merged_ ? merged_->expanded(std::move(quads), drawing_.profile) : quads;
   }
 
+  /// @return  whether it is good at all heights
   template <class Make>
-  void enter(const Draft& draft, const Make& make) {
+  bool enter(const Draft& draft, const Make& make) {
     try {
       Quadrangulation made = make();
       if (draft.half_way) made = as_drawn(solid_, frame_, drawing_, std::move(made), half_way_);
       StandingQuads stands = standing(made);
       if (stands.least_jacobian < well_settled) settle(made, stands);
       const double cost = cost_of(static_cast<std::size_t>(stands.hexahedra), stands.least_jacobian);
-      if (best_ && cost_ <= cost) return;
-      best_ = std::move(made);
-      least_ = stands.least_jacobian;
-      cost_ = cost;
+      if (!best_ || cost < cost_) {
+        best_ = std::move(made);
+        least_ = stands.least_jacobian;
+        cost_ = cost;
+      }
+      return stands.least_jacobian >= good;
     } catch (const Error& error) {
       if (error.code() == ErrorCode::internal) throw;
       if (!refusal_) refusal_ = error;
+      return false;
     }
   }
 
