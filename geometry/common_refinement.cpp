@@ -205,6 +205,22 @@ bool lies_within(const NurbsSurface& surface, const NurbsSurface& other, double 
   return true;
 }
 
+// About its area: that of the parallelogram of its tangents in the middle.
+double rough_area(const NurbsSurface& surface) {
+  const Point range = surface.high() - surface.low();
+  const auto tangents = surface.jacobian(Point(surface.low() + 0.5 * range));
+  return range.prod() * Eigen::Vector3d(tangents.col(0)).cross(Eigen::Vector3d(tangents.col(1))).norm();
+}
+
+// Whether the second is the one whose elements are taken into the other's parameters: that within the other,
+// else the smaller one, since parameters continue beyond a face for a short way only.
+bool is_second_inner(const NurbsSurface& first, const NurbsSurface& second, double same_point) {
+  const bool first_within = lies_within(first, second, same_point);
+  const bool second_within = lies_within(second, first, same_point);
+  return first_within == second_within ? !first_within && rough_area(second) < rough_area(first)
+                                       : second_within;
+}
+
 // The elements that an interval meets, first and last, of those between breaks; none if last < first.
 std::pair<int, int> elements_met(const std::vector<double>& breaks, double low, double high) {
   const auto first = std::upper_bound(breaks.begin(), breaks.end(), low) - breaks.begin() - 1;
@@ -240,7 +256,6 @@ class Refinement {
       low = low.cwiseMin(point);
       high = high.cwiseMax(point);
     }
-    const double whole = std::abs(signed_area(element));
     const auto [first_i, last_i] = elements_met(outer_.breaks[0], low[0], high[0]);
     const auto [first_j, last_j] = elements_met(outer_.breaks[1], low[1], high[1]);
     for (int j = first_j; j <= last_j; ++j)
@@ -251,7 +266,8 @@ class Refinement {
         const double area = signed_area(cell);
         if (std::abs(area) <= 1e-12 * (to - from).prod()) continue;
         SharedCell& made = result.emplace_back(SharedCell{of_inner, {i, j}, {}});
-        if (std::abs(area) >= (1 - same_area) * whole)
+        const Point reach = same_place * (to - from);
+        if (((low - from + reach).array() >= 0).all() && ((to - high + reach).array() >= 0).all())
           made.points = points_of_whole(of_inner, cell.front());
         else
           for (const auto& [at, weight] : plane_points(cell, area, rules_))
@@ -291,7 +307,7 @@ class Refinement {
 
   const DividedSurface& inner_;
   const DividedSurface& outer_;
-  static constexpr double same_area = 1e-9;  // as a share
+  static constexpr double same_place = 1e-9;  // as a share of an element
 
   Rules rules_;
   double same_point_;
@@ -301,8 +317,7 @@ class Refinement {
 
 std::vector<SharedCell> common_refinement(const DividedSurface& first, const DividedSurface& second,
                                           int points, double same_point) {
-  const bool exchanged = !lies_within(*first.surface, *second.surface, same_point) &&
-                         lies_within(*second.surface, *first.surface, same_point);
+  const bool exchanged = is_second_inner(*first.surface, *second.surface, same_point);
   if (!exchanged) return Refinement(first, second, points, same_point).cells();
   std::vector<SharedCell> cells = Refinement(second, first, points, same_point).cells();
   for (SharedCell& cell : cells) {

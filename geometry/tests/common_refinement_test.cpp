@@ -38,6 +38,23 @@ std::pair<double, double> integral(const std::vector<SharedCell>& cells, const N
   return {sum, apart};
 }
 
+// A narrow trapezoid that sticks out of a rectangle on both sides: parameters of the one are no guide far
+// outside of the other.
+TEST(CommonRefinement, KeepsToWhereATrapezoidCrossesARectangle) {
+  const NurbsSurface wide = rectangle({40, 20, 10}, {80, 50, 10}, {1, 1});
+  const NurbsVolume solid = test::mapped(
+      {KnotVector::bezier(1), KnotVector::bezier(1), KnotVector::bezier(1)}, [](const Vector3d& x) {
+        const double from = 15 - 5 * x[0], to = 55 + 5 * x[0];
+        return Vector3d(47.5 + 2.5 * x[0], from + x[1] * (to - from), 10 + x[2]);
+      });
+  const NurbsSurface narrow = face_surface(solid, Side::front);
+  for (const bool exchanged : {false, true}) {
+    const SharedSurface shared = shared_surface(exchanged ? narrow : wide, exchanged ? wide : narrow, 1e-9);
+    EXPECT_NEAR(shared.area, 2.5 * 30, 1e-9);
+    EXPECT_LT(shared.gap, 1e-9);
+  }
+}
+
 // 3 x 2 elements on 2 x 2 of a larger rectangle that is shifted by no multiple of theirs.
 TEST(CommonRefinement, IsExactWhereLinesOfElementsAreParallel) {
   const NurbsSurface small = rectangle({0.3, 0.1, 0}, {1.5, 0.7, 0}, {3, 2});
