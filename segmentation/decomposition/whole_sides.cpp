@@ -44,16 +44,18 @@ class WholeSides {
   }
 
  private:
-  /// Without an outline: what all parts have in common. Parts of one plane may have come of several cuts.
+  /// Without an outline: what all parts have in common. Parts of one plane may have come of several cuts; of
+  /// several faces of the solid it is the first, as where neighbouring faces in one plane are made one.
   CellFace common_face(const std::vector<CellFaceUse>& faces, const CellFaceUse& first) {
     CellFace whole = complex_.face(first.face);
-    bool one_surface = true;
+    bool one_surface = true, one_origin = true;
     for (const CellFaceUse& use : faces) {
       const CellFace& part = complex_.face(use.face);
       one_surface = one_surface && part.surface == whole.surface;
-      if (part.origin != complex_.face(first.face).origin) whole.origin.reset();
+      if (part.origin != complex_.face(first.face).origin) one_origin = false;
+      if (part.origin && (!whole.origin || *part.origin < *whole.origin)) whole.origin = part.origin;
     }
-    if (one_surface && whole.origin == complex_.face(first.face).origin) return whole;
+    if (one_surface && one_origin) return whole;
     whole.surface = plane_of(faces, first.face);
     return whole;
   }

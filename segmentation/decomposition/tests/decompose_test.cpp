@@ -254,13 +254,20 @@ TEST(Decompose, KeepsTJointsIfAsked) {
     const Decomposition result = decompose(solid.brep, name, options);
     EXPECT_TRUE(result.report.t_joints_kept);
     EXPECT_EQ(result.report.further_cuts, 0);
-    double volume = 0;
+    double volume = 0, named = 0, surface = 0;
     for (const geometry::BrepFile& part : blocks(solid, result)) {
       EXPECT_EQ(part.brep.faces().size(), 6U);
       EXPECT_EQ(part.brep.edges().size(), 12U);
       volume += part.brep.volume();
+      for (std::size_t f = 0; f < part.brep.faces().size(); ++f)
+        if (const FaceId face(static_cast<int>(f)); !part.brep.face(face).name.empty())
+          named += part.brep.area(face);
     }
     EXPECT_NEAR(volume, solid.brep.volume(), 1e-9);
+    // A side that others cover in part has the name of a face that is left of it.
+    for (std::size_t f = 0; f < solid.brep.faces().size(); ++f)
+      surface += solid.brep.area(FaceId(static_cast<int>(f)));
+    EXPECT_GE(named, surface - 1e-9);
     for (std::size_t c = 0; c < result.complex.cells.size(); ++c) {
       const CellSides sides =
           cell_sides(CellShapes(solid.brep, result.complex), geometry::CellId(static_cast<int>(c)));
