@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "geometry/models/box.hpp"
 #include "geometry/models/bracket.hpp"
 #include "geometry/models/cylinder.hpp"
 #include "iga/tests/small_models.hpp"
@@ -35,6 +36,27 @@ TEST(SingularPlaces, AreReentrantEdges) {
   EXPECT_EQ(said_of(bracket(), {1.5, 1, 0.4}), "");  // a smooth face, where patches have edges elsewhere
   EXPECT_EQ(said_of(bracket(), {1, 0.5, 0.4}), "");  // inside, where patches meet
   EXPECT_EQ(said_of(bracket(), {1, 1, 0.4}), said_of(bracket(), {1, 0.97, 0.4}));  // near it
+}
+
+// With elements of their own, and with one side that meets two.
+TEST(SingularPlaces, AreSeenAcrossFacesThatDoNotMatch) {
+  DiscretizationOptions options{.refine = 1, .spread = false};
+  options.patches = {{.patches = {0}, .refine = 1}};
+  ElasticityProblem p = problem(geometry::connect(geometry::bracket_model()), options, testing::steel);
+  ASSERT_FALSE(p.discretization.model.non_matching().empty());
+  EXPECT_EQ(said_of(p, {1, 1, 0.4}), "a re-entrant edge of 270 degrees");
+  EXPECT_EQ(said_of(p, {1, 0.5, 0.4}), "");
+  EXPECT_EQ(said_of(p, {1, 0, 0.4}), "");
+  p.materials[0] = isotropic(1e9, 0.3);
+  EXPECT_EQ(said_of(p, {1, 0, 0.4}), "an edge where materials meet");
+  // A box of half the length on another: its end rises from the middle of a face.
+  geometry::PatchSet step = geometry::box_model({.size = {2, 1, 1}});
+  const geometry::PatchSet above = geometry::box_model({.size = {1, 1, 1}, .origin = {0, 0, 1}});
+  step.patches.insert(step.patches.end(), above.patches.begin(), above.patches.end());
+  const ElasticityProblem t =
+      problem(geometry::connect(step, {.keep_non_matching = true}), {.refine = 1}, testing::steel);
+  EXPECT_EQ(said_of(t, {1, 0.4, 1.01}), "a re-entrant edge of 270 degrees");
+  EXPECT_EQ(said_of(t, {0, 0.4, 1.01}), "");
 }
 
 TEST(SingularPlaces, AreWhereAClampedFaceEnds) {
