@@ -131,8 +131,9 @@ CutSolids each_cut(segmentation::ReadSolids read, const segmentation::Decomposit
 
 std::string report_text(const segmentation::DecompositionReport& report) {
   if (!report.seen_as.empty())
-    return fmt::format("{}; {} ({:.1f} s)", report.seen_as,
-                       number_of(report.hexahedra, "hexahedron", "hexahedra"), report.seconds);
+    return fmt::format(
+        "{}; {}{} ({:.1f} s)", report.seen_as, number_of(report.hexahedra, "hexahedron", "hexahedra"),
+        report.t_joints_kept ? ", which may meet in parts of sides (kept)" : "", report.seconds);
   std::string text =
       fmt::format("{} into {}, {} where sides meet in parts", number_of(report.cuts, "cut", "cuts"),
                   number_of(report.cells, "part", "parts"), number_of(report.t_joints, "place", "places"));
