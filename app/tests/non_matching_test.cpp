@@ -1,5 +1,9 @@
 #include <fmt/format.h>
 
+#include <Eigen/Core>
+#include <cmath>
+#include <numbers>
+
 #include "app/tests/program_fixture.hpp"
 
 namespace isopatch::app {
@@ -11,6 +15,20 @@ std::string box_text(double x0, double x1, double z0, double z1) {
   for (const double z : {z0, z1})
     for (const double y : {0.0, 1.0})
       for (const double x : {x0, x1}) text += fmt::format("{} {} {}\n", x, y, z);
+  return text;
+}
+
+/// A sector of 60 degrees of a pipe as a patch in a .g2 file. Its arcs run at another pace where the last
+/// weight is another: the second is multiplied by `pace`, the third by its square.
+std::string sector_text(double from, double to, double pace) {
+  std::string text = "700 1 0 0\n3 1\n2 2\n0 0 1 1\n3 3\n0 0 0 1 1 1\n2 2\n0 0 1 1\n";
+  const double tangent = std::tan(std::numbers::pi / 6), half = std::sqrt(0.75);
+  for (const double z : {0.0, 0.5})
+    for (const Eigen::Vector3d& at : {Eigen::Vector3d(1, 0, 1), Eigen::Vector3d(1, tangent, half * pace),
+                                      Eigen::Vector3d(0.5, half, pace * pace)})
+      for (const double radius : {from, to})
+        text += fmt::format("{:.17g} {:.17g} {:.17g} {:.17g}\n", radius * at[0] * at[2],
+                            radius * at[1] * at[2], z * at[2], at[2]);
   return text;
 }
 
@@ -158,6 +176,26 @@ TEST_F(NonMatching, MortarNeedsASideThatIsCoveredAllOver) {
   EXPECT_NE(
       run({"run", study(), "--set", "coupling.non_matching=mortar", "--set", "load.0.faces=['1:back']"}), 0);
   EXPECT_THAT(err_, HasSubstr("parts stay free; set non_matching = \"nitsche\""));
+}
+
+// Two layers of a pipe whose common arcs are the same at another pace, beside the same at one pace.
+TEST_F(NonMatching, ArcsOfOtherRationalParametersAreCoupled) {
+  const auto energy = [&](double pace, const std::string& way) {
+    write_file(folder_ / "part.g2", sector_text(1, 1.4, 1) + sector_text(1.4, 2, pace));
+    EXPECT_EQ(run({"run", study(), "--set", "coupling.non_matching='" + way + "'", "--set",
+                   "discretization={ degree = 3, refine = 2 }", "--set",
+                   "support=[{ faces = ['0:south', '1:south', '0:north', '1:north'], symmetry = true }, "
+                   "{ faces = ['0:front', '1:front'], symmetry = true }]",
+                   "--set", "load=[{ faces = ['0:west'], pressure = '10 MPa' }]"}),
+              0)
+        << err_;
+    const json summary = json::parse(read_file(results() / "summary.json"));
+    EXPECT_EQ(summary["model"]["non_matching_interfaces"], pace == 1 ? 0 : 1);
+    return summary["results"]["external_work"].get<double>();
+  };
+  const double matching = energy(1, "nitsche");
+  EXPECT_NEAR(energy(2.5, "nitsche") / matching, 1, 1e-5);
+  EXPECT_NEAR(energy(2.5, "mortar") / matching, 1, 1e-5);
 }
 
 }  // namespace
