@@ -101,15 +101,17 @@ const Keys<segmentation::GivenPlane>& given_plane_keys() {
 
 const Keys<SegmentationKeys>& segmentation_keys() {
   static const Keys<S> keys = {
-      custom_key<S>("t_joints", quoted_list(names(t_joint_choices())),
-                    "What becomes of sides that meet others in parts: further cuts until all meet side to "
-                    "side, or nothing: layers of a stack, pieces between planes and parts that are no hexahedra "
-                    "are divided each by itself, into fewer hexahedra. Patches of kept ones meet without matching: `coupling.non_matching` "
-                    "says how they are coupled, and without it such a study is refused; `isopatch segment` "
-                    "writes and shows them.",
-                    [](S& target, const ConfigValue& value) {
-                      target.options.t_joints = read_choice(value, "t_joints", t_joint_choices());
-                    })
+      custom_key<S>(
+          "t_joints", quoted_list(names(t_joint_choices())),
+          "What becomes of sides that meet others in parts: further cuts until all meet side to "
+          "side, or nothing: layers of a stack, pieces between planes and parts that are no hexahedra "
+          "are divided each by itself, into fewer hexahedra. Patches of kept ones meet without matching: "
+          "`coupling.non_matching` "
+          "says how they are coupled, and without it such a study is refused; `isopatch segment` "
+          "writes and shows them.",
+          [](S& target, const ConfigValue& value) {
+            target.options.t_joints = read_choice(value, "t_joints", t_joint_choices());
+          })
           .with_default("\"remove\""),
       custom_key<S>(
           "method", quoted_list(names(method_choices())),
