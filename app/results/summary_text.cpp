@@ -126,11 +126,10 @@ std::string solver_text(const solvers::SolveReport& report) {
     return fmt::format("  solver            {}, relative residual {:.2g}\n", solvers::name(report.method),
                        report.relative_residual) +
            why;
-  return fmt::format(
-             "  solver            {} with {}, {}: {} to {:.2g} in energy\n",
-             solvers::name(report.method), counted(report.levels, "multigrid level"),
-             report.form == solvers::Operator::assembled ? "matrix stored" : "matrix-free",
-             counted(report.iterations, "iteration"), report.energy_error) +
+  return fmt::format("  solver            {} with {}, {}: {} to {:.2g} in energy\n",
+                     solvers::name(report.method), counted(report.levels, "multigrid level"),
+                     report.form == solvers::Operator::assembled ? "matrix stored" : "matrix-free",
+                     counted(report.iterations, "iteration"), report.energy_error) +
          why;
 }
 
@@ -156,12 +155,11 @@ std::string balance_text(const Study& study, const geometry::MultiPatch& model,
   const double work = results.external_work + results.thermal_work;
   const double scale = std::max(std::abs(results.internal_energy), std::abs(work));
   const auto energy = [&](double joule) { return with_unit(without_round_off(joule, scale), "J"); };
-  return fmt::format("    balance         with {} of Nitsche's method between faces{}: the work is {}\n",
-                     energy(results.interface_energy),
-                     results.support_energy == 0
-                         ? ""
-                         : fmt::format(" and {} in springs", energy(results.support_energy)),
-                     energy(work));
+  return fmt::format(
+      "    balance         with {} of Nitsche's method between faces{}: the work is {}\n",
+      energy(results.interface_energy),
+      results.support_energy == 0 ? "" : fmt::format(" and {} in springs", energy(results.support_energy)),
+      energy(work));
 }
 
 // Largest values, reactions and probes of one case.
@@ -176,18 +174,6 @@ std::string case_text(const Study& study, const StudyRun& run, const CaseView& o
          balance_text(study, run.built.problem.discretization.model, results) +
          error_text(one.error, run.error_missing) + reactions_text(run, results) +
          moments_text(study, one, size) + probes_text(one.probes, results);
-}
-
-// The first of the faces that meet without matching.
-std::string non_matching_text(const ModelReport& report) {
-  constexpr std::size_t shown = 4;
-  std::string text;
-  for (std::size_t i = 0; i < report.non_matching.size() && i < shown; ++i)
-    text += fmt::format("{}{} and {}", i == 0 ? "  not matching      " : ", ", report.non_matching[i].first,
-                        report.non_matching[i].second);
-  if (report.non_matching.size() > shown)
-    text += fmt::format(" and {} more: isopatch info", report.non_matching.size() - shown);
-  return text.empty() ? "" : text + "\n";
 }
 
 // Where the mortar method has its multipliers: face by face as far as there are few.
@@ -221,6 +207,17 @@ std::string levels_text(const StudyRun& run) {
 }
 
 }  // namespace
+
+std::string non_matching_text(const ModelReport& report) {
+  constexpr std::size_t shown = 4;
+  std::string text;
+  for (std::size_t i = 0; i < report.non_matching.size() && i < shown; ++i)
+    text += fmt::format("{}{} and {}", i == 0 ? "  not matching      " : ", ", report.non_matching[i].first,
+                        report.non_matching[i].second);
+  if (report.non_matching.size() > shown)
+    text += fmt::format(" and {} more: isopatch info", report.non_matching.size() - shown);
+  return text.empty() ? "" : text + "\n";
+}
 
 std::string summary_text(const Study& study, const StudyRun& run) {
   const auto& model = run.built.problem.discretization.model;
