@@ -120,8 +120,11 @@ ExitCode block_info(const InfoCommand& command, const Console& console) {
   console.out << fmt::format("{}: {}\n", command.input.path.string(), counted(model.solids.size(), "block"));
   for (const auto& [body, blocks] : bodies) console.out << fmt::format("  {}: {}\n", body, blocks);
   const std::vector<std::string> joints = t_joint_texts(model);
-  console.out << (joints.empty() ? "all meet side to side\n"
-                                 : "T-joints, with which a study cannot be solved yet:\n");
+  console.out << (joints.empty()
+                      ? "all meet side to side\n"
+                      : fmt::format(
+                            "{}, for studies with coupling.non_matching = \"nitsche\" or \"mortar\":\n",
+                            counted(joints.size(), "T-joint")));
   for (const std::string& joint : joints) console.out << "  " << joint << "\n";
   return ExitCode::ok;
 }
@@ -144,6 +147,7 @@ TriedStudy tried(const Study& study, const LoadedModel& loaded, const ModelRepor
   TriedStudy result;
   try {
     result.problem = build_problem(study, loaded, seen, progress);
+    warn_of_no_load(study, *result.problem);
     iga::require_well_posed(result.problem->problem, study.options.quadrature_points);
   } catch (const Error& error) {
     result.refusal = error;

@@ -10,6 +10,7 @@
 #include "app/problem/build_problem.hpp"
 #include "app/results/modes_json.hpp"
 #include "app/results/output_directory.hpp"
+#include "app/results/summary_text.hpp"
 #include "app/results/unfinished_results.hpp"
 #include "app/results/write_fields.hpp"
 #include "app/study/parse_study.hpp"
@@ -26,7 +27,8 @@ constexpr const char* modes_examples = R"(Examples:
   isopatch modes study.toml --set modes.free=true    without its supports: the six rigid motions are named as such
 The study is that of a run; materials need densities, loads count for nothing, and a free body moves freely. [modes] has the options. Writes
 modes.json and, unless output.fields is false, modes/N/results.vtm with the shape of mode N. On one process.
-Of [solver] memory_limit holds; the rest and [coupling] count for nothing.)";
+Of [solver] memory_limit holds, the rest counts for nothing; patches are coupled by elimination, those that do not match
+by Nitsche's method, unless coupling.non_matching refuses them.)";
 
 std::string modes_text(const iga::NaturalModes& found) {
   std::string text;
@@ -41,6 +43,12 @@ std::string modes_text(const iga::NaturalModes& found) {
     text += fmt::format("  counted           {} modes up to {}, rigid motions among them\n", found.counted,
                         with_unit(found.counted_to, "Hz"));
   return text;
+}
+
+// Whatever the study says of runs.
+std::string coupled_text(const BuiltProblem& built) {
+  if (built.report.non_matching.empty()) return "";
+  return non_matching_text(built.report) + "  coupled           by elimination and Nitsche's method\n";
 }
 
 // The shape with a largest displacement of a tenth of the part.
@@ -67,7 +75,8 @@ void write_modes(const Study& study, const BuiltProblem& built, const iga::Natur
                  const Progress& progress) {
   UnfinishedResults unfinished(modes_results, study.output.directory);
   try {
-    write_in(unfinished.folder(), "modes.json", modes_json(study, found, built.warnings));
+    write_in(unfinished.folder(), "modes.json",
+             modes_json(study, found, !built.report.non_matching.empty(), built.warnings));
     if (study.output.fields) write_shapes(study, built, found, unfinished.folder(), progress);
     unfinished.replace_earlier();
   } catch (const Error& error) {
@@ -77,9 +86,11 @@ void write_modes(const Study& study, const BuiltProblem& built, const iga::Natur
   }
 }
 
-// Of the ways to solve, modes have one: interfaces eliminated, by factors. The limit on memory is theirs too.
+// Of the ways to solve, modes have one: interfaces eliminated or by Nitsche's method, by factors. The limit
+// on memory is theirs too.
 void leave_only_memory_limit(iga::ElasticityOptions& options) {
   options.coupling = iga::Coupling::elimination;
+  options.non_matching = iga::NonMatchingCoupling::nitsche;
   const double limit = options.solver.memory_limit;
   options.solver = {};
   options.solver.memory_limit = limit;
@@ -127,7 +138,7 @@ ExitCode modes_command(const ModesCommand& command, const Console& console,
   display.clear();
   for (const Warning& warning : built.warnings) console.warn(warning.text);
   if (!console.quiet)
-    console.out << (study.title.empty() ? "" : study.title + "\n") << modes_text(found)
+    console.out << (study.title.empty() ? "" : study.title + "\n") << coupled_text(built) << modes_text(found)
                 << fmt::format("  results in        {}: modes.json{}\n", study.output.directory.string(),
                                study.output.fields ? ", modes/1/results.vtm, ..." : "");
   return ExitCode::ok;

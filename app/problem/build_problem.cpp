@@ -436,6 +436,11 @@ ReportedModel reported_model(const Study& study, const Progress& progress) {
   return {std::move(loaded), std::move(seen)};
 }
 
+void warn_of_no_load(const Study& study, BuiltProblem& built) {
+  if (study.loads.empty())
+    built.warnings.push_back({"the study has no load; only prescribed displacements can move the part"});
+}
+
 BuiltProblem build_problem(const Study& study, const Progress& progress) {
   const ReportedModel model = reported_model(study, progress);
   return build_problem(study, model.loaded, model.report, progress);
@@ -486,8 +491,6 @@ BuiltProblem build_problem(const Study& study, const LoadedModel& loaded, const 
   for (const SectionInput& section : study.sections)
     built.sections.push_back(locate_section(section, built.problem.discretization));
   built.mass = mass_properties(model, materials);
-  if (study.loads.empty())
-    built.warnings.push_back({"the study has no load; only prescribed displacements can move the part"});
   return built;
 }
 

@@ -52,4 +52,7 @@ BuiltProblem build_problem(const Study& study, const Progress& progress = {});
 BuiltProblem build_problem(const Study& study, const LoadedModel& model, const ModelReport& report,
                            const Progress& progress = {});
 
+/// Adds the warning of a study without loads to what is solved for displacements; modes need none.
+void warn_of_no_load(const Study& study, BuiltProblem& built);
+
 }  // namespace isopatch::app

@@ -26,6 +26,11 @@ int halvings(double share, int degree) {
   return std::clamp(static_cast<int>(std::ceil(std::log2(share / wanted_share) / (2 * degree))), 1, 5);
 }
 
+// Whether forces act: those of temperatures and prescribed displacements may err to either side.
+bool acts(const iga::ElasticityProblem& problem) {
+  return !problem.surface_loads.empty() || !problem.volume_loads.empty() || !problem.point_loads.empty();
+}
+
 }  // namespace
 
 double unresolved_share(const iga::ElasticityResults& results) {
@@ -45,11 +50,9 @@ std::optional<Warning> resolution_warning(const iga::ElasticityProblem& problem,
   const int degree = degrees[worst];
   double poisson = 0;
   for (const iga::Material& material : problem.materials) poisson = std::max(poisson, iga::poisson(material));
-  const std::string figure = fmt::format(
-      "{:.1f} % of the energy is in the highest polynomials of the elements, and displacements under loads "
-      "are "
-      "too small by about as much",
-      100 * share);
+  const std::string figure =
+      fmt::format("{:.1f} % of the energy is in the highest polynomials of the elements{}", 100 * share,
+                  acts(problem) ? ", and displacements under loads are too small by about as much" : "");
   const int lowest = *std::min_element(degrees.begin(), degrees.end());
   if (poisson >= incompressible && results.unresolved.volumetric > 0.5 * results.unresolved.total())
     return Warning{fmt::format(

@@ -36,6 +36,13 @@ std::string as_given(const std::string& label, const std::string& text) {
   return text == label ? label : fmt::format("{} of \"{}\"", label, text);
 }
 
+/// "1:west", or "1:west of \"bore\"" where its side has a name of its source, such as that of a solid's face.
+std::string with_name(const MultiPatch& model, const PatchFace& face) {
+  for (const geometry::Boundary& boundary : model.boundaries())
+    if (contains(boundary.faces, face)) return as_given(model.label(face), boundary.name);
+  return model.label(face);
+}
+
 /// Refuses what is no boundary face, saying what it is.
 /// @param text  what the study calls it
 void check_boundary(const MultiPatch& model, const PatchFace& face, const std::string& text,
@@ -132,8 +139,10 @@ void refuse_partly_covered(const MultiPatch& model, const std::vector<PatchFace>
     if (contains(model.partly_covered(), face))
       throw error_at(place,
                      fmt::format("face {} is covered in part by other patches, and a support or load would "
-                                 "act beneath them too; divide its patch along their outline",
-                                 model.label(face)));
+                                 "act beneath them too; give the place where it acts, beside them, by "
+                                 "part = {{ box = {{ min = [...], max = [...] }} }}, or by a plane, cylinder "
+                                 "or sphere, or divide the patch along their outline",
+                                 with_name(model, face)));
 }
 
 }  // namespace

@@ -21,15 +21,16 @@
 namespace isopatch::app {
 namespace {
 
-/// Patches that meet in parts of sides are for couplings of faces that do not match.
+/// Patches that meet in parts of sides are for couplings of faces that do not match: said before they are
+/// fitted, which takes longer than the cuts.
 void require_side_to_side(const segmentation::HexModel& model) {
   const std::vector<std::string> joints = t_joint_texts(model);
   if (joints.empty()) return;
   throw Error(
       ErrorCode::not_conforming,
-      fmt::format("blocks meet in parts of sides (T-joints): {}{}; cut the solid with t_joints = "
-                  "\"remove\", the default, or couple patches that do not meet side to side with "
-                  "coupling.non_matching = \"nitsche\" or \"mortar\"",
+      fmt::format("blocks meet in parts of sides (T-joints): {}{}; couple them with coupling.non_matching = "
+                  "\"nitsche\" (or \"mortar\", where each has a side that is covered all over), or cut the "
+                  "solid with t_joints = \"remove\", the default",
                   joints.front(), joints.size() == 1 ? "" : fmt::format(", and {} more", joints.size() - 1)));
 }
 

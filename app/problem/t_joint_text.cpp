@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "app/problem/overlapping_sides.hpp"
+
 namespace isopatch::app {
 
 std::vector<std::string> t_joint_texts(const segmentation::HexModel& model) {
@@ -13,6 +15,9 @@ std::vector<std::string> t_joint_texts(const segmentation::HexModel& model) {
     texts.push_back(fmt::format("{} of block '{}' meets {}", model.face(joint.whole).name,
                                 model.name(joint.whole.block), parts));
   }
+  for (const auto& [first, second] : overlapping_sides(model))
+    texts.push_back(fmt::format("{} of block '{}' meets {} in part", model.face(first).name,
+                                model.name(first.block), model.name(second.block)));
   return texts;
 }
 

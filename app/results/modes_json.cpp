@@ -5,7 +5,7 @@
 
 namespace isopatch::app {
 
-std::string modes_json(const Study& study, const iga::NaturalModes& found,
+std::string modes_json(const Study& study, const iga::NaturalModes& found, bool not_matching,
                        const std::vector<Warning>& warnings) {
   Json modes = Json::array();
   for (const iga::NaturalMode& mode : found.modes)
@@ -18,6 +18,8 @@ std::string modes_json(const Study& study, const iga::NaturalModes& found,
                     {"program", {{"name", "isopatch"}, {"version", version()}}},
                     {"title", study.title},
                     {"study", study.source},
+                    {"coupling", "elimination"},
+                    {"non_matching_coupling", not_matching ? "nitsche" : "none"},
                     {"modes", modes},
                     {"rigid_motions", found.rigid_motions},
                     {"worst_orthogonality", found.worst_orthogonality},

@@ -10,7 +10,8 @@
 namespace isopatch::app {
 
 /// modes.json; SUMMARY.md documents its keys. SI units.
-std::string modes_json(const Study& study, const iga::NaturalModes& found,
+/// @param not_matching  whether some patches do not match: Nitsche's method couples them
+std::string modes_json(const Study& study, const iga::NaturalModes& found, bool not_matching,
                        const std::vector<Warning>& warnings);
 
 }  // namespace isopatch::app

@@ -126,11 +126,10 @@ std::string solver_text(const solvers::SolveReport& report) {
     return fmt::format("  solver            {}, relative residual {:.2g}\n", solvers::name(report.method),
                        report.relative_residual) +
            why;
-  return fmt::format(
-             "  solver            {} with {} multigrid levels, {}: {} iterations to {:.2g} in energy\n",
-             solvers::name(report.method), report.levels,
-             report.form == solvers::Operator::assembled ? "matrix stored" : "matrix-free", report.iterations,
-             report.energy_error) +
+  return fmt::format("  solver            {} with {}, {}: {} to {:.2g} in energy\n",
+                     solvers::name(report.method), counted(report.levels, "multigrid level"),
+                     report.form == solvers::Operator::assembled ? "matrix stored" : "matrix-free",
+                     counted(report.iterations, "iteration"), report.energy_error) +
          why;
 }
 
@@ -148,6 +147,21 @@ std::string case_heading(const CaseName& name) {
   return fmt::format("{} {}: {}\n", name.factors.empty() ? "case" : "combination", name.name, of);
 }
 
+// Nitsche's method stores energy between faces: without it that of the part is not the work.
+std::string balance_text(const Study& study, const geometry::MultiPatch& model,
+                         const iga::ElasticityResults& results) {
+  if (model.non_matching().empty() || study.options.non_matching != iga::NonMatchingCoupling::nitsche)
+    return "";
+  const double work = results.external_work + results.thermal_work;
+  const double scale = std::max(std::abs(results.internal_energy), std::abs(work));
+  const auto energy = [&](double joule) { return with_unit(without_round_off(joule, scale), "J"); };
+  return fmt::format(
+      "    balance         with {} of Nitsche's method between faces{}: the work is {}\n",
+      energy(results.interface_energy),
+      results.support_energy == 0 ? "" : fmt::format(" and {} in springs", energy(results.support_energy)),
+      energy(work));
+}
+
 // Largest values, reactions and probes of one case.
 std::string case_text(const Study& study, const StudyRun& run, const CaseView& one) {
   const iga::ElasticityResults& results = one.solution.results;
@@ -157,20 +171,9 @@ std::string case_text(const Study& study, const StudyRun& run, const CaseView& o
                      place_with_unit(results.max_displacement.place, size)) +
          von_mises_text(results, one.error, size) + principal_text(results, size) +
          fmt::format("  internal energy   {}\n", with_unit(results.internal_energy, "J")) +
+         balance_text(study, run.built.problem.discretization.model, results) +
          error_text(one.error, run.error_missing) + reactions_text(run, results) +
          moments_text(study, one, size) + probes_text(one.probes, results);
-}
-
-// The first of the faces that meet without matching.
-std::string non_matching_text(const ModelReport& report) {
-  constexpr std::size_t shown = 4;
-  std::string text;
-  for (std::size_t i = 0; i < report.non_matching.size() && i < shown; ++i)
-    text += fmt::format("{}{} and {}", i == 0 ? "  not matching      " : ", ", report.non_matching[i].first,
-                        report.non_matching[i].second);
-  if (report.non_matching.size() > shown)
-    text += fmt::format(" and {} more: isopatch info", report.non_matching.size() - shown);
-  return text.empty() ? "" : text + "\n";
 }
 
 // Where the mortar method has its multipliers: face by face as far as there are few.
@@ -204,6 +207,17 @@ std::string levels_text(const StudyRun& run) {
 }
 
 }  // namespace
+
+std::string non_matching_text(const ModelReport& report) {
+  constexpr std::size_t shown = 4;
+  std::string text;
+  for (std::size_t i = 0; i < report.non_matching.size() && i < shown; ++i)
+    text += fmt::format("{}{} and {}", i == 0 ? "  not matching      " : ", ", report.non_matching[i].first,
+                        report.non_matching[i].second);
+  if (report.non_matching.size() > shown)
+    text += fmt::format(" and {} more: isopatch info", report.non_matching.size() - shown);
+  return text.empty() ? "" : text + "\n";
+}
 
 std::string summary_text(const Study& study, const StudyRun& run) {
   const auto& model = run.built.problem.discretization.model;

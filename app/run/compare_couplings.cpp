@@ -152,6 +152,7 @@ ComparedStudy compare_couplings(const Study& study, bool condition, const Progre
   Study forecast = study;
   forecast.options = options_of(study, study.options.coupling);
   ComparedStudy result{{}, {build_problem(forecast, progress), {}, {}, {}, 0}, {}};
+  warn_of_no_load(study, result.run.built);
   if (const iga::LoadCases cases = load_cases(study); !cases.cases.empty()) {
     const iga::LoadCase& first = cases.cases.front();
     BuiltProblem& built = result.run.built;

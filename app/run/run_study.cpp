@@ -82,6 +82,7 @@ StudyRun run_study(const Study& study, const ReportedModel& model, const Progres
   const iga::LoadCases cases = load_cases(study);
   const Stopwatch building;
   StudyRun run{build_problem(study, model.loaded, model.report, progress), {}, {}, {}, 0};
+  warn_of_no_load(study, run.built);
   run.timings.push_back({"model", building.seconds()});
   if (cases.cases.empty()) {
     run.solution = iga::solve_elasticity(run.built.problem, study.options, progress);

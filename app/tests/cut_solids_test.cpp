@@ -222,7 +222,8 @@ TEST_F(CutSolidsOfStudies, MayKeepTheirTJoints) {
     EXPECT_LT(share, 1 + 1e-9);
   }
   ASSERT_EQ(run({"info", file("blocks/blocks.h5")}), 0) << err_;
-  EXPECT_THAT(out_, HasSubstr("T-joints"));
+  EXPECT_THAT(out_, HasSubstr("1 T-joint, for studies with coupling.non_matching = \"nitsche\" or "
+                              "\"mortar\":\n  "));
   EXPECT_THAT(out_, HasSubstr("of block 't"));
   EXPECT_THAT(read_file(file("blocks/report.html")), HasSubstr("\"t_joints\":["));
   const std::string rest =
@@ -231,9 +232,31 @@ TEST_F(CutSolidsOfStudies, MayKeepTheirTJoints) {
        {"file = \"blocks/blocks.h5\"\n", "file = \"t.off\"\n[segmentation]\nt_joints = \"keep\"\n"}) {
     EXPECT_EQ(run_text("[model]\n" + source + rest), 2);
     EXPECT_THAT(err_, HasSubstr("T-joints"));
+    EXPECT_THAT(err_, HasSubstr("couple them with coupling.non_matching = \"nitsche\""));
     EXPECT_THAT(err_, HasSubstr("t_joints = \"remove\""));
     EXPECT_THAT(err_, testing::Not(HasSubstr("fitting")));
   }
+}
+
+// Two bars beside each other of which each reaches beyond the other.
+TEST_F(CutSolidsOfStudies, SayWhereSidesMeetOfWhichNeitherLiesWithinTheOther) {
+  write_file(file("z.off"),
+             "OFF\n16 10 0\n0 0 0\n2 0 0\n2 1 0\n3 1 0\n3 2 0\n1 2 0\n1 1 0\n0 1 0\n"
+             "0 0 1\n2 0 1\n2 1 1\n3 1 1\n3 2 1\n1 2 1\n1 1 1\n0 1 1\n"
+             "8 7 6 5 4 3 2 1 0\n8 8 9 10 11 12 13 14 15\n4 0 1 9 8\n4 1 2 10 9\n4 2 3 11 10\n4 3 4 12 11\n"
+             "4 4 5 13 12\n4 5 6 14 13\n4 6 7 15 14\n4 7 0 8 15\n");
+  ASSERT_EQ(run({"segment", file("z.off"), "-o", file("blocks"), "--t-joints", "keep"}), 0) << err_;
+  ASSERT_EQ(read_block_file(file("blocks/blocks.h5")).model.topology.t_joints.size(), 0U);
+  ASSERT_EQ(run({"info", file("blocks/blocks.h5")}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("1 T-joint, for studies with coupling.non_matching"));
+  EXPECT_THAT(out_, HasSubstr("of block 'z' meets z#1 in part\n"));
+  const std::string rest =
+      "[segmentation]\nt_joints = \"keep\"\n[[material]]\nyoung = 1\npoisson = 0\n[[support]]\n"
+      "faces = [\"face 2\"]\ndisplacement = [0, 0, 0]\n";
+  EXPECT_EQ(run_text("[model]\nfile = \"z.off\"\n" + rest), 2);
+  EXPECT_THAT(err_, HasSubstr("of block 'z' meets z#1 in part; couple them with coupling.non_matching"));
+  EXPECT_EQ(run_text("[model]\nfile = \"z.off\"\n" + rest + "[coupling]\nnon_matching = \"nitsche\"\n"), 0)
+      << err_;
 }
 
 TEST_F(CutSolidsOfStudies, AreWrittenAsStepFilesAloneWhereTheyRunThroughEachOther) {

@@ -79,6 +79,27 @@ TEST_F(NonMatching, PartsBesideWhatCoversAFaceAreFree) {
   EXPECT_THAT(err_, HasSubstr("2:front covers some of the part of face 0:back"));
 }
 
+TEST_F(NonMatching, LoadsOnCoveredFacesAreToldOfParts) {
+  EXPECT_EQ(run({"run", study(), "--set", "load.0.faces=['0:back']"}), 2);
+  EXPECT_THAT(err_, HasSubstr("face 0:back is covered in part by other patches"));
+  EXPECT_THAT(err_, HasSubstr("part = { box = { min = [...], max = [...] } }"));
+}
+
+TEST_F(NonMatching, ModesSayThatNitschesMethodCouples) {
+  const std::vector<std::string> modes = {"modes", study(),
+                                          "--set", "material.0.density=7800",
+                                          "--set", "load=[]",
+                                          "--set", "discretization.degree=2",
+                                          "--set", "coupling.non_matching=mortar"};
+  ASSERT_EQ(run(modes), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("  not matching      0:back and 1:front, 0:back and 2:front\n"
+                              "  coupled           by elimination and Nitsche's method\n"));
+  EXPECT_EQ(err_.find("no load"), std::string::npos) << err_;
+  const json found = json::parse(read_file(results() / "modes.json"));
+  EXPECT_EQ(found["non_matching_coupling"], "nitsche");
+  EXPECT_TRUE(found["warnings"].empty()) << found["warnings"];
+}
+
 TEST_F(NonMatching, BoundaryIsWhatNoOtherPatchCovers) {
   constexpr double surface = 2 + 6 + 0.5 + 1.5 + 5;  // below, around, and on top of both layers
   const auto area = [](const json& model) {

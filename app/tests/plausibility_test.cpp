@@ -64,6 +64,21 @@ TEST_F(Plausibility, ALoadThatSupportsTakeWholeIsNamed) {
   EXPECT_THAT(err_, Not(HasSubstr("load 1")));
 }
 
+// Beside the corners of a wall that stays cold elements of degree 1 are too few for either; warmth alone has
+// no compliance, whose displacements would be too small.
+TEST_F(Plausibility, LargeElementsMakeDisplacementsUnderLoadsTooSmallAndNotThoseOfWarmth) {
+  const std::string coarse = "[discretization]\ndegree = 1\nrefine = 0\n";
+  const std::string bent = replaced(block, "traction = [\"1 MPa\", 0, 0]", "traction = [0, \"1 MPa\", 0]");
+  summary_of(bent + coarse);
+  EXPECT_THAT(err_,
+              HasSubstr("of the elements, and displacements under loads are too small by about as much"));
+  summary_of(replaced(block, "faces = [\"x_max\"]\ntraction = [\"1 MPa\", 0, 0]",
+                      "temperature = { gradient = [0, \"200 K/m\", 0] }") +
+             coarse);
+  EXPECT_THAT(err_, HasSubstr("% of the energy is in the highest polynomials of the elements. "));
+  EXPECT_THAT(err_, Not(HasSubstr("under loads")));
+}
+
 // Of a series of studies one may have no load.
 TEST_F(Plausibility, ALoadOfNothingIsTakenByNoSupport) {
   summary_of(block + "[[load]]\nfaces = [\"y_max\"]\npressure = 0\n");

@@ -47,6 +47,46 @@ class Program(Pages):
         if hit and math.dist(hit[0], probe["point"]) < 1e-3:
             self.assertLess(math.dist(hit[1], probe["displacement"]), 0.05 * math.hypot(*probe["displacement"]))
 
+    def test_faces_that_do_not_match(self):
+        """A box with two on its top: how they hold together, and that the energies add up to the work."""
+        def box(x0, x1, z0, z1):
+            corners = [f"{x} {y} {z}" for z in (z0, z1) for y in (0, 1) for x in (x0, x1)]
+            return "\n".join(["700 1 0 0", "3 0", *["2 2", "0 0 1 1"] * 3, *corners, ""])
+        study = self.folder / "boxes.toml"
+        (self.folder / "boxes.g2").write_text(box(0, 2, 0, 1) + box(0, 0.7, 1, 2) + box(0.7, 1.5, 1, 2))
+        study.write_text('''model.file = "boxes.g2"
+material = [{ name = "steel" }]
+support = [{ faces = ["0:front"], displacement = [0, 0, 0] }]
+load = [{ faces = ["1:back", "2:back"], pressure = "1 MPa" }]''')
+        output = self.folder / "boxes"
+        for way, said in (("nitsche", "coupled by elimination and Nitsche's method"),
+                          ("mortar", "coupled by elimination and mortar multipliers")):
+            run = subprocess.run([os.environ["ISOPATCH_PROGRAM"], "run", study, "--set", f"coupling.non_matching={way}", "-o", output],
+                                 text=True, capture_output=True, stdin=subprocess.DEVNULL, timeout=60)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.browser.open(output / "report.html")
+            self.expect_sound()
+            text = self.browser.run("return document.body.innerText")
+            results = json.loads((output / "summary.json").read_text())["results"]
+            for expected in (said, "3, 1 interface, 2 that do not match", "0:back and 1:front, 0:back and 2:front"):
+                self.assertIn(expected, text)
+            # Rounding, beside what is between the faces.
+            self.assertAlmostEqual(results["internal_energy"] + results["interface_energy"], results["external_work"],
+                                   delta=1e-9 * results["external_work"])
+            self.assertEqual("energy of Nitsche's method between faces" in text, way == "nitsche")
+            if way == "nitsche":
+                self.assertGreater(abs(results["interface_energy"]), 1e-6 * results["external_work"])
+                sign = "-" if results["interface_energy"] < 0 else ""
+                between = sign + four_digits(abs(results["interface_energy"]), "J")
+                self.assertIn(between, text)
+                self.assertIn(f"with {between} of Nitsche's method between faces: the work is", run.stdout)
+        rows = self.browser.run("return [...document.querySelectorAll('#mortar tbody tr')].map((row) => [...row.children].map((cell) => cell.textContent))")
+        ties = results["mortar"]
+        self.assertEqual([row[:4] for row in rows], [[tie["face"], ", ".join(tie["covered_by"]), tie["reason"], str(tie["multipliers"])] for tie in ties])
+        self.assertEqual(len(rows), 2)
+        for row, tie in zip(rows, ties):
+            self.assertIn(f'{tie["force"][2] / 1e3:.4g}) kN', row[4])
+
     def test_segment(self):
         """A prism over an L, cut in two."""
         outline = [(0, 0), (20, 0), (20, 10), (10, 10), (10, 20), (0, 20)]

@@ -15,7 +15,9 @@ globalThis.isopatch = globalThis.isopatch || {};
   function modelRows(model, mass, scene) {
     if (!model) return [];
     const {box} = model;
-    const rows = [["patches", `${counts(model.patches)}, ${many(model.interfaces, "interface")}, ${many(model.boundary_faces, "boundary face")}`],
+    const pairs = model.non_matching_interfaces || 0;
+    const rows = [["patches", `${counts(model.patches)}, ${many(model.interfaces, "interface")}${pairs > 0 ? `, ${counts(pairs)} that ${pairs === 1 ? "does" : "do"} not match` : ""}, `
+                    + many(model.boundary_faces, "boundary face")],
                   ["volume, surface", `${isopatch.withUnit(model.volume, "m^3")}, ${isopatch.withUnit(model.boundary_area, "m^2")}`]];
     const apart = model.non_matching || [];
     if (apart.length > 0) rows.push(["not matching", apart.map(({first, second}) => `${first} and ${second}`).join(", ")]);
@@ -25,10 +27,31 @@ globalThis.isopatch = globalThis.isopatch || {};
     return rows;
   }
 
+  // As on screen: "elimination and Nitsche's method".
+  function couplingText(summary) {
+    const others = {nitsche: " and Nitsche's method", mortar: " and mortar multipliers"};
+    return summary.coupling + (others[summary.non_matching_coupling] || "");
+  }
+
   function spaceRows(space, coupling) {
     if (!space) return [];
     return [["degree", space.degree.join(" \u00d7 ")], ["elements", counts(space.elements)],
             ["unknowns", `${counts(space.dofs)} (${counts(space.dofs_free)} free), coupled by ${coupling}`]];
+  }
+
+  // The energies of part and springs and of what couples faces equal the work of loads and temperatures.
+  function energyRows(results, withFaces) {
+    const scale = Math.max(Math.abs(results.internal_energy), Math.abs(results.external_work || 0));
+    const rows = [["internal energy", isopatch.withUnit(results.internal_energy, "J")]];
+    const more = (what, energy, always) => {
+      const shown = isopatch.withoutRoundOff(energy, scale);
+      if (Number.isFinite(energy) && (always || shown !== 0)) rows.push([what, isopatch.withUnit(shown, "J")]);
+    };
+    more("energy in springs", results.support_energy);
+    if (withFaces) more("energy of Nitsche's method between faces", results.interface_energy, true);
+    more("work of the loads", results.external_work, true);
+    more("work of the temperatures", results.thermal_work);
+    return rows;
   }
 
   function resultRows(summary, scene) {
@@ -39,7 +62,7 @@ globalThis.isopatch = globalThis.isopatch || {};
       ["largest displacement", [isopatch.withUnit(scale, "m"), at(scene, results.max_displacement_point)]],
       ["largest von Mises stress", [isopatch.withUnit(results.max_von_mises, "Pa"), at(scene, results.max_von_mises_point),
                                     ` (${results.max_von_mises_sampled})`]],
-      ["internal energy", isopatch.withUnit(results.internal_energy, "J")]];
+      ...energyRows(results, summary.non_matching_coupling === "nitsche")];
     const error = results.discretization_error;
     if (error) rows.push(["discretization error", Number.isFinite(error.energy_norm)
       ? `about ${isopatch.general(100 * error.energy_norm, 2)} % in the energy norm, ${isopatch.general(100 * error.energy_norm ** 2, 2)} % of the energy; `
@@ -56,7 +79,6 @@ globalThis.isopatch = globalThis.isopatch || {};
     for (const cut of summary.sections || [])
       rows.push([cut.name, [`${isopatch.vectorWithUnit(cut.force, "N")}, moment ${isopatch.vectorWithUnit(cut.moment, "N m")}`,
                             at(scene, cut.point), `, area ${isopatch.withUnit(cut.area, "m^2")}`]]);
-    if (Number.isFinite(results.external_work)) rows.push(["work of the loads", isopatch.withUnit(results.external_work, "J")]);
     for (const probe of summary.probes || []) {
       const moved = probe.displacement.map((x) => isopatch.withoutRoundOff(x, scale));
       const stress = isopatch.withoutRoundOff(probe.von_mises, results.max_von_mises);
@@ -67,10 +89,18 @@ globalThis.isopatch = globalThis.isopatch || {};
     return rows;
   }
 
+  // Where the mortar method has its multipliers, why there, and what goes through each face.
+  function mortarRows(results) {
+    const ties = (results || {}).mortar || [];
+    const scale = Math.max(0, ...ties.map((tie) => Math.hypot(...tie.force)));
+    return ties.map((tie) => [tie.face, tie.covered_by.join(", "), tie.reason, counts(tie.multipliers),
+      isopatch.vectorWithUnit(tie.force.map((x) => isopatch.withoutRoundOff(x, scale)), "N")]);
+  }
+
   function figures(data, scene) {
     const summary = data.summary || {};
     const results = resultRows(summary, scene);
-    const model = [...modelRows(summary.model, summary.mass, scene), ...spaceRows(summary.discretization, summary.coupling)];
+    const model = [...modelRows(summary.model, summary.mass, scene), ...spaceRows(summary.discretization, couplingText(summary))];
     const materials = (summary.materials || []).map((m) => [m.name, isopatch.withUnit(m.young, "Pa"), isopatch.general(m.poisson, 4),
                                                             m.density > 0 ? isopatch.general(m.density, 4) + " kg/m^3" : "not given", counts(m.patches.length)]);
     const levels = (summary.levels || []).map((level) => [counts(level.refine), counts(level.dofs),
@@ -83,9 +113,11 @@ globalThis.isopatch = globalThis.isopatch || {};
     if (convergence.max_von_mises_grows) results.push(["largest von Mises stress", "grows with refinement: at a sharp corner or edge it has no limit"]);
     if (results.length + model.length === 0) return null;
     const part = (title, head, rows, id) => (rows.length === 0 ? null : element(
-      "figure", {id, class: id === "levels" ? "wide" : undefined}, element("figcaption", {}, title), isopatch.table(head, rows)));
+      "figure", {id, class: id === "levels" || id === "mortar" ? "wide" : undefined}, element("figcaption", {}, title), isopatch.table(head, rows)));
     return isopatch.section("Figures", element("div", {class: "figures"},
       part("Results", null, results, "results"), part("Model", null, model),
+      part("Mortar multipliers, which hold faces together that do not match", ["on", "covered by", "why this side", "multipliers", "force through it"],
+        mortarRows(summary.results), "mortar"),
       part("Levels: error in the energy norm, largest displacement and von Mises stress",
         [summary.accuracy ? "step" : "refine", "unknowns", "error", "energy", "displacement", "von Mises"], levels, "levels"),
       part("Materials", ["material", "Young's modulus", "Poisson's ratio", "density", "patches"], materials)));
@@ -139,7 +171,7 @@ globalThis.isopatch = globalThis.isopatch || {};
     const summary = data.summary || {};
     const found = summary.solver;
     if (!found) return null;
-    const rows = [["method", found.levels > 0 ? `${found.method} with ${found.levels} multigrid levels, ${found.operator.replace("_", "-")}` : found.method],
+    const rows = [["method", found.levels > 0 ? `${found.method} with ${many(found.levels, "multigrid level")}, ${found.operator.replace("_", "-")}` : found.method],
                   ["why", found.reason], ["iterations", counts(found.iterations)],
                   ["relative residual", isopatch.general(found.relative_residual, 2)]];
     if (found.energy_error > 0) rows.push(["error in energy norm", isopatch.general(found.energy_error, 2)]);
