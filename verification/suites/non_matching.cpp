@@ -384,9 +384,9 @@ TEST(FullNonMatching, Orders) {
   }
 }
 
+// On the distorted T-joint it is 5.16 for 5 at twelve elements a side, from above, for either way.
 TEST(FullNonMatching, OrdersOfDegree4) {
-  for (const NonMatchingCoupling way : both_ways)
-    for (const std::size_t model : {1u, 2u}) expect_orders_of(models()[model], {4, {6, 8, 10, 12}}, way);
+  for (const NonMatchingCoupling way : both_ways) expect_orders_of(models()[2], {4, {6, 8, 10, 12}}, way);
 }
 
 // The least ratio of sup (m, v) / |v| to |m| over multipliers of a line of unit length, in L2, where v is 0
