@@ -50,6 +50,7 @@ void expect_as_without(const std::string& name, const std::string& study,
 }
 
 TEST(FullSegmentation, KeptTJointsOfTheSciencePark) {
+  ISOPATCH_NEEDS_DATA("solids/ffoSciencePark2.xml");
   expect_as_without("Science Park", "examples/t_joints/study.toml",
                     {"model.file=" + test::data_file("solids/ffoSciencePark2.xml").string()}, 2);
 }
