@@ -100,7 +100,6 @@ void add_triangle(const Point& apex, const Point& b, const Point& c, double sign
     }
 }
 
-// Across a triangle with a side much shorter than the polygon is wide little changes: half the points do.
 PlanePoints plane_points(const Polygon& polygon, double area, const Rules& rules) {
   Point low = polygon[0], high = polygon[0], middle = Point::Zero();
   for (const Point& point : polygon) {
@@ -110,13 +109,10 @@ PlanePoints plane_points(const Polygon& polygon, double area, const Rules& rules
   }
   if (is_box(polygon, low, high, area)) return box_points(low, high, rules(rules.most()));
   PlanePoints result;
-  constexpr double is_short = 1. / 8;  // of the box around the polygon
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Point &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    const double share = (b - a).cwiseQuotient(high - low).cwiseAbs().maxCoeff();
-    const int across = share > is_short ? rules.most() : (rules.most() + 1) / 2;
-    add_triangle(middle, a, b, area > 0 ? 1 : -1, rules(rules.most()), rules(across), result);
-  }
+  const QuadratureRule& rule = rules(rules.most());
+  for (std::size_t k = 0; k < polygon.size(); ++k)
+    add_triangle(middle, polygon[k], polygon[(k + 1) % polygon.size()], area > 0 ? 1 : -1, rule, rule,
+                 result);
   return result;
 }
 
@@ -205,6 +201,8 @@ bool lies_within(const NurbsSurface& surface, const NurbsSurface& other, double 
   return true;
 }
 
+constexpr double much_smaller = 0.25;
+
 // About its area: that of the parallelogram of its tangents in the middle.
 double rough_area(const NurbsSurface& surface) {
   const Point range = surface.high() - surface.low();
@@ -213,12 +211,15 @@ double rough_area(const NurbsSurface& surface) {
 }
 
 // Whether the second is the one whose elements are taken into the other's parameters: that within the other,
-// else the smaller one, since parameters continue beyond a face for a short way only.
+// else the second only where it is much smaller, since parameters continue beyond a face for a short way
+// only. Of faces of about one size it is always the first: all parts of one of its elements then fit
+// together.
 bool is_second_inner(const NurbsSurface& first, const NurbsSurface& second, double same_point) {
   const bool first_within = lies_within(first, second, same_point);
   const bool second_within = lies_within(second, first, same_point);
-  return first_within == second_within ? !first_within && rough_area(second) < rough_area(first)
-                                       : second_within;
+  return first_within == second_within
+             ? !first_within && rough_area(second) < much_smaller * rough_area(first)
+             : second_within;
 }
 
 // The elements that an interval meets, first and last, of those between breaks; none if last < first.
@@ -240,17 +241,37 @@ class Refinement {
 
   // Cells whose `first` is of the inner and whose `second` is of the outer surface.
   std::vector<SharedCell> cells() const {
-    std::vector<SharedCell> result;
+    std::vector<Piece> pieces;
     Outlines outlines(inner_, outer_, same_point_);
     for (int j = 0; j + 1 < static_cast<int>(inner_.breaks[1].size()); ++j)
       for (int i = 0; i + 1 < static_cast<int>(inner_.breaks[0].size()); ++i)
-        add_cells(outlines.of_element(i, j), {i, j}, result);
+        add_pieces(outlines.of_element(i, j), {i, j}, pieces);
+    // Polygons that are cut off from elements are straight where these are curved, and fit to polygons alone.
+    const bool are_whole =
+        std::all_of(pieces.begin(), pieces.end(), [](const Piece& piece) { return piece.is_whole; });
+    std::vector<SharedCell> result;
+    for (const Piece& piece : pieces) {
+      SharedCell& made = result.emplace_back(SharedCell{piece.of_inner, piece.of_outer, {}});
+      if (are_whole)
+        made.points = points_of_whole(piece.of_inner, piece.outline.front());
+      else
+        for (const auto& [at, weight] : plane_points(piece.outline, piece.area, rules_))
+          made.points.push_back(shared_point(at, weight, piece.of_inner));
+    }
     return result;
   }
 
  private:
-  void add_cells(const Polygon& element, const std::array<int, 2>& of_inner,
-                 std::vector<SharedCell>& result) const {
+  // What one of the outer elements has of an inner one.
+  struct Piece {
+    std::array<int, 2> of_inner, of_outer;
+    Polygon outline;
+    double area = 0;        // with the sign of its turn
+    bool is_whole = false;  // all of the inner element
+  };
+
+  void add_pieces(const Polygon& element, const std::array<int, 2>& of_inner,
+                  std::vector<Piece>& pieces) const {
     Point low = element[0], high = element[0];
     for (const Point& point : element) {
       low = low.cwiseMin(point);
@@ -261,17 +282,14 @@ class Refinement {
     for (int j = first_j; j <= last_j; ++j)
       for (int i = first_i; i <= last_i; ++i) {
         const Point from = corner(outer_, i, j), to = corner(outer_, i + 1, j + 1);
-        const Polygon cell = clipped(element, from, to);
+        Polygon cell = clipped(element, from, to);
         if (cell.size() < 3) continue;
         const double area = signed_area(cell);
         if (std::abs(area) <= 1e-12 * (to - from).prod()) continue;
-        SharedCell& made = result.emplace_back(SharedCell{of_inner, {i, j}, {}});
         const Point reach = same_place * (to - from);
-        if (((low - from + reach).array() >= 0).all() && ((to - high + reach).array() >= 0).all())
-          made.points = points_of_whole(of_inner, cell.front());
-        else
-          for (const auto& [at, weight] : plane_points(cell, area, rules_))
-            made.points.push_back(shared_point(at, weight, of_inner));
+        const bool is_whole =
+            ((low - from + reach).array() >= 0).all() && ((to - high + reach).array() >= 0).all();
+        pieces.push_back({of_inner, {i, j}, std::move(cell), area, is_whole});
       }
   }
 
