@@ -74,45 +74,30 @@ PlanePoints box_points(const Point& low, const Point& high, const QuadratureRule
   return points;
 }
 
-// Rules of up to so many points, by their number.
-class Rules {
- public:
-  explicit Rules(int most) {
-    for (int n = 1; n <= most; ++n) rules_.push_back(gauss_legendre(n));
-  }
-  int most() const { return static_cast<int>(rules_.size()); }
-  const QuadratureRule& operator()(int points) const { return rules_[static_cast<std::size_t>(points - 1)]; }
-
- private:
-  std::vector<QuadratureRule> rules_;
-};
-
 // A square collapsed into a triangle; weights have the sign of its turn.
 // Source: Duffy 1982.
-void add_triangle(const Point& apex, const Point& b, const Point& c, double sign,
-                  const QuadratureRule& outward, const QuadratureRule& across, PlanePoints& points) {
+void add_triangle(const Point& apex, const Point& b, const Point& c, double sign, const QuadratureRule& rule,
+                  PlanePoints& points) {
   const double twice = sign * cross(b - apex, c - apex);
-  for (Eigen::Index j = 0; j < across.nodes.size(); ++j)
-    for (Eigen::Index i = 0; i < outward.nodes.size(); ++i) {
-      const double away = outward.nodes[i], along = across.nodes[j];
+  for (Eigen::Index j = 0; j < rule.nodes.size(); ++j)
+    for (Eigen::Index i = 0; i < rule.nodes.size(); ++i) {
+      const double away = rule.nodes[i], along = rule.nodes[j];
       points.emplace_back(apex + away * ((1 - along) * (b - apex) + along * (c - apex)),
-                          outward.weights[i] * across.weights[j] * twice * away);
+                          rule.weights[i] * rule.weights[j] * twice * away);
     }
 }
 
-PlanePoints plane_points(const Polygon& polygon, double area, const Rules& rules) {
+PlanePoints plane_points(const Polygon& polygon, double area, const QuadratureRule& rule) {
   Point low = polygon[0], high = polygon[0], middle = Point::Zero();
   for (const Point& point : polygon) {
     low = low.cwiseMin(point);
     high = high.cwiseMax(point);
     middle += point / static_cast<double>(polygon.size());
   }
-  if (is_box(polygon, low, high, area)) return box_points(low, high, rules(rules.most()));
+  if (is_box(polygon, low, high, area)) return box_points(low, high, rule);
   PlanePoints result;
-  const QuadratureRule& rule = rules(rules.most());
   for (std::size_t k = 0; k < polygon.size(); ++k)
-    add_triangle(middle, polygon[k], polygon[(k + 1) % polygon.size()], area > 0 ? 1 : -1, rule, rule,
-                 result);
+    add_triangle(middle, polygon[k], polygon[(k + 1) % polygon.size()], area > 0 ? 1 : -1, rule, result);
   return result;
 }
 
@@ -237,7 +222,7 @@ Point corner(const DividedSurface& divided, int i, int j) {
 class Refinement {
  public:
   Refinement(const DividedSurface& inner, const DividedSurface& outer, int points, double same_point)
-      : inner_(inner), outer_(outer), rules_(points), same_point_(same_point) {}
+      : inner_(inner), outer_(outer), rule_(gauss_legendre(points)), same_point_(same_point) {}
 
   // Cells whose `first` is of the inner and whose `second` is of the outer surface.
   std::vector<SharedCell> cells() const {
@@ -255,7 +240,7 @@ class Refinement {
       if (are_whole)
         made.points = points_of_whole(piece.of_inner, piece.outline.front());
       else
-        for (const auto& [at, weight] : plane_points(piece.outline, piece.area, rules_))
+        for (const auto& [at, weight] : plane_points(piece.outline, piece.area, rule_))
           made.points.push_back(shared_point(at, weight, piece.of_inner));
     }
     return result;
@@ -298,9 +283,8 @@ class Refinement {
   std::vector<SharedPoint> points_of_whole(const std::array<int, 2>& of_inner, const Point& start) const {
     std::vector<SharedPoint> result;
     Point near = start.cwiseMax(outer_.surface->low()).cwiseMin(outer_.surface->high());
-    for (const auto& [at, weight] :
-         box_points(corner(inner_, of_inner[0], of_inner[1]),
-                    corner(inner_, of_inner[0] + 1, of_inner[1] + 1), rules_(rules_.most()))) {
+    for (const auto& [at, weight] : box_points(corner(inner_, of_inner[0], of_inner[1]),
+                                               corner(inner_, of_inner[0] + 1, of_inner[1] + 1), rule_)) {
       const auto tangents = inner_.surface->jacobian(at);
       const Eigen::Vector3d area = Eigen::Vector3d(tangents.col(0)).cross(Eigen::Vector3d(tangents.col(1)));
       const Eigen::Vector3d place = inner_.surface->point(at);
@@ -327,7 +311,7 @@ class Refinement {
   const DividedSurface& outer_;
   static constexpr double same_place = 1e-9;  // as a share of an element
 
-  Rules rules_;
+  QuadratureRule rule_;
   double same_point_;
 };
 

@@ -4,9 +4,8 @@
 
 namespace isopatch {
 
-// The transpose is not const in Eigen 3.4, though it changes nothing.
 struct SparseLu::Factors {
-  mutable Eigen::SparseLU<Eigen::SparseMatrix<double>> lu;
+  Eigen::SparseLU<Eigen::SparseMatrix<double>> lu;
 };
 
 SparseLu::SparseLu(const Eigen::SparseMatrix<double>& matrix) : factors_(std::make_unique<Factors>()) {
@@ -22,10 +21,6 @@ bool SparseLu::is_singular() const {
 
 Eigen::MatrixXd SparseLu::solve(const Eigen::MatrixXd& right) const {
   return factors_->lu.solve(right);
-}
-
-Eigen::MatrixXd SparseLu::solve_transposed(const Eigen::MatrixXd& right) const {
-  return factors_->lu.transpose().solve(right);
 }
 
 std::optional<Eigen::MatrixXd> solve_by_lu(const Eigen::SparseMatrix<double>& matrix,

@@ -20,8 +20,6 @@ class SparseLu {
   bool is_singular() const;
   /// matrix * x = right. (n, k)
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
-  /// matrix^T * x = right. (n, k)
-  Eigen::MatrixXd solve_transposed(const Eigen::MatrixXd& right) const;
 
  private:
   struct Factors;

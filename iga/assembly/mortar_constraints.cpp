@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 
 #include "geometry/common_refinement.hpp"
 #include "geometry/splines/basis.hpp"

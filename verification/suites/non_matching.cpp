@@ -116,6 +116,20 @@ std::string words(const iga::ElasticityOptions& way) {
                      way.mortar_side == iga::MortarSide::other ? " on the other side" : "");
 }
 
+void expect_linear(const NonMatchingModel& m, const iga::ElasticityOptions& way, const std::string& of,
+                   const iga::ElasticField& found, const LinearField& field) {
+  expect(Claim{of + ": largest error of a coefficient of u",
+               "",
+               ReferenceKind::exact,
+               "linear field",
+               0,
+               coefficient_error(found, field),
+               is_curved(m)                                    ? of_curved_interfaces
+               : way.mortar_side == iga::MortarSide::automatic ? of_plane_interfaces
+                                                               : of_clipped_cells,
+               {}});
+}
+
 TEST(NonMatching, LinearFields) {
   const LinearField field = generic_linear_field();
   for (const NonMatchingModel& m : models())
@@ -127,16 +141,7 @@ TEST(NonMatching, LinearFields) {
         const bool is_mortar = way.non_matching == NonMatchingCoupling::mortar;
         // On curved faces the traction of a linear field is no multiplier.
         if (is_mortar && is_curved(m)) continue;
-        expect(Claim{of + ": largest error of a coefficient of u",
-                     "",
-                     ReferenceKind::exact,
-                     "linear field",
-                     0,
-                     coefficient_error(solution.field, field),
-                     is_curved(m)                                    ? of_curved_interfaces
-                     : way.mortar_side == iga::MortarSide::automatic ? of_plane_interfaces
-                                                                     : of_clipped_cells,
-                     {}});
+        expect_linear(m, way, of, solution.field, field);
       }
     }
 }
@@ -167,16 +172,7 @@ TEST(NonMatching, LinearFieldsOfWarmParts) {
           [left](const Eigen::Vector3d&, const Eigen::Vector3d& n) -> Eigen::Vector3d { return left * n; };
       const iga::ElasticitySolution solution = iga::solve_elasticity(p, way);
       const std::string of = fmt::format("warm {}, {}", m.name, words(way));
-      expect(Claim{of + ": largest error of a coefficient of u",
-                   "",
-                   ReferenceKind::exact,
-                   "linear field",
-                   0,
-                   coefficient_error(solution.field, field),
-                   is_curved(m)                                    ? of_curved_interfaces
-                   : way.mortar_side == iga::MortarSide::automatic ? of_plane_interfaces
-                                                                   : of_clipped_cells,
-                   {}});
+      expect_linear(m, way, of, solution.field, field);
       const iga::ElasticityResults& r = solution.results;
       expect(Claim{of + ": energy of part and interfaces over the work of loads and temperatures",
                    "",
