@@ -60,7 +60,7 @@ GradientsBehind gradients_behind(const PatchSide& side, const PatchSpace& space,
   return result;
 }
 
-void add_element(const GradientsBehind& at, const Material& material, NodeBlocks& blocks) {
+void add_element(const GradientsBehind& at, const Material& material, BlockSums& blocks) {
   std::array<Eigen::MatrixXd, 9> sums;  // of g_d g_e at d + 3 e
   for (std::size_t e = 0; e < 3; ++e)
     for (std::size_t d = 0; d < 3; ++d)
@@ -84,7 +84,7 @@ NodeBlocks face_stiffness(const PatchSpace& space, const std::vector<geometry::S
     for (const int node : geometry::face_control_points(space.sizes(), side))
       on_sides.insert(first_node + node);
   std::set<std::array<int, 3>> done;  // elements at edges lie behind two sides
-  NodeBlocks result;
+  BlockSums result;
   for (const geometry::Side side : sides) {
     const PatchSide of_patch(space, side, first_node);
     for (int j = 0; j < of_patch.elements(1); ++j)
@@ -92,7 +92,7 @@ NodeBlocks face_stiffness(const PatchSpace& space, const std::vector<geometry::S
         if (done.insert(of_patch.element({i, j})).second)
           add_element(gradients_behind(of_patch, space, {i, j}, on_sides), material, result);
   }
-  return result;
+  return result.blocks();
 }
 
 }  // namespace isopatch::iga

@@ -5,7 +5,9 @@
 
 #include "geometry/common_refinement.hpp"
 #include "geometry/splines/basis.hpp"
+#include "iga/assembly/internal/grid_traces.hpp"
 #include "iga/assembly/internal/patch_side.hpp"
+#include "iga/assembly/internal/side_grid.hpp"
 #include "iga/spaces/multiplier_space.hpp"
 
 namespace isopatch::iga {
@@ -63,9 +65,19 @@ class FaceSplines {
 // The integrals of one slave face with its own splines in place of multipliers.
 class FaceIntegrals {
  public:
-  explicit FaceIntegrals(const PatchSide& slave) : slave_(slave), splines_(slave) {}
+  FaceIntegrals(const PatchSide& slave, const SideFunctions& functions)
+      : slave_(slave), functions_(functions), splines_(slave) {}
 
-  void add(const PatchSide& master, double same_point) {
+  void add(const PatchSide& master, const SideFunctions& of_master, double same_point) {
+    const auto grid = geometry::shared_grid(slave_.divided(), master.divided(),
+                                            points_of_rectangle(functions_, of_master), same_point);
+    if (grid) {
+      const TraceIntegrals traces = grid_traces(functions_, of_master, *grid);
+      of_slave_.insert(of_slave_.end(), traces.of_own.begin(), traces.of_own.end());
+      for (const auto& entry : traces.of_other)
+        of_masters_.emplace_back(entry.row(), entry.col(), -entry.value());
+      return;
+    }
     for (const geometry::SharedCell& cell : geometry::common_refinement(
              slave_.divided(), master.divided(), points_of_cell(slave_, master), same_point))
       add(master, cell);
@@ -116,6 +128,7 @@ class FaceIntegrals {
   }
 
   const PatchSide& slave_;
+  const SideFunctions& functions_;
   FaceSplines splines_;
   Triplets of_slave_, of_masters_;
 };
@@ -148,6 +161,10 @@ MortarConstraints mortar_constraints(const std::vector<MortarFace>& faces,
     const auto p = static_cast<std::size_t>(face.patch.value);
     return PatchSide(spaces[p], face.side, first_node[p]);
   };
+  const auto functions = [&](const geometry::PatchFace& face) {
+    const auto p = static_cast<std::size_t>(face.patch.value);
+    return SideFunctions(spaces[p], face.side, first_node[p]);
+  };
   MortarConstraints result;
   result.faces = faces;
   result.edges = edges;
@@ -155,8 +172,10 @@ MortarConstraints mortar_constraints(const std::vector<MortarFace>& faces,
   Triplets jumps;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const PatchSide slave = side(faces[f].slave);
-    FaceIntegrals integrals(slave);
-    for (const geometry::PatchFace& master : faces[f].masters) integrals.add(side(master), same_point);
+    const SideFunctions of_slave_side = functions(faces[f].slave);
+    FaceIntegrals integrals(slave, of_slave_side);
+    for (const geometry::PatchFace& master : faces[f].masters)
+      integrals.add(side(master), functions(master), same_point);
     const Index splines = Index{slave.knots(0).size()} * slave.knots(1).size();
     const SparseRows of_slave = matrix_of(integrals.of_slave(), splines, first_node.back());
     const SparseRows of_masters = matrix_of(integrals.of_masters(), splines, first_node.back());

@@ -39,7 +39,7 @@ struct MortarConstraints {
 /// @param edges       of each face's slave, per component
 /// @param spaces      of all patches
 /// @param same_point  how far faces may be apart, m
-/// @cost    (degree + 1)^4 per quadrature point, of (degree + 3)^2 per cell of the common refinement
+/// @cost    as that of `interface_stiffness`, less by half
 /// @source  Bernardi, Maday, Patera 1994; for splines Brivadis, Buffa, Wohlmuth, Wunderlich, Isogeometric
 ///          mortar methods, 2015
 MortarConstraints mortar_constraints(const std::vector<MortarFace>& faces,

@@ -54,19 +54,39 @@ solvers::SymmetricBlockMatrix with_blocks(const solvers::SymmetricBlockMatrix& m
 }  // namespace
 
 void NodeBlocks::add(int first, int second, const Eigen::Matrix3d& value) {
+  if (first <= second)
+    blocks_.push_back({first, second, value});
+  else
+    blocks_.push_back({second, first, value.transpose()});
+}
+
+void NodeBlocks::add(NodeBlocks other) {
+  if (blocks_.capacity() == 0)
+    blocks_ = std::move(other.blocks_);
+  else
+    blocks_.insert(blocks_.end(), other.blocks_.begin(), other.blocks_.end());
+}
+
+void BlockSums::add(int first, int second, const Eigen::Matrix3d& value) {
   const bool exchanged = second < first;
   if (exchanged) std::swap(first, second);
   const std::int64_t key = (std::int64_t{first} << 32) | second;
-  const auto [at, is_new] = place_.try_emplace(key, blocks_.size());
-  if (is_new) blocks_.push_back({first, second, Eigen::Matrix3d::Zero()});
+  const auto [at, is_new] = place_.try_emplace(key, keys_.size());
+  if (is_new) {
+    keys_.push_back(key);
+    values_.emplace_back(Eigen::Matrix3d::Zero());
+  }
   if (exchanged)
-    blocks_[at->second].value += value.transpose();
+    values_[at->second] += value.transpose();
   else
-    blocks_[at->second].value += value;
+    values_[at->second] += value;
 }
 
-void NodeBlocks::add(const NodeBlocks& other) {
-  for (const Block& block : other.blocks_) add(block.first, block.second, block.value);
+NodeBlocks BlockSums::blocks() const {
+  NodeBlocks result;
+  for (std::size_t i = 0; i < keys_.size(); ++i)
+    result.add(static_cast<int>(keys_[i] >> 32), static_cast<int>(keys_[i] & 0xffffffff), values_[i]);
+  return result;
 }
 
 void NodeBlocks::add_forces(const Eigen::Matrix3Xd& displacement, Eigen::Matrix3Xd& forces) const {

@@ -142,8 +142,8 @@ class FaceOfPart {
 
 NodeBlocks support_stiffness(const std::vector<PatchSpace>& spaces, const std::vector<PatchLayers>& parts,
                              const Springs& springs) {
-  NodeBlocks result;
-  if (springs.empty()) return result;
+  if (springs.empty()) return {};
+  BlockSums sums;
   const std::vector<int> first_node = first_nodes(spaces);
   for (const PatchLayers& part : parts) {
     const auto p = static_cast<std::size_t>(part.patch);
@@ -151,7 +151,7 @@ NodeBlocks support_stiffness(const std::vector<PatchSpace>& spaces, const std::v
     for (const SprungFace& sprung : springs.faces)
       if (sprung.face.patch.value == part.patch)
         FaceOfPart(spaces[p], part, sprung).for_each_element([&](int a, int b, const Eigen::Matrix3d& value) {
-          result.add(first + a, first + b, value);
+          sums.add(first + a, first + b, value);
         });
     for (const SprungPoint& sprung : springs.points) {
       if (sprung.place.patch.value != part.patch || !has_layer_of(part, spaces[p], sprung.place.parameter[2]))
@@ -159,11 +159,11 @@ NodeBlocks support_stiffness(const std::vector<PatchSpace>& spaces, const std::v
       const std::vector<NodeValue> values = node_values(spaces[p], sprung.place.parameter);
       for (std::size_t a = 0; a < values.size(); ++a)
         for (std::size_t b = a; b < values.size(); ++b)
-          result.add(first + values[a].node, first + values[b].node,
-                     values[a].value * values[b].value * sprung.stiffness);
+          sums.add(first + values[a].node, first + values[b].node,
+                   values[a].value * values[b].value * sprung.stiffness);
     }
   }
-  return result;
+  return sums.blocks();
 }
 
 }  // namespace isopatch::iga

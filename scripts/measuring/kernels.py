@@ -13,6 +13,10 @@ SPEED_UP_GOAL = 1.8                        # of two threads
 # Of one product without a matrix by sum factorization with (p + 1)^3 points per element.
 APPLY_KFLOP = {2: 2.9, 3: 7.6, 4: 16.0}
 
+# On a link of which no interface matches: the elements' stiffness, and what ties the patches.
+INTERFACES = ("link", "interfaces", "jumps")
+INTERFACE_GOAL = 0.15                      # of the time of the elements' stiffness
+
 _UNITS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
 
 
@@ -70,7 +74,7 @@ def bandwidth(limit):
 def figures(entries):
     """The kernels' entries with what follows from them: us_per_dof, gflops or gbs, ratios to the limits, speed_up."""
     machine = limits(entries)
-    kernels = [dict(entry) for entry in entries if "dofs" in entry]
+    kernels = [dict(entry) for entry in entries if "dofs" in entry and entry["kernel"] not in INTERFACES]
     key = lambda entry, *names: tuple(entry.get(name) for name in names)
     one = {key(e, "kernel", "p", "spans", "rational"): e["seconds"] for e in kernels if e["threads"] == 1}
     products = {}
@@ -94,6 +98,16 @@ def figures(entries):
             product = products.get(key(entry, "p", "rational", "threads"))
             entry["to_product"] = seconds / dofs / product if product else None
     return kernels
+
+
+def interfaces(entries):
+    """What ties patches that do not match, beside the elements of the same link: shares of their time, by threads."""
+    measured = [dict(entry) for entry in entries if entry["kernel"] in INTERFACES]
+    key = lambda entry: (entry["p"], entry["spans"], entry["threads"])
+    elements = {key(entry): entry["seconds"] for entry in measured if entry["kernel"] == "link"}
+    for entry in measured:
+        entry["share"] = entry["seconds"] / elements[key(entry)]
+    return measured
 
 
 def _formation(entry, machine):
@@ -140,4 +154,18 @@ def report(entries):
     part("Product without a matrix", "apply",
          ["Gflop/s", "time / dgemm limit", "time / memory limit", "time / assembled product"],
          lambda e: [number(e["gflops"]), number(e["to_dgemm"]), number(e["to_memory"]), number(e["to_product"])])
-    return lines
+    return lines + _interface_report(entries)
+
+
+def _interface_report(entries):
+    number = tables.figure
+    of_ways = {"interfaces": "Nitsche", "jumps": "mortar"}
+    rows = [[f"p = {e['p']}, {e['spans']}^3 spans or more", number(e["dofs"]), str(e["threads"]), of_ways[e["kernel"]],
+             number(1e3 * e["seconds"]), number(e["share"]),
+             "reached" if e["share"] <= INTERFACE_GOAL else "MISSED"]
+            for e in interfaces(entries) if e["kernel"] in of_ways]
+    if not rows:
+        return []
+    return ["", "### Interfaces that do not match, all of the link's", "",
+            *tables.table(["patch", "DOFs", "threads", "way", "ms", "time / elements' stiffness",
+                           f"goal {INTERFACE_GOAL:g}"], rows)]

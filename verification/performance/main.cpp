@@ -5,6 +5,7 @@
 #include <omp.h>
 
 #include "solvers/blas_threads.hpp"
+#include "verification/performance/interfaces.hpp"
 #include "verification/performance/kernels.hpp"
 #include "verification/performance/limits.hpp"
 
@@ -21,6 +22,8 @@ void register_all() {
     register_kernels({4, 12, rational}, threads, true);
     register_kernels({3, 32, rational}, threads, false);
   }
+  for (const int degree : {2, 3, 4}) register_interfaces(degree, 8, threads);
+  register_interfaces(3, 16, threads);
 }
 
 }  // namespace

@@ -100,33 +100,6 @@ PatchSide::Functions PatchSide::functions_behind(const ElementOfFace& of_face,
   return result;
 }
 
-double PatchSide::trace_constant(const ElementOfFace& of_face) const {
-  const std::array<int, 3> element = this->element(of_face);
-  const auto across = static_cast<std::size_t>(geometry::direction(side_));
-  const int degree = space_.knots[across].degree();
-  const geometry::QuadratureRule rule = geometry::gauss_legendre(degree + 2);
-  const auto at = [&](std::size_t d, double share) {
-    const auto e = static_cast<std::size_t>(element[d]);
-    return breaks_[d][e] + share * (breaks_[d][e + 1] - breaks_[d][e]);
-  };
-  const auto u = static_cast<std::size_t>(along_[0]), v = static_cast<std::size_t>(along_[1]);
-  const double length = at(across, 1) - at(across, 0);
-  double thinnest = std::numeric_limits<double>::infinity();
-  for (const double s : rule.nodes)
-    for (const double t : rule.nodes) {
-      const geometry::Parameter<2> on_side(at(u, s), at(v, t));
-      const auto tangents = surface_.jacobian(on_side);
-      const double area = Eigen::Vector3d(tangents.col(0)).cross(Eigen::Vector3d(tangents.col(1))).norm();
-      geometry::Parameter<3> parameter = geometry::on_side(*space_.geometry, side_, on_side);
-      for (const double w : rule.nodes) {
-        parameter[static_cast<Eigen::Index>(across)] = at(across, w);
-        const double volume = std::abs(space_.geometry->jacobian(parameter).determinant());
-        thinnest = std::min(thinnest, volume * length / area);
-      }
-    }
-  return (degree + 1) * (degree + 1) / thinnest;
-}
-
 void PatchSide::add_functions(const std::array<Eigen::MatrixXd, 3>& bases, const std::array<int, 3>& first,
                               Functions& result) const {
   const auto sizes = space_.sizes();

@@ -47,11 +47,6 @@ class PatchSide {
   /// The same at a point of the volume's element behind; the normal is that of the sheet through the point.
   Functions functions_behind(const ElementOfFace& of_face, const geometry::Parameter<3>& at) const;
 
-  /// (degree + 1)^2 / thickness, the largest over the side of an element, 1/m: for strains that are
-  /// polynomials along the lines across it, the most that their square on the side is of their square in the
-  /// element.
-  double trace_constant(const ElementOfFace& of_face) const;
-
  private:
   void add_functions(const std::array<Eigen::MatrixXd, 3>& bases, const std::array<int, 3>& first,
                      Functions& result) const;
