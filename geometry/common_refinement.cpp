@@ -1,11 +1,13 @@
 #include "geometry/common_refinement.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "geometry/base/larger.hpp"
+#include "geometry/element_outlines.hpp"
+#include "geometry/parameter_polygon.hpp"
 #include "geometry/quadrature.hpp"
 #include "geometry/surface_foot.hpp"
 
@@ -13,169 +15,6 @@ namespace isopatch::geometry {
 namespace {
 
 using Point = Parameter<2>;
-using Polygon = std::vector<Point>;
-
-constexpr int segments_of_curved_edges = 16;
-constexpr double straight = 1e-9;  // of the range of the parameters
-
-double cross(const Point& a, const Point& b) {
-  return a[0] * b[1] - a[1] * b[0];
-}
-
-double signed_area(const Polygon& polygon) {
-  double sum = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-    sum += cross(polygon[i] - polygon[0], polygon[(i + 1) % polygon.size()] - polygon[0]);
-  return 0.5 * sum;
-}
-
-// What is left of a polygon where sign * (x[direction] - limit) >= 0.
-// Source: Sutherland, Hodgman 1974.
-Polygon clipped(const Polygon& polygon, int direction, double limit, double sign) {
-  Polygon result;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Point& a = polygon[i];
-    const Point& b = polygon[(i + 1) % polygon.size()];
-    const double inside_a = sign * (a[direction] - limit), inside_b = sign * (b[direction] - limit);
-    if (inside_a >= 0) result.push_back(a);
-    if ((inside_a > 0 && inside_b < 0) || (inside_a < 0 && inside_b > 0)) {
-      Point cut = a + inside_a / (inside_a - inside_b) * (b - a);
-      cut[direction] = limit;
-      result.push_back(cut);
-    }
-  }
-  return result;
-}
-
-Polygon clipped(Polygon polygon, const Point& low, const Point& high) {
-  for (int d = 0; d < 2; ++d) {
-    polygon = clipped(polygon, d, low[d], 1);
-    polygon = clipped(polygon, d, high[d], -1);
-  }
-  return polygon;
-}
-
-// Points and weights in the plane of a polygon.
-using PlanePoints = std::vector<std::pair<Point, double>>;
-
-// Whether a polygon fills the box around it.
-bool is_box(const Polygon& polygon, const Point& low, const Point& high, double area) {
-  const Point sides = high - low;
-  return std::abs(std::abs(area) - sides[0] * sides[1]) <= 1e-9 * std::abs(area) && polygon.size() >= 4;
-}
-
-PlanePoints box_points(const Point& low, const Point& high, const QuadratureRule& rule) {
-  PlanePoints points;
-  const Point sides = high - low;
-  for (Eigen::Index j = 0; j < rule.nodes.size(); ++j)
-    for (Eigen::Index i = 0; i < rule.nodes.size(); ++i)
-      points.emplace_back(low + sides.cwiseProduct(Point(rule.nodes[i], rule.nodes[j])),
-                          rule.weights[i] * rule.weights[j] * sides[0] * sides[1]);
-  return points;
-}
-
-// A square collapsed into a triangle; weights have the sign of its turn.
-// Source: Duffy 1982.
-void add_triangle(const Point& apex, const Point& b, const Point& c, double sign, const QuadratureRule& rule,
-                  PlanePoints& points) {
-  const double twice = sign * cross(b - apex, c - apex);
-  for (Eigen::Index j = 0; j < rule.nodes.size(); ++j)
-    for (Eigen::Index i = 0; i < rule.nodes.size(); ++i) {
-      const double away = rule.nodes[i], along = rule.nodes[j];
-      points.emplace_back(apex + away * ((1 - along) * (b - apex) + along * (c - apex)),
-                          rule.weights[i] * rule.weights[j] * twice * away);
-    }
-}
-
-PlanePoints plane_points(const Polygon& polygon, double area, const QuadratureRule& rule) {
-  Point low = polygon[0], high = polygon[0], middle = Point::Zero();
-  for (const Point& point : polygon) {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-    middle += point / static_cast<double>(polygon.size());
-  }
-  if (is_box(polygon, low, high, area)) return box_points(low, high, rule);
-  PlanePoints result;
-  for (std::size_t k = 0; k < polygon.size(); ++k)
-    add_triangle(middle, polygon[k], polygon[(k + 1) % polygon.size()], area > 0 ? 1 : -1, rule, result);
-  return result;
-}
-
-// One surface's lines of elements in the parameters of another one.
-class Outlines {
- public:
-  Outlines(const DividedSurface& inner, const DividedSurface& outer, double same_point)
-      : inner_(inner), outer_(outer), same_point_(same_point) {
-    if (!edges_are_straight()) segments_ = segments_of_curved_edges;
-  }
-
-  Polygon of_element(int i, int j) {
-    Polygon result;
-    const int m = segments_;
-    for (int k = 0; k < m; ++k) result.push_back(at(m * i + k, m * j));
-    for (int k = 0; k < m; ++k) result.push_back(at(m * (i + 1), m * j + k));
-    for (int k = 0; k < m; ++k) result.push_back(at(m * (i + 1) - k, m * (j + 1)));
-    for (int k = 0; k < m; ++k) result.push_back(at(m * i, m * (j + 1) - k));
-    return result;
-  }
-
- private:
-  double parameter(std::size_t direction, int step) const {
-    const std::vector<double>& breaks = inner_.breaks[direction];
-    const auto i = std::min(static_cast<std::size_t>(step / segments_), breaks.size() - 2);
-    const double share = static_cast<double>(step) / segments_ - static_cast<double>(i);
-    return breaks[i] + share * (breaks[i + 1] - breaks[i]);
-  }
-
-  const Point& at(int i, int j) {
-    const auto known = places_.find({i, j});
-    if (known != places_.end()) return known->second;
-    return places_.emplace(std::pair(i, j), on_outer({parameter(0, i), parameter(1, j)})).first->second;
-  }
-
-  // Neighbours follow each other, so the last foot is a start for the next; a bad one is seen and mended.
-  Point on_outer(const Point& on_inner) {
-    const NurbsSurface& outer = *outer_.surface;
-    const Eigen::Vector3d place = inner_.surface->point(on_inner);
-    SurfaceFoot foot = surface_foot(outer, place, last_);
-    // A foot on the edge belongs to a point beyond it.
-    const bool is_inside = (foot.parameter.array() > outer.low().array()).all() &&
-                           (foot.parameter.array() < outer.high().array()).all();
-    if (foot.distance > same_point_ && is_inside) {
-      const SurfaceFoot other = surface_foot(outer, place, same_point_);
-      if (other.distance < foot.distance) foot = other;
-    }
-    last_ = foot.parameter;
-    return continued_parameter(outer, place, foot);
-  }
-
-  bool edges_are_straight() {
-    const Point range = outer_.surface->high() - outer_.surface->low();
-    last_ =
-        surface_foot(*outer_.surface, inner_.surface->point(inner_.surface->low()), same_point_).parameter;
-    segments_ = 1;
-    const auto count = [&](std::size_t d) { return static_cast<int>(inner_.breaks[d].size()); };
-    const auto bends = [&](const Point& a, const Point& b, const Point& on_inner) {
-      return ((on_outer(on_inner) - 0.5 * (a + b)).cwiseQuotient(range)).cwiseAbs().maxCoeff() > straight;
-    };
-    for (int j = 0; j < count(1); ++j)
-      for (int i = 0; i < count(0); ++i) {
-        const double s = parameter(0, i), t = parameter(1, j);
-        if (i + 1 < count(0) && bends(at(i, j), at(i + 1, j), {0.5 * (s + parameter(0, i + 1)), t}))
-          return places_.clear(), false;
-        if (j + 1 < count(1) && bends(at(i, j), at(i, j + 1), {s, 0.5 * (t + parameter(1, j + 1))}))
-          return places_.clear(), false;
-      }
-    return true;
-  }
-
-  const DividedSurface& inner_;
-  const DividedSurface& outer_;
-  double same_point_;
-  int segments_ = 1;
-  Point last_ = Point::Zero();
-  std::map<std::pair<int, int>, Point> places_;
-};
 
 bool lies_within(const NurbsSurface& surface, const NurbsSurface& other, double same_point) {
   for (const double s : {0.0, 0.5, 1.0})
@@ -227,10 +66,8 @@ class Refinement {
   // Cells whose `first` is of the inner and whose `second` is of the outer surface.
   std::vector<SharedCell> cells() const {
     std::vector<Piece> pieces;
-    Outlines outlines(inner_, outer_, same_point_);
-    for (int j = 0; j + 1 < static_cast<int>(inner_.breaks[1].size()); ++j)
-      for (int i = 0; i + 1 < static_cast<int>(inner_.breaks[0].size()); ++i)
-        add_pieces(outlines.of_element(i, j), {i, j}, pieces);
+    for (const ElementOutline& outline : element_outlines(inner_, outer_, same_point_))
+      add_pieces(outline.on_other, outline.element, pieces);
     // Polygons that are cut off from elements are straight where these are curved, and fit to polygons alone.
     const bool are_whole =
         std::all_of(pieces.begin(), pieces.end(), [](const Piece& piece) { return piece.is_whole; });
@@ -240,7 +77,7 @@ class Refinement {
       if (are_whole)
         made.points = points_of_whole(piece.of_inner, piece.outline.front());
       else
-        for (const auto& [at, weight] : plane_points(piece.outline, piece.area, rule_))
+        for (const auto& [at, weight] : polygon_points(piece.outline, piece.area, rule_))
           made.points.push_back(shared_point(at, weight, piece.of_inner));
     }
     return result;
@@ -250,12 +87,12 @@ class Refinement {
   // What one of the outer elements has of an inner one.
   struct Piece {
     std::array<int, 2> of_inner, of_outer;
-    Polygon outline;
+    ParameterPolygon outline;
     double area = 0;        // with the sign of its turn
     bool is_whole = false;  // all of the inner element
   };
 
-  void add_pieces(const Polygon& element, const std::array<int, 2>& of_inner,
+  void add_pieces(const ParameterPolygon& element, const std::array<int, 2>& of_inner,
                   std::vector<Piece>& pieces) const {
     Point low = element[0], high = element[0];
     for (const Point& point : element) {
@@ -267,7 +104,7 @@ class Refinement {
     for (int j = first_j; j <= last_j; ++j)
       for (int i = first_i; i <= last_i; ++i) {
         const Point from = corner(outer_, i, j), to = corner(outer_, i + 1, j + 1);
-        Polygon cell = clipped(element, from, to);
+        ParameterPolygon cell = clipped(element, from, to);
         if (cell.size() < 3) continue;
         const double area = signed_area(cell);
         if (std::abs(area) <= 1e-12 * (to - from).prod()) continue;

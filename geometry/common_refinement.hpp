@@ -3,15 +3,10 @@
 #include <array>
 #include <vector>
 
+#include "geometry/divided_surface.hpp"
 #include "geometry/splines/nurbs.hpp"
 
 namespace isopatch::geometry {
-
-/// A surface divided into elements by lines of equal parameters.
-struct DividedSurface {
-  const NurbsSurface* surface = nullptr;      ///< must outlive this
-  std::array<std::vector<double>, 2> breaks;  ///< between which the elements lie, per direction
-};
 
 /// A quadrature point of the surface that two faces share.
 struct SharedPoint {
@@ -30,11 +25,11 @@ struct SharedCell {
 /// The common refinement of two faces that are one surface where they overlap, as quadrature.
 ///
 /// Elements of the face that lies within the other, or else of the first, are taken into the other's
-/// parameters, where they are polygons, and clipped by its elements. Where all lie within
-/// one element of the other each they have Gauss's points of their own parameters. Where their edges are not
-/// straight there they get 16 segments a side: the cells still cover the overlap once, but near cut lines up
-/// to a hundredth of an element's square is counted to the neighbouring element, whose functions differ there
-/// by little.
+/// parameters, where they are polygons (`element_outlines`), and clipped by its elements. Where all lie
+/// within one element of the other each they have Gauss's points of their own parameters. Where their edges
+/// are not straight there they get 16 to 64 segments a side: the cells still cover the overlap once, but near
+/// cut lines up to a hundredth of an element's square is counted to the neighbouring element, whose functions
+/// differ there by little.
 /// @param points      Gauss points per direction of a cell that is a rectangle, or of each triangle of others
 /// @param same_point  how far the faces may be apart, model units
 /// @return  cells without area are left out

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/common_refinement.hpp"
+#include "geometry/divided_surface.hpp"
 
 namespace isopatch::geometry {
 
