@@ -97,6 +97,28 @@ TEST(CommonRefinement, IsExactWhereStraightLinesCross) {
   EXPECT_LT(apart, 1e-13);
 }
 
+// A fan of long elements and a rectangle that covers a part of it: neither lies within the other, elements
+// end at the rectangle's border, and what is left of them is bent.
+TEST(CommonRefinement, KeepsToWhereBentElementsCrossARectangle) {
+  const double height = 0.8;
+  const NurbsSurface fan = face_surface(test::ring_sector(1, 2, 0, 1.2, 1), Side::front);
+  const NurbsSurface wide = rectangle({-1, 0, 0}, {3, height, 0}, {7, 1});
+  const auto primitive = [&](double r) {
+    return 0.5 * r * r * std::asin(height / r) + 0.5 * height * std::sqrt(r * r - height * height);
+  };
+  const double area = primitive(2) - primitive(1);
+  std::vector<double> layers = {0, 0.125, 0.25, 0.5, 1};
+  for (const bool exchanged : {false, true}) {
+    const DividedSurface of_fan = {&fan, {layers, std::vector{0.0, 1.0}}};
+    const auto cells = exchanged ? common_refinement(divided(wide), of_fan, 6, 1e-9)
+                                 : common_refinement(of_fan, divided(wide), 6, 1e-9);
+    const auto [sum, apart] =
+        integral(cells, exchanged ? wide : fan, exchanged ? fan : wide, [](const Vector3d&) { return 1.0; });
+    EXPECT_NEAR(sum, area, 1e-4 * area) << exchanged;
+    EXPECT_LT(apart, 2e-4) << exchanged;  // chords of segments
+  }
+}
+
 // A quarter of a cylinder as one arc and as an arc of a third of it: other rational parameters.
 TEST(CommonRefinement, FindsTheSamePointsOfArcsWithOtherParameters) {
   constexpr double quarter = std::numbers::pi / 2;
