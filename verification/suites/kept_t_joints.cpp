@@ -55,5 +55,11 @@ TEST(FullSegmentation, KeptTJointsOfTheSciencePark) {
                     {"model.file=" + test::data_file("solids/ffoSciencePark2.xml").string()}, 2);
 }
 
+// Curved faces that overlap in part, neither within the other.
+TEST(FullSegmentation, KeptTJointsOfTheDemonstrator) {
+  expect_as_without("demonstrator", "examples/t_joints/demonstrator.toml",
+                    {"model.file=" + std::string(ISOPATCH_PARTS) + "/demonstrator.step"}, 1);
+}
+
 }  // namespace
 }  // namespace isopatch::verification
