@@ -100,11 +100,14 @@ std::string text_of(const BranchedCells& cells) {
 
 std::string text_of(const CrossBoredCells& cells) {
   const auto counted = [](int count, const char* what) {
-    return count == 0 ? "" : fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+    return count == 0 ? std::string() : fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
   };
-  const std::string bores = counted(cells.bores - cells.slots, "bore"), slots = counted(cells.slots, "slot");
-  return fmt::format("swept along {} with {}{}{} across", direction_text(cells.along), bores,
-                     bores.empty() || slots.empty() ? "" : " and ", slots);
+  std::string list;
+  for (const std::string& some :
+       {counted(cells.bores - cells.slots - cells.bosses, "bore"), counted(cells.slots, "slot"),
+        cells.bosses == 1 ? std::string("1 boss") : counted(cells.bosses, "bosse")})
+    if (!some.empty()) list += (list.empty() ? "" : " and ") + some;
+  return fmt::format("swept along {} with {} across", direction_text(cells.along), list);
 }
 
 /// "3 pieces: swept along z, x; turned about y".

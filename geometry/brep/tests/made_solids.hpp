@@ -18,7 +18,8 @@ namespace isopatch::geometry::test {
 /// "shaft" (with a cone), "bored_boss", "pocketed", "turned_off" (corners by a cone), "wavy" (a wall is a
 /// spline). Of several directions (made_solids/crossed.cpp): "angle" (two plates of 8, bored), "bent_sheet"
 /// (the same, bent round), "fork" (with a pin's bore and one across it), "rod_fork" (on a rod that is wider
-/// than its slot), "lugs" (two on a plate), "flanged_bend" (a pipe). Blocks along x with bores across
+/// than its slot), "bored_rod_fork" (the rod is a tube), "nozzle" (on the side of a block, its bore ends in a
+/// slot), "lugs" (two on a plate), "flanged_bend" (a pipe). Blocks along x with bores across
 /// (made_solids/drilled.cpp): "port", "ports" (through), "three_bores", "sunk_port", "blind_bore",
 /// "port_beside" (the axis), "tipped_bore" (down, its tip is a drill's),
 /// "tipped_gallery" (likewise, a bore across beside the tip), and "wide_port", which is wider than the bore
