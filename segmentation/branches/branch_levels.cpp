@@ -8,6 +8,7 @@
 
 #include "geometry/base/error.hpp"
 #include "geometry/brep/require_solid.hpp"
+#include "geometry/splines/arc.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -27,17 +28,27 @@ double area(const std::array<Eigen::Vector2d, 4>& corners) {
   return std::abs(a.x() * b.y() - a.y() * b.x()) / 2;
 }
 
-double half_width(const Outline& outline) {
-  double result = 0;
+Eigen::Vector3d in_plane(const Eigen::Vector2d& plan) {
+  return {plan.x(), plan.y(), 0};
+}
+
+/// Along x and y.
+Eigen::Vector2d half_width(const Outline& outline, const Eigen::Vector2d& middle) {
+  Eigen::Vector2d result(0, 0);
   for (const PlanCurve& curve : outline.curves)
-    for (int i = 0; i <= 64; ++i) result = std::max(result, std::abs(curve.point(i / 64.0).y()));
+    for (int i = 0; i <= 64; ++i) result = result.cwiseMax((curve.point(i / 64.0) - middle).cwiseAbs());
   return result;
 }
 
-std::array<double, 2> half_widths(const std::array<Eigen::Vector2d, 4>& corners) {
+/// Along an axis, on the low and the high side of the middle.
+std::array<double, 2> half_widths(const std::array<Eigen::Vector2d, 4>& corners,
+                                  const Eigen::Vector2d& middle, Eigen::Index axis) {
   std::array<double, 2> sum = {0, 0};
-  for (const Eigen::Vector2d& corner : corners) sum[corner.y() < 0 ? 0 : 1] += std::abs(corner.y());
-  return {sum[0] / 2, sum[1] / 2};
+  for (const Eigen::Vector2d& corner : corners) {
+    const double way = corner[axis] - middle[axis];
+    sum[way < 0 ? 0 : 1] += std::abs(way) / 2;
+  }
+  return sum;
 }
 
 }  // namespace
@@ -45,7 +56,11 @@ std::array<double, 2> half_widths(const std::array<Eigen::Vector2d, 4>& corners)
 BranchLevels::BranchLevels(const geometry::Brep& solid, const geometry::CellComplex& body,
                            const Branch& branch, const BranchPlace& place, const Column& column,
                            double tolerance)
-    : solid_(solid), branch_(branch), place_(place), tolerance_(tolerance) {
+    : solid_(solid),
+      branch_(branch),
+      place_(place),
+      tolerance_(tolerance),
+      middle_((branch.low + branch.high) / 2, 0) {
   find_levels(body, column);
   draw();
   find_nodes();
@@ -124,7 +139,8 @@ void BranchLevels::draw() {
     if (all && (!best || area(levels_[l].corners) < (1 - 1e-9) * area(levels_[*best].corners))) best = l;
   }
   const auto& frame = levels_[best.value_or(first_layer())].corners;
-  drawn_widths_ = half_widths(frame);
+  for (const Eigen::Index axis : {0, 1})
+    drawn_widths_[static_cast<std::size_t>(axis)] = half_widths(frame, middle_, axis);
   parent_ = nesting(branch_.outlines);
   std::vector<bool> wanted;
   for (int o = 0; o < outline_count(); ++o) {
@@ -138,13 +154,17 @@ void BranchLevels::draw() {
 void BranchLevels::find_nodes() {
   nodes_.assign(drawing_.quads.vertices.begin(), drawing_.quads.vertices.end());
   on_floor_.assign(nodes_.size(), false);
+  outline_at_.assign(nodes_.size(), -1);
   for (std::size_t e = 0; e < drawing_.quads.edges.size(); ++e) {
     const QuadEdge& edge = drawing_.quads.edges[e];
     if (edge.profile_edge < 4) continue;
     const NurbsCurve curve = drawing_.curve(static_cast<int>(e));
     for (const auto& [node, t] : {std::pair(edge.start, 0.0), std::pair(edge.end, 1.0)}) {
       nodes_[number(node)] = curve.point(Parameter<1>(t)).head<2>();
-      if (drawing_.outline_of[number(edge.profile_edge)] >= 0) on_floor_[number(node)] = true;
+      const int o = drawing_.outline_of[number(edge.profile_edge)];
+      if (o < 0) continue;
+      on_floor_[number(node)] = true;
+      outline_at_[number(node)] = o;
     }
   }
 }
@@ -159,45 +179,81 @@ void BranchLevels::find_floor() {
       }
 }
 
-/// Walls that a layer has stay where they are; beside them the drawing is squeezed or stretched across the
-/// axis, so that its sides are the layer's.
+/// Walls that a layer has stay where they are; beside them the drawing is squeezed or stretched along x and
+/// y, so that its sides are the layer's.
 void BranchLevels::find_stretch(std::size_t l) {
   BranchLevel& level = levels_[l];
   if (!level.shape) return;
+  Eigen::Vector2d kept(0, 0);
   for (int o = 0; o < outline_count(); ++o)
-    if (is_real(o, l)) level.kept = std::max(level.kept, half_width(outline(o)));
-  const std::array<double, 2> here = half_widths(level.corners);
-  for (const std::size_t side : {0U, 1U}) {
-    level.stretch[side] = (here[side] - level.kept) / (drawn_widths_[side] - level.kept);
-    if (!(level.kept < (1 - least_left) * std::min(drawn_widths_[side], here[side])))
-      throw Error(
-          ErrorCode::unsupported,
-          fmt::format("{} leaves no room in a layer of its body that reaches {:.3g} m to a side of it",
-                      describe(solid_, outline(0).walls.front()), here[side]));
+    if (is_real(o, l)) kept = kept.cwiseMax(half_width(outline(o), middle_));
+  for (const Eigen::Index axis : {0, 1}) {
+    const auto a = static_cast<std::size_t>(axis);
+    level.kept[a] = kept[axis];
+    const std::array<double, 2> here = half_widths(level.corners, middle_, axis);
+    for (const std::size_t side : {0U, 1U}) {
+      if (level.kept[a] < (1 - least_left) * std::min(drawn_widths_[a][side], here[side]))
+        level.stretch[a][side] = (here[side] - level.kept[a]) / (drawn_widths_[a][side] - level.kept[a]);
+      else if (axis == 1)
+        throw Error(
+            ErrorCode::unsupported,
+            fmt::format("{} leaves no room in a layer of its body that reaches {:.3g} m to a side of it",
+                        describe(solid_, outline(0).walls.front()), here[side]));
+    }
   }
 }
 
 /// Where a place of the drawing is at a level.
 Eigen::Vector2d BranchLevels::at_level(const Eigen::Vector2d& plan, std::size_t l) const {
   const BranchLevel& level = levels_[l];
-  const double beyond = std::abs(plan.y()) - level.kept;
-  if (!level.shape || beyond < 0) return plan;
-  return {plan.x(), std::copysign(level.kept + level.stretch[plan.y() < 0 ? 0 : 1] * beyond, plan.y())};
+  if (!level.shape) return plan;
+  Eigen::Vector2d result = plan;
+  for (const Eigen::Index axis : {0, 1})
+    result[axis] = middle_[axis] + way_at_level(plan[axis] - middle_[axis], axis, level);
+  return result;
+}
+
+double BranchLevels::way_at_level(double way, Eigen::Index axis, const BranchLevel& level) {
+  const auto a = static_cast<std::size_t>(axis);
+  const double beyond = std::abs(way) - level.kept[a];
+  if (beyond < 0) return way;
+  return std::copysign(level.kept[a] + level.stretch[a][way < 0 ? 0 : 1] * beyond, way);
+}
+
+/// An outline that has no wall at a level becomes narrower as a whole, so that it stays round.
+Eigen::Vector2d BranchLevels::of_outline_at_level(int o, const Eigen::Vector2d& plan, std::size_t l) const {
+  if (o < 0 || !levels_[l].shape || is_real(o, l)) return at_level(plan, l);
+  const Eigen::Vector2d half = half_width(outline(o), middle_);
+  Eigen::Vector2d result = plan;
+  for (const Eigen::Index axis : {0, 1}) {
+    const double way = plan[axis] - middle_[axis], end = std::copysign(half[axis], way);
+    result[axis] = middle_[axis] + way * way_at_level(end, axis, levels_[l]) / end;
+  }
+  return result;
 }
 
 Eigen::Vector2d BranchLevels::plan_of(int node, std::size_t level) const {
-  return at_level(nodes_[number(node)], level);
+  return of_outline_at_level(outline_at_[number(node)], nodes_[number(node)], level);
+}
+
+int BranchLevels::outline_of(int edge) const {
+  const int drawn = drawing_.quads.edges[number(edge)].profile_edge;
+  return drawn < 0 ? -1 : drawing_.outline_of[number(drawn)];
 }
 
 NurbsCurve BranchLevels::plan_curve(int edge, std::size_t level) const {
   NurbsCurve plan = drawing_.curve(edge);
-  double widest = 0;
+  Eigen::Vector2d widest(0, 0);
   for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0})
-    widest = std::max(widest, std::abs(plan.point(Parameter<1>(t)).y()));
-  if (widest <= levels_[level].kept + tolerance_) return plan;
+    widest = widest.cwiseMax((plan.point(Parameter<1>(t)).head<2>() - middle_).cwiseAbs());
+  const auto& kept = levels_[level].kept;
+  if (widest.x() <= kept[0] + tolerance_ && widest.y() <= kept[1] + tolerance_) return plan;
+  const QuadEdge& drawn = drawing_.quads.edges[number(edge)];
+  if (plan.size() == 2)
+    return geometry::segment(in_plane(plan_of(drawn.start, level)), in_plane(plan_of(drawn.end, level)));
   Eigen::Matrix3Xd points = plan.control_points();
   for (Eigen::Index i = 0; i < points.cols(); ++i)
-    points.col(i).head<2>() = at_level(points.col(i).head<2>(), level);
+    points.col(i).head<2>() = of_outline_at_level(outline_of(edge), points.col(i).head<2>(), level);
   return NurbsCurve(plan.knots(), points, plan.weights());
 }
 

@@ -12,6 +12,7 @@
 #include "geometry/brep/require_solid.hpp"
 #include "geometry/brep/without_faces.hpp"
 #include "segmentation/branches/internal/bore_room.hpp"
+#include "segmentation/branches/internal/branch_tops.hpp"
 #include "segmentation/branches/internal/cross_bores.hpp"
 #include "segmentation/sweeps/require_all_of.hpp"
 #include "segmentation/sweeps/swept_cells.hpp"
@@ -35,13 +36,19 @@ class BoredStack {
     std::vector<BranchPlace> places;
     for (const CrossBore& bore : bores_) places.push_back(place_of(bore, complex));
     name_faces(complex);
-    const FaceId no_cut(static_cast<int>(solid_.faces().size()));
-    for (std::size_t b = 0; b < bores_.size(); ++b)
-      complex = inserted_branch(solid_, complex, bores_[b].branch, places[b], no_cut);
+    BranchTops tops(solid_);
+    for (std::size_t b = 0; b < bores_.size(); ++b) {
+      if (bores_[b].is_boss) tops.find(bores_[b].branch, places[b]);
+      complex = inserted_branch(solid_, complex, bores_[b].branch, places[b], tops.cut_face());
+    }
+    complex = tops.with(std::move(complex));
     require_all_of(solid_, complex);
-    const auto slots =
-        std::count_if(bores_.begin(), bores_.end(), [](const CrossBore& bore) { return bore.is_slot; });
-    return {std::move(complex), frame_.along, static_cast<int>(bores_.size()), static_cast<int>(slots)};
+    const auto count = [&](bool CrossBore::*is) {
+      return static_cast<int>(
+          std::count_if(bores_.begin(), bores_.end(), [&](const CrossBore& bore) { return bore.*is; }));
+    };
+    return {std::move(complex), frame_.along, static_cast<int>(bores_.size()), count(&CrossBore::is_slot),
+            count(&CrossBore::is_boss)};
   }
 
  private:
@@ -137,38 +144,55 @@ CrossBoredCells made_of(BoredStack stack) {
   return std::move(*best);
 }
 
-std::optional<CrossBoredCells> bored_along(const Brep& solid, const Eigen::Vector3d& along) {
-  const auto bores = cross_bores(solid, along);
-  if (!bores) return std::nullopt;
+/// A direction along which a solid is a stack but for what is across it.
+struct BoredWay {
+  Eigen::Vector3d along;
+  std::vector<CrossBore> bores;
+};
+
+/// Those with the fewest across first.
+/// @param refusal  gets why one that looks so is none
+std::vector<BoredWay> bored_ways(const Brep& solid, std::optional<Error>& refusal) {
+  std::vector<BoredWay> result;
+  for (const Eigen::Vector3d& along : floor_directions(solid)) {
+    try {
+      if (auto bores = cross_bores(solid, along)) result.push_back({along, *std::move(bores)});
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::internal) throw;
+      if (!refusal) refusal = error;
+    }
+  }
+  std::stable_sort(result.begin(), result.end(),
+                   [](const BoredWay& a, const BoredWay& b) { return a.bores.size() < b.bores.size(); });
+  return result;
+}
+
+std::optional<CrossBoredCells> bored_along(const Brep& solid, const BoredWay& way) {
   std::vector<FaceId> removed;
-  for (const CrossBore& bore : *bores) removed.insert(removed.end(), bore.faces.begin(), bore.faces.end());
+  for (const CrossBore& bore : way.bores) removed.insert(removed.end(), bore.faces.begin(), bore.faces.end());
   const Brep blank = geometry::without_faces(solid, removed);
   for (const SweepFrame& frame : sweep_frames(blank))
-    if (frame.along.cross(along).norm() < 1e-7) return made_of(BoredStack(solid, blank, frame, *bores));
+    if (frame.along.cross(way.along).norm() < 1e-7)
+      return made_of(BoredStack(solid, blank, frame, way.bores));
   return std::nullopt;
 }
 
 }  // namespace
 
 bool bores_meet(const Brep& solid) {
-  for (const Eigen::Vector3d& along : floor_directions(solid)) {
-    try {
-      const auto bores = cross_bores(solid, along);
-      if (bores &&
-          std::any_of(bores->begin(), bores->end(), [](const CrossBore& bore) { return !bore.ends.empty(); }))
-        return true;
-    } catch (const Error& error) {
-      if (error.code() == ErrorCode::internal) throw;
-    }
-  }
-  return false;
+  std::optional<Error> refusal;
+  const std::vector<BoredWay> ways = bored_ways(solid, refusal);
+  return std::any_of(ways.begin(), ways.end(), [](const BoredWay& way) {
+    return std::any_of(way.bores.begin(), way.bores.end(),
+                       [](const CrossBore& bore) { return !bore.ends.empty(); });
+  });
 }
 
 std::optional<CrossBoredCells> cross_bored_cells(const Brep& solid) {
   std::optional<Error> refusal;
-  for (const Eigen::Vector3d& along : floor_directions(solid)) {
+  for (const BoredWay& way : bored_ways(solid, refusal)) {
     try {
-      if (auto made = bored_along(solid, along)) return made;
+      if (auto made = bored_along(solid, way)) return made;
     } catch (const Error& error) {
       if (error.code() == ErrorCode::internal) throw;
       if (!refusal) refusal = error;

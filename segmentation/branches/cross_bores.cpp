@@ -32,6 +32,13 @@ class CrossBoreFinder {
     if (seeds.empty()) return std::nullopt;
     std::set<FaceId> left(seeds.begin(), seeds.end());
     std::vector<CrossBore> result;
+    for (const FaceId seed : seeds) {
+      if (!left.contains(seed) || !is_stud(seed)) continue;
+      std::optional<CrossBore> boss = boss_about(seed);
+      if (!boss) return std::nullopt;
+      for (const FaceId face : boss->faces) left.erase(face);
+      result.push_back(*std::move(boss));
+    }
     while (!left.empty()) {
       const auto direction = direction_of(*left.begin());
       if (!direction) return std::nullopt;
@@ -58,14 +65,123 @@ class CrossBoreFinder {
   Carrier carrier(FaceId face) const { return *solid_.carrier(face); }
 
   /// A cylinder across the stack whose wall looks at its axis.
-  bool is_bored(FaceId face) const {
+  bool is_bored(FaceId face) const { return looks_out(face) < 0; }
+
+  /// Of a cylinder across the stack: whether its wall looks away from its axis (1) or at it (-1); 0 of
+  /// others.
+  int looks_out(FaceId face) const {
     const std::optional<Carrier> found = solid_.carrier(face);
     if (!found || found->kind != SurfaceKind::cylinder || std::abs(found->axis.dot(along_)) > no_slope)
-      return false;
+      return 0;
     const geometry::DomainBox box = solid_.domain(face);
     const Eigen::Vector2d uv = (box.low + box.high) / 2;
     const Eigen::Vector3d way = solid_.point(face, uv) - found->origin;
-    return solid_.outward_normal(face, uv).dot(way - way.dot(found->axis) * found->axis) < 0;
+    return solid_.outward_normal(face, uv).dot(way - way.dot(found->axis) * found->axis) < 0 ? -1 : 1;
+  }
+
+  /// A cylinder across the stack that looks outwards all around.
+  bool is_stud(FaceId face) const {
+    if (looks_out(face) <= 0) return false;
+    const Carrier axis = carrier(face);
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();  // of a whole circle, nothing
+    double length = 0;
+    for (const auto& loop : solid_.face(face).loops)
+      for (const geometry::EdgeUse& use : loop)
+        if (solid_.edge(use.edge).start == solid_.edge(use.edge).end) return true;
+    constexpr int steps = 16;
+    const geometry::DomainBox box = solid_.domain(face);
+    for (int i = 0; i < steps; ++i) {
+      const Eigen::Vector2d share((i + 0.5) / steps, 0.5);
+      const Eigen::Vector3d way =
+          solid_.point(face, box.low + share.cwiseProduct(box.high - box.low)) - axis.origin;
+      sum += way - way.dot(axis.axis) * axis.axis;
+      length += axis.radius;
+    }
+    return sum.norm() < 1e-3 * length;
+  }
+
+  /// Whether a face is turned about an axis; a plane across it only if nothing else bounds it.
+  bool is_turned_about(FaceId face, const Carrier& axis) const {
+    const std::optional<Carrier> found = solid_.carrier(face);
+    if (!found) return false;
+    const bool along = found->axis.cross(axis.axis).norm() < no_slope;
+    const bool centred = (found->origin - axis.origin).cross(axis.axis).norm() < tolerance_;
+    if (found->kind != SurfaceKind::plane) return centred && (along || found->kind == SurfaceKind::sphere);
+    if (!along) return false;
+    bool result = true;
+    for_neighbours(face, [&](FaceId other) {
+      const std::optional<Carrier> beside = solid_.carrier(other);
+      result = result && beside && beside->kind != SurfaceKind::plane &&
+               (beside->origin - axis.origin).cross(axis.axis).norm() < tolerance_;
+    });
+    return result;
+  }
+
+  /// With all that hangs together with it and is turned about its axis; nothing if it stands on no plane
+  /// across it.
+  std::optional<CrossBore> boss_about(FaceId first) const {
+    const Carrier axis = carrier(first);
+    CrossBore boss;
+    boss.is_boss = true;
+    boss.faces = {first};
+    for (std::size_t done = 0; done < boss.faces.size(); ++done)
+      for_neighbours(boss.faces[done], [&](FaceId other) {
+        if (is_turned_about(other, axis) &&
+            std::find(boss.faces.begin(), boss.faces.end(), other) == boss.faces.end())
+          boss.faces.push_back(other);
+      });
+    std::sort(boss.faces.begin(), boss.faces.end());
+    const auto stands_on = foot_of(boss.faces, axis.axis);
+    if (!stands_on) return std::nullopt;
+    boss.opening = stands_on->other;
+    Branch& branch = boss.branch;
+    branch.faces = boss.faces;
+    branch.view.origin = axis.origin;
+    branch.view.x = along_;
+    branch.view.along = stands_on->outwards > 0 ? axis.axis : Eigen::Vector3d(-axis.axis);
+    branch.view.y = branch.view.along.cross(branch.view.x);
+    branch.surface = branch.view.height(carrier(stands_on->other).origin);
+    find_below(boss);
+    return boss;
+  }
+
+  /// Where a bore or a boss meets what is none of it.
+  struct Rim {
+    FaceId wall, other;
+    double outwards;  ///< cosine of the angle between the bore's direction and where the other face looks
+    double height;    ///< along the direction, m
+  };
+
+  /// Where walls that look outwards meet a plane across them.
+  std::optional<Rim> foot_of(const std::vector<FaceId>& faces, const Eigen::Vector3d& direction) const {
+    for (const Rim& rim : rims_of(faces, faces, direction))
+      if (looks_out(rim.wall) > 0 && is_across(rim.other, direction)) return rim;
+    return std::nullopt;
+  }
+
+  /// Outlines and floors of what a boss has at its foot and below.
+  void find_below(CrossBore& boss) const {
+    Branch& branch = boss.branch;
+    std::vector<FaceId> walls;
+    for (const FaceId face : boss.faces) {
+      double low = 1e300;
+      for (const auto& loop : solid_.face(face).loops)
+        for (const geometry::EdgeUse& use : loop)
+          low = std::min(low, branch.view.height(solid_.point(use.edge, 0.37)));
+      if (low > branch.surface + tolerance_) continue;
+      if (is_wall(solid_, face, branch.view.along))
+        walls.push_back(face);
+      else if (low < branch.surface - tolerance_ && is_across(face, branch.view.along))
+        branch.floors.push_back(low);
+      else
+        throw Error(ErrorCode::unsupported,
+                    fmt::format("{} is neither wall nor floor of a boss", describe(solid_, face)));
+    }
+    branch.outlines = outlines_of(solid_, branch.view, walls);
+    std::tie(boss.low, boss.high) = box_of_bores(walls);
+    boss.radius = boss.high.x();
+    branch.low = boss.low.x();
+    branch.high = boss.high.x();
   }
 
   /// Along which a face runs, at right angles to the stack.
@@ -184,21 +300,15 @@ class CrossBoreFinder {
     return {result.begin(), result.end()};
   }
 
-  /// Where a bore meets what is none of it.
-  struct Rim {
-    FaceId wall, other;
-    double outwards;  ///< cosine of the angle between the bore's direction and where the other face looks
-    double height;    ///< along the direction, m
-  };
-
-  std::vector<Rim> rims_of(const CrossBore& bore, const std::vector<FaceId>& walls,
+  /// @param faces  what is no rim's other side
+  std::vector<Rim> rims_of(const std::vector<FaceId>& faces, const std::vector<FaceId>& walls,
                            const Eigen::Vector3d& direction) const {
     std::vector<Rim> result;
     for (const FaceId wall : walls)
       for (const auto& loop : solid_.face(wall).loops)
         for (const geometry::EdgeUse& use : loop)
           for (const FaceId other : solid_.edge(use.edge).faces) {
-            if (std::find(bore.faces.begin(), bore.faces.end(), other) != bore.faces.end()) continue;
+            if (std::find(faces.begin(), faces.end(), other) != faces.end()) continue;
             const Eigen::Vector3d place = solid_.point(use.edge, 0.37);
             result.push_back({wall, other,
                               solid_.outward_normal(other, solid_.project(other, place).uv).dot(direction),
@@ -210,7 +320,7 @@ class CrossBoreFinder {
   /// Seen from outside of the plane that it opens in, or else from where its walls go up to walls of the
   /// stack.
   void look_at(CrossBore& bore, const std::vector<FaceId>& walls, const Eigen::Vector3d& direction) const {
-    const std::vector<Rim> rims = rims_of(bore, walls, direction);
+    const std::vector<Rim> rims = rims_of(bore.faces, walls, direction);
     const Rim* from = nullptr;
     for (const Rim& rim : rims) {
       const bool flat = is_across(rim.other, direction);

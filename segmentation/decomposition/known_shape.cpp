@@ -100,11 +100,14 @@ std::string text_of(const BranchedCells& cells) {
 
 std::string text_of(const CrossBoredCells& cells) {
   const auto counted = [](int count, const char* what) {
-    return count == 0 ? "" : fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+    return count == 0 ? std::string() : fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
   };
-  const std::string bores = counted(cells.bores - cells.slots, "bore"), slots = counted(cells.slots, "slot");
-  return fmt::format("swept along {} with {}{}{} across", direction_text(cells.along), bores,
-                     bores.empty() || slots.empty() ? "" : " and ", slots);
+  std::string list;
+  for (const std::string& some :
+       {counted(cells.bores - cells.slots - cells.bosses, "bore"), counted(cells.slots, "slot"),
+        cells.bosses == 1 ? std::string("1 boss") : counted(cells.bosses, "bosse")})
+    if (!some.empty()) list += (list.empty() ? "" : " and ") + some;
+  return fmt::format("swept along {} with {} across", direction_text(cells.along), list);
 }
 
 /// "3 pieces: swept along z, x; turned about y".
@@ -177,12 +180,17 @@ struct WhyNot {
 /// @param seconds  to look for planes that cut it into pieces
 std::optional<KnownCells> known_cells(const geometry::Brep& solid, double seconds, WhyNot& why) {
   std::optional<KnownCells> best;
-  if (!planes_are_divided(solid)) look([&] { return swept_cells(solid); }, best, why.not_swept);
-  why.stopped_by = why.not_swept;
-  look([&] { return turned_cells(solid); }, best, why.stopped_by);
+  const auto is_good = [&] { return best && geometry::least_quality(best->complex) >= good_quality; };
+  std::string not_turned;
+  const auto as_turned = [&] { look([&] { return turned_cells(solid); }, best, not_turned); };
+  // What is a stack but for rounds or roofs takes long to sweep.
+  const bool is_plain = !sweep_frames(solid).empty();
+  if (!is_plain) as_turned();
+  if (!is_good() && !planes_are_divided(solid)) look([&] { return swept_cells(solid); }, best, why.not_swept);
+  if (is_plain) as_turned();
+  why.stopped_by = not_turned.empty() ? why.not_swept : not_turned;
   // Where it is swept, but poorly, it may do better.
-  if (!best || geometry::least_quality(best->complex) < good_quality)
-    look([&] { return branched_cells(solid); }, best, why.not_branched);
+  if (!is_good()) look([&] { return branched_cells(solid); }, best, why.not_branched);
   if (best || planes_are_divided(solid)) return best;
   // No planes part bores that meet; of others pieces are found sooner.
   const auto as_bored = [&] { look([&] { return cross_bored_cells(solid); }, best, why.not_bored); };

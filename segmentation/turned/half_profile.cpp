@@ -25,6 +25,7 @@ class HalfProfileMaker {
 
   HalfProfile make() {
     for (const FaceId face : frame_.faces) add_face(face);
+    for (const FaceId face : frame_.prisms) add_prism_wall(face);
     return std::move(made_);
   }
 
@@ -61,6 +62,8 @@ class HalfProfileMaker {
     for (const auto& loop : solid_.face(face).loops)
       for (const geometry::EdgeUse& use : loop)
         for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+          const bool is_corner = t == 0 || t == 1;
+          if (!is_corner && solid_.edge(use.edge).kind == geometry::CurveKind::line) continue;
           const Eigen::Vector2d flat = frame_.flat(solid_.point(use.edge, t));
           least = std::min(least, flat[0]);
           largest = std::max(largest, flat[0]);
@@ -71,6 +74,24 @@ class HalfProfileMaker {
     curve.start = vertex({least, height});
     curve.end = vertex({largest, height});
     curve.faces = {face};
+    add(std::move(curve));
+  }
+
+  /// Its corners.
+  void add_prism_wall(FaceId face) {
+    double radius = 0, low = 1e300, high = -1e300;
+    for (const geometry::EdgeUse& use : solid_.face(face).loops.front())
+      for (const double t : {0.0, 1.0}) {
+        const Eigen::Vector2d flat = frame_.flat(solid_.point(use.edge, t));
+        radius = flat[0];
+        low = std::min(low, flat[1]);
+        high = std::max(high, flat[1]);
+      }
+    HalfCurve curve;
+    curve.start = vertex({radius, low});
+    curve.end = vertex({radius, high});
+    curve.faces = {face};
+    curve.of_prism = true;
     add(std::move(curve));
   }
 

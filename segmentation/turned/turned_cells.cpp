@@ -11,10 +11,11 @@
 namespace isopatch::segmentation {
 namespace {
 
-/// Quarters of a whole turn. Of less, as many as have 90 degrees or less; where they meet at the axis, pairs
-/// of them, each around one hexahedron with 120 degrees or less at the axis.
+/// Quarters of a whole turn, or as many as prisms have sides. Of less, as many as have 90 degrees or less;
+/// where they meet at the axis, pairs of them, each around one hexahedron with 120 degrees or less at the
+/// axis.
 int sectors_of(const TurnedFrame& frame, bool reaches_axis) {
-  if (frame.is_whole()) return 4;
+  if (frame.is_whole()) return frame.sides > 0 ? frame.sides : 4;
   const double quarters = frame.sweep / (std::numbers::pi / 2);
   return reaches_axis ? 2 * static_cast<int>(std::ceil(0.75 * quarters - 1e-9))
                       : static_cast<int>(std::ceil(quarters - 1e-9));
@@ -47,7 +48,8 @@ bool is_turned(const geometry::Brep& solid) {
 std::optional<TurnedCells> turned_cells(const geometry::Brep& solid,
                                         const std::vector<std::array<Eigen::Vector3d, 2>>& lines,
                                         const QuadrangulationOptions& options) {
-  const std::optional<TurnedFrame> frame = turned_frame(solid);
+  std::optional<TurnedFrame> frame = turned_frame(solid);
+  if (!frame) frame = prismatic_frame(solid);
   if (!frame) return std::nullopt;
   const TurnedDrawing drawing = turned_drawing(solid, *frame, lines, options);
   const int sectors = sectors_of(*frame, !drawing.columns.empty());

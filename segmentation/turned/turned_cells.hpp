@@ -32,6 +32,10 @@ bool is_turned(const geometry::Brep& solid);
 /// The half profile is divided into quadrilaterals, which are turned in sectors of at most 90 degrees. Where
 /// material reaches the axis, a square column of hexahedra runs along it, whose ends lie on planes, spheres
 /// or ellipsoids. Faces away from the axis are exact.
+///
+/// A whole turn may have regular prisms of 4, 6, 8 or 12 sides about its axis, all of as many and with
+/// corners at the same angles: sockets of screws, square ends. Then it is divided in as many sectors, and the
+/// column along the axis in half as many less one.
 /// @param lines  straight pieces in the ends of what is no whole turn, m: they become sides of hexahedra
 /// @return  nothing for a solid that is not turned
 /// @throws Error unsupported  it looks like one, but has a point or an edge on its axis, or a half profile

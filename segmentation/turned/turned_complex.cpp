@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "geometry/base/error.hpp"
+#include "geometry/brep/require_solid.hpp"
 #include "geometry/splines/arc.hpp"
 #include "geometry/splines/refine.hpp"
 #include "geometry/splines/sweep.hpp"
@@ -57,7 +58,7 @@ class TurnedComplex {
       for (int s = 0; s < sectors_; ++s) add_cell(q, s);
     for (const std::vector<int>& column : drawing_.columns)
       for (std::size_t i = 0; i < column.size(); ++i) {
-        if (frame_.is_whole()) add_column_cell(column[i], i == 0);
+        for (int r = 0; r < rungs() && frame_.is_whole(); ++r) add_column_cell(column[i], i == 0, r);
         for (int s = 0; s < sectors_ && !frame_.is_whole(); s += 2) add_corner_cell(column[i], i == 0, s);
       }
     return std::move(complex_);
@@ -149,9 +150,11 @@ class TurnedComplex {
     if (outer) {
       const auto& faces =
           drawing_.half.outside.curves[static_cast<std::size_t>(drawn(number).profile_edge)].faces;
-      const Eigen::Vector3d middle = along.point(geometry::Parameter<1>(0.5));
-      face.origin =
-          origin_at(faces, frame_.point(frame_.flat(middle), (sector + 0.5) * frame_.sweep / sectors_));
+      Eigen::Vector2d middle = frame_.flat(along.point(geometry::Parameter<1>(0.5)));
+      const double half = frame_.sweep / sectors_ / 2;
+      if (edges_.has_chords(from) && edges_.has_chords(to) && !edges_.core_end(from) && !edges_.core_end(to))
+        middle[0] *= std::cos(half);
+      face.origin = origin_at(faces, frame_.point(middle, (2 * sector + 1) * half));
     }
     face.surface = wall_surface(along, {from, to}, {low, high, here, there}, turned, outer, sector);
     return walls_[{number, sector}] = complex_.add_face(std::move(face));
@@ -165,6 +168,7 @@ class TurnedComplex {
                          bool outer, int sector) {
     const bool straight = along.degree(0) == 1 && along.size() == 2;
     const bool beside_core = edges_.is_core(ends[0]) || edges_.is_core(ends[1]);
+    const bool turned_everywhere = !edges_.has_chords(ends[0]) && !edges_.has_chords(ends[1]);
     if (straight && std::abs(flat(ends[0])[1] - flat(ends[1])[1]) < tolerance()) {
       const bool up = flat(ends[0])[0] > flat(ends[1])[0];
       return complex_.add_surface(
@@ -174,7 +178,7 @@ class TurnedComplex {
       return sphere_surface(edges_.is_core(ends[0]) ? ends[0] : ends[1],
                             {edges.low, edges.high, edges.here, edges.there});
     SurfaceId made(0);
-    if (!beside_core) {
+    if (turned_everywhere) {
       made = complex_.add_surface(turned_surface(frame_.turned(along, edges_.angle(sector)), frame_.origin,
                                                  frame_.along, frame_.sweep / sectors_));
     } else {
@@ -237,6 +241,10 @@ class TurnedComplex {
     CellFace face{SurfaceId(0), loop, {}};
     if (lowest) turn_around(face.loop);
     const CoreEnd* end = edges_.core_end(corner);
+    if (end && end->sphere && rungs() > 1)
+      throw Error(ErrorCode::unsupported,
+                  fmt::format("{} is round on the axis of a prism with more than four sides",
+                              describe(solid_, end->faces.front())));
     std::vector<EdgeId> edges;
     for (const EdgeUse& use : loop) edges.push_back(use.edge);
     if (end && end->sphere)
@@ -256,12 +264,43 @@ class TurnedComplex {
     return sum / static_cast<double>(edges.size());
   }
 
-  FaceId square(int corner, bool lowest) {
-    const auto known = squares_.find({corner, 0});
+  /// Hexahedra of a whole turn's column beside each other: between rungs across it, from one side to the
+  /// opposite one.
+  int rungs() const { return sectors_ / 2 - 1; }
+
+  /// Between the corners of the column at meridians r + 1 and its mirror image; the outermost are sides.
+  EdgeUse rung(int corner, int r) {
+    const int low = (sectors_ - r) % sectors_, high = r + 1;
+    if (r == 0) return {edges_.around(corner, 0), false};
+    if (r == rungs()) return {edges_.around(corner, r + 1), true};
+    return {edges_.rung(corner, low, high), false};
+  }
+
+  /// Between two rungs.
+  FaceId square(int corner, bool lowest, int r) {
+    const auto known = squares_.find({corner, r});
     if (known != squares_.end()) return known->second;
-    std::vector<EdgeUse> loop;
-    for (int s = 0; s < sectors_; ++s) loop.push_back({edges_.around(corner, s), false});
-    return squares_[{corner, 0}] = complex_.add_face(across(corner, lowest, loop));
+    const EdgeUse low = rung(corner, r), high = rung(corner, r + 1);
+    const std::vector<EdgeUse> loop = {low,
+                                       {edges_.around(corner, r + 1), false},
+                                       {high.edge, !high.reversed},
+                                       {edges_.around(corner, sectors_ - 1 - r), false}};
+    return squares_[{corner, r}] = complex_.add_face(across(corner, lowest, loop));
+  }
+
+  /// In the column over a rung; looks towards the first side.
+  FaceId rung_wall(int edge, int r) {
+    const auto known = rung_walls_.find({edge, r});
+    if (known != rung_walls_.end()) return known->second;
+    const int low = drawn(edge).start, high = drawn(edge).end;
+    const int here = (sectors_ - r) % sectors_, there = r + 1;
+    const EdgeUse below = rung(low, r), above = rung(high, r);
+    const EdgeId first = edges_.meridian(edge, here), last = edges_.meridian(edge, there);
+    const Eigen::Vector3d from = complex_.vertex(complex_.from(below)),
+                          way = complex_.vertex(complex_.to(below)) - from;
+    const SurfaceId plane = complex_.add_surface(PlaneSurface{from, way.normalized(), frame_.along});
+    return rung_walls_[{edge, r}] = complex_.add_face(
+               {plane, {below, {last, false}, {above.edge, !above.reversed}, {first, true}}, {}});
   }
 
   /// Beside the axis in two sectors.
@@ -291,11 +330,21 @@ class TurnedComplex {
   }
 
   /// Beside an edge of the column's side, which runs up, so that its right is outside of the column.
-  void add_column_cell(int edge, bool lowest) {
+  void add_column_cell(int edge, bool lowest, int r) {
     geometry::Cell cell;
-    add(cell, square(drawn(edge).start, lowest), !lowest);
-    add(cell, square(drawn(edge).end, false), false);
-    for (int s = 0; s < sectors_; ++s) add(cell, wall({EdgeId(edge), false}, s), false);
+    const auto side = [&](int sector) { add(cell, wall({EdgeId(edge), false}, sector), false); };
+    add(cell, square(drawn(edge).start, lowest, r), !lowest);
+    add(cell, square(drawn(edge).end, false, r), false);
+    if (r == 0)
+      side(0);
+    else
+      add(cell, rung_wall(edge, r), false);
+    side(r + 1);
+    if (r + 1 == rungs())
+      side(r + 2);
+    else
+      add(cell, rung_wall(edge, r + 1), true);
+    side(sectors_ - 1 - r);
     complex_.cells.push_back(std::move(cell));
   }
 
@@ -317,7 +366,7 @@ class TurnedComplex {
   TurnedEdges edges_;
   CellComplex& complex_ = edges_.complex;
   std::vector<int> beside_;  // cells at edges of the drawing
-  std::map<Turned, FaceId> sections_, axis_sections_, walls_, squares_;
+  std::map<Turned, FaceId> sections_, axis_sections_, walls_, squares_, rung_walls_;
   std::map<int, SurfaceId> planes_;
 };
 

@@ -25,6 +25,10 @@ TurnedEdges::TurnedEdges(const TurnedFrame& frame, const TurnedDrawing& drawing,
     const CoreStrip& strip = drawing.half.strips[s];
     for (const CoreEnd* end : {&strip.low, &strip.high}) core_[end->vertex] = end;
   }
+  for (const QuadEdge& edge : drawing.quads.edges)
+    if (edge.profile_edge >= 0 &&
+        drawing.half.outside.curves[static_cast<std::size_t>(edge.profile_edge)].of_prism)
+      of_prism_.insert({edge.start, edge.end});
 }
 
 const CoreEnd* TurnedEdges::core_end(int vertex) const {
@@ -71,7 +75,7 @@ EdgeId TurnedEdges::around(int number, int sector) {
   NurbsCurve shape = geometry::segment(a, b);
   if (const CoreEnd* end = core_end(number); end && end->sphere)
     shape = end->sphere->arc(a, b);
-  else if (!is_core(number))
+  else if (!has_chords(number))
     shape = geometry::arc_about(frame_.origin, frame_.along, a, Angle::radians(frame_.sweep / sectors_));
   return around_[{number, sector}] = add(std::move(shape), from, to);
 }
@@ -84,6 +88,13 @@ EdgeId TurnedEdges::radial(int number, int meridian) {
   const CoreEnd* end = core_end(number);
   NurbsCurve shape = end && end->sphere ? end->sphere->arc(a, b) : geometry::segment(a, b);
   return radial_[{number, meridian}] = add(std::move(shape), from, to);
+}
+
+EdgeId TurnedEdges::rung(int number, int from, int to) {
+  const auto known = rungs_.find({number, from});
+  if (known != rungs_.end()) return known->second;
+  const VertexId a = vertex(number, from), b = vertex(number, to);
+  return rungs_[{number, from}] = add(geometry::segment(complex.vertex(a), complex.vertex(b)), a, b);
 }
 
 EdgeId TurnedEdges::axis(int edge) {

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "segmentation/turned/internal/prism_walls.hpp"
+
 namespace isopatch::segmentation {
 namespace {
 
@@ -154,7 +156,18 @@ void turn_to_seams(const Brep& solid, TurnedFrame& frame) {
   frame.x = x;
 }
 
-std::optional<TurnedFrame> frame_about(const Brep& solid, const Axis& axis) {
+/// Where the walls of prisms have their corners.
+bool turn_to_prisms(const Brep& solid, TurnedFrame& frame) {
+  const auto walls = prism_walls(solid, frame.origin, frame.along, frame.prisms);
+  if (!walls) return false;
+  frame.sides = walls->sides;
+  frame.x = walls->corner;
+  frame.y = frame.along.cross(frame.x);
+  return true;
+}
+
+/// @param prismatic  whether it has walls of prisms
+std::optional<TurnedFrame> frame_about(const Brep& solid, const Axis& axis, bool prismatic) {
   TurnedFrame frame;
   frame.origin = axis.origin;
   frame.along = axis.direction;
@@ -167,9 +180,10 @@ std::optional<TurnedFrame> frame_about(const Brep& solid, const Axis& axis) {
   for (std::size_t f = 0; f < solid.faces().size(); ++f) {
     const FaceId face(static_cast<int>(f));
     const Part part = part_of(solid, face, axis);
-    if (part == Part::other) return std::nullopt;
-    (part == Part::end ? ends : frame.faces).push_back(face);
+    if (part == Part::other && !prismatic) return std::nullopt;
+    (part == Part::other ? frame.prisms : part == Part::end ? ends : frame.faces).push_back(face);
   }
+  if (prismatic) return ends.empty() && turn_to_prisms(solid, frame) ? std::optional(frame) : std::nullopt;
   if (ends.empty())
     turn_to_seams(solid, frame);
   else if (!find_ends(solid, frame, ends))
@@ -199,10 +213,22 @@ geometry::NurbsCurve TurnedFrame::turned(const geometry::NurbsCurve& curve, doub
                               curve.weights());
 }
 
-std::optional<TurnedFrame> turned_frame(const Brep& solid) {
+namespace {
+
+std::optional<TurnedFrame> first_frame(const Brep& solid, bool prismatic) {
   for (const Axis& axis : possible_axes(solid))
-    if (std::optional<TurnedFrame> frame = frame_about(solid, axis)) return frame;
+    if (std::optional<TurnedFrame> frame = frame_about(solid, axis, prismatic)) return frame;
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<TurnedFrame> turned_frame(const Brep& solid) {
+  return first_frame(solid, false);
+}
+
+std::optional<TurnedFrame> prismatic_frame(const Brep& solid) {
+  return first_frame(solid, true);
 }
 
 }  // namespace isopatch::segmentation

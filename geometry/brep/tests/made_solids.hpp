@@ -18,7 +18,8 @@ namespace isopatch::geometry::test {
 /// "shaft" (with a cone), "bored_boss", "pocketed", "turned_off" (corners by a cone), "wavy" (a wall is a
 /// spline). Of several directions (made_solids/crossed.cpp): "angle" (two plates of 8, bored), "bent_sheet"
 /// (the same, bent round), "fork" (with a pin's bore and one across it), "rod_fork" (on a rod that is wider
-/// than its slot), "lugs" (two on a plate), "flanged_bend" (a pipe). Blocks along x with bores across
+/// than its slot), "bored_rod_fork" (the rod is a tube), "nozzle" (on the side of a block, its bore ends in a
+/// slot), "lugs" (two on a plate), "flanged_bend" (a pipe). Blocks along x with bores across
 /// (made_solids/drilled.cpp): "port", "ports" (through), "three_bores", "sunk_port", "blind_bore",
 /// "port_beside" (the axis), "tipped_bore" (down, its tip is a drill's),
 /// "tipped_gallery" (likewise, a bore across beside the tip), and "wide_port", which is wider than the bore
@@ -34,9 +35,10 @@ namespace isopatch::geometry::test {
 /// (made_solids/turned.cpp): "ball_on_rod" (along x), "bored_ball", "hollow_ball", "domed_rod", "round_cup",
 /// "flat_cup", "pointed_rod", "ring_in_halves" (all faces), "sheave", "round_ring", "vessel_head"
 /// (ellipsoids), and by an angle "bent_rod" (120 degrees), "bent_tube" (90), "half_torus", "half_shaft",
-/// "quarter_shaft", "three_quarters", "half_dome", which reach the axis. Hexahedra with curved sides:
-/// "drilled_quarters" (the drilled block in four), "ring_quarter", "ring_150" (radii 5 and 8, height 4),
-/// "oblique_ring" (a quarter under z = 6 + x / 4
+/// "quarter_shaft", "three_quarters", "half_dome", which reach the axis; with prisms about their axis
+/// "socket_screw" (a hexagonal socket), "square_end", "twelve_sided_hole", "odd_socket" (five sides).
+/// Hexahedra with curved sides: "drilled_quarters" (the drilled block in four), "ring_quarter", "ring_150"
+/// (radii 5 and 8, height 4), "oblique_ring" (a quarter under z = 6 + x / 4
 /// + y / 8), "cone_quarter" (radii 6 and 8 below, 3 and 4 above, height 5), "shell_piece" (radii 5 and 7,
 /// latitudes 10 to 60 degrees, a quarter around), "elbow_piece" (a quarter of a pipe of radii 1 and 2, bent
 /// by 60 degrees with radius 6). "drilled_splines" and other names with that ending: all faces and edges as

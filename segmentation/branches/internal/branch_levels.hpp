@@ -22,8 +22,10 @@ struct BranchLevel {
   std::optional<double> flat;              ///< height of the top, or of a floor inside its outlines, m
   int layer = -1;                          ///< of the column
   std::array<Eigen::Vector2d, 4> corners;  ///< of a layer, seen along the view, m
-  double kept = 0;                         ///< half width that is as it is drawn, m
-  std::array<double, 2> stretch = {1, 1};  ///< what becomes of the rest, below the branch and above it
+  /// Half of what is as it is drawn, along x and y from the branch's middle, m.
+  std::array<double, 2> kept = {0, 0};
+  /// What becomes of the rest along x and y, on their low and high side.
+  std::array<std::array<double, 2>, 2> stretch = {{{1, 1}, {1, 1}}};
 };
 
 /// The drawing of a branch's outlines at each level, from the top down: where it is, and where it has
@@ -72,17 +74,23 @@ class BranchLevels {
   void find_floor();
   void find_stretch(std::size_t level);
   Eigen::Vector2d at_level(const Eigen::Vector2d& plan, std::size_t level) const;
+  static double way_at_level(double way, Eigen::Index axis, const BranchLevel& level);
+  Eigen::Vector2d of_outline_at_level(int o, const Eigen::Vector2d& plan, std::size_t level) const;
+  int outline_of(int edge) const;
 
   const geometry::Brep& solid_;
   const Branch& branch_;
   const BranchPlace& place_;
   double tolerance_;
   std::vector<BranchLevel> levels_;
-  std::array<double, 2> drawn_widths_ = {0, 0};  // of the frame that is drawn, below the branch and above it
+  Eigen::Vector2d middle_;  // of the outlines along x; 0 along y
+  std::array<std::array<double, 2>, 2> drawn_widths_ =
+      {};  // of the frame that is drawn: along x and y, on both sides
   std::vector<int> parent_;
   PlanDrawing drawing_;
   std::vector<Eigen::Vector2d> nodes_;
-  std::vector<bool> on_floor_;  // by vertex of the drawing
+  std::vector<bool> on_floor_;   // by vertex of the drawing
+  std::vector<int> outline_at_;  // likewise; -1: on none
   mutable std::map<std::pair<int, std::size_t>, bool> walls_;
 };
 

@@ -24,6 +24,7 @@ struct HalfCurve {
   double angle = 0;             ///< of the edge's half-plane, rad
   double low = 0, high = 1;     ///< of the edge's t, or shares of the arc
   std::vector<FaceId> faces;    ///< of the solid that it sweeps; none inside
+  bool of_prism = false;        ///< a corner of a prism: straight between meridians, not turned
 };
 
 /// What a turned solid shows in a half-plane of its axis: x is the distance from the axis, y the height, m.

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -19,16 +20,20 @@ class TurnedEdges {
 
   /// Of the drawing, at a meridian.
   EdgeId meridian(int edge, int meridian);
-  /// From a vertex at one meridian to that at the next: an arc, a chord beside the column, a great circle
-  /// where that ends on a sphere.
+  /// From a vertex at one meridian to that at the next: an arc, a chord beside the column and on prisms, a
+  /// great circle where the column ends on a sphere.
   EdgeId around(int vertex, int sector);
   /// From the axis to a vertex beside the column.
   EdgeId radial(int vertex, int meridian);
   /// Beside an edge of the column's side, upwards.
   EdgeId axis(int edge);
+  /// Through the column of a whole turn, between its corners at two meridians.
+  EdgeId rung(int vertex, int from, int to);
 
   /// Whether a vertex is beside the column.
   bool is_core(int vertex) const { return core_.contains(vertex); }
+  /// Whether what is around the axis at a vertex is not turned.
+  bool has_chords(int vertex) const { return is_core(vertex) || of_prism_.contains(vertex); }
   /// Where the column ends at a vertex; nothing elsewhere.
   const CoreEnd* core_end(int vertex) const;
   int next(int meridian) const { return frame_.is_whole() ? (meridian + 1) % sectors_ : meridian + 1; }
@@ -48,9 +53,10 @@ class TurnedEdges {
   const TurnedDrawing& drawing_;
   int sectors_;
   std::map<int, const CoreEnd*> core_;
+  std::set<int> of_prism_;
   std::map<Turned, VertexId> vertices_;
   std::map<int, VertexId> axis_vertices_;
-  std::map<Turned, EdgeId> meridians_, around_, radial_;
+  std::map<Turned, EdgeId> meridians_, around_, radial_, rungs_;
   std::map<int, EdgeId> axis_;
 };
 

@@ -15,6 +15,9 @@ struct TurnedFrame {
   std::vector<FaceId> faces;            ///< surfaces of revolution
   /// Ends at angle 0 and at `sweep`; none of a whole turn. A face that runs through the axis is both.
   std::vector<FaceId> first, last;
+  /// Walls of regular prisms about the axis, with corners at angle 0, and how many a prism has: else none, 0.
+  std::vector<FaceId> prisms;
+  int sides = 0;
 
   bool is_whole() const { return first.empty(); }
   /// Distance from the axis and height along it, m.
@@ -28,5 +31,10 @@ struct TurnedFrame {
 /// Nothing for a solid that is not turned.
 /// @cost  a few evaluations of each face
 std::optional<TurnedFrame> turned_frame(const geometry::Brep& solid);
+
+/// Of a whole turn but for regular prisms about its axis, which all have as many sides: hexagonal sockets of
+/// screws, square ends of shafts. Nothing where there is none.
+/// @cost  as above
+std::optional<TurnedFrame> prismatic_frame(const geometry::Brep& solid);
 
 }  // namespace isopatch::segmentation

@@ -11,6 +11,7 @@
 
 #include "geometry/base/tests/expect_error.hpp"
 #include "geometry/brep/cell_solids.hpp"
+#include "geometry/brep/hexahedra_quality.hpp"
 #include "geometry/brep/recognise_carriers.hpp"
 #include "geometry/brep/tests/made_solids.hpp"
 #include "segmentation/sweeps/tests/sound_cells.hpp"
@@ -107,8 +108,21 @@ TEST(TurnedCells, EndInNoPoint) {
                "comes to a point on the axis");
 }
 
+TEST(TurnedCells, HaveAsManySectorsAsPrismsAboutTheirAxis) {
+  const std::vector<std::pair<const char*, int>> known = {
+      {"socket_screw", 6}, {"square_end", 4}, {"twelve_sided_hole", 12}};
+  for (const auto& [name, sectors] : known) {
+    const Brep solid = solid_of(name);
+    const auto turned = turned_cells(solid);
+    ASSERT_TRUE(turned) << name;
+    EXPECT_EQ(turned->sectors, sectors) << name;
+    test::expect_sound(solid, turned->complex, 1e-12);
+    EXPECT_GT(geometry::least_quality(turned->complex), 0.25) << name;  // what counts as good elsewhere
+  }
+}
+
 TEST(TurnedCells, AreNoneOfOtherSolids) {
-  for (const char* name : {"block", "drilled", "grooved", "spring", "round_corner"})
+  for (const char* name : {"block", "drilled", "grooved", "spring", "round_corner", "odd_socket"})
     EXPECT_FALSE(turned_cells(geometry::test::made_brep(name))) << name;
 }
 

@@ -74,7 +74,12 @@ std::map<std::string, TopoDS_Shape> crossed() {
       joined(plate(0, 0, 0, 40, 30, 6), joined(plate(0, 4, 0, 12, 6, 24), plate(0, 20, 0, 12, 6, 24)));
   const TopoDS_Shape on_rod = without(
       joined(plate(0, 0, 0, 40, 30, 30), pin({-20, 15, 15}, gp::DX(), 11, 25)), plate(16, -1, 9, 30, 32, 12));
+  // A nozzle beside the middle of a block's side, its bore ends in a slot.
+  const TopoDS_Shape nozzle = joined(plate(0, 0, 0, 30, 40, 30), pin({-12, 15, 15}, gp::DX(), 8, 12));
   return {
+      {"bored_rod_fork",
+       without(without(on_rod, pin({30, 15, -1}, gp::DZ(), 5, 32)), pin({-21, 15, 15}, gp::DX(), 4, 40))},
+      {"nozzle", without(without(nozzle, pin({-13, 15, 15}, gp::DX(), 4, 30)), plate(16, -1, 9, 10, 42, 12))},
       {"rod_fork", without(on_rod, pin({30, 15, -1}, gp::DZ(), 5, 32))},
       {"angle", bored(angle())},
       {"bent_sheet", bored(rounded(rounded(angle(), 0, 12), 8, 4))},

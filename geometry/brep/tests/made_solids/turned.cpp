@@ -11,6 +11,7 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
@@ -21,6 +22,7 @@
 #include <TopoDS.hxx>
 #include <cmath>
 #include <gp_Elips.hxx>
+#include <gp_Vec.hxx>
 #include <vector>
 
 namespace {
@@ -89,6 +91,24 @@ TopoDS_Shape vessel_head() {
   return BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeRevol(half, gp::OZ()).Shape(), true).Shape();
 }
 
+TopoDS_Shape prism(int sides, double across_corners, double from, double to) {
+  BRepBuilderAPI_MakePolygon outline;
+  for (int i = 0; i < sides; ++i) {
+    const double angle = (2 * i + 0.5) * half_turn / sides;
+    outline.Add(gp_Pnt(across_corners / 2 * std::cos(angle), across_corners / 2 * std::sin(angle), from));
+  }
+  outline.Close();
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0, 0, to - from))
+      .Shape();
+}
+
+// A hexagonal socket in a head above a cone.
+TopoDS_Shape socket_screw() {
+  const TopoDS_Shape screw =
+      polygon_turned({{0, 0}, {5, 0}, {5, 18}, {8, 21}, {8, 29}, {0, 29}}, 2 * half_turn);
+  return taken_off(screw, prism(6, 8, 25, 30));
+}
+
 }  // namespace
 
 std::map<std::string, TopoDS_Shape> turned_solids() {
@@ -131,6 +151,13 @@ std::map<std::string, TopoDS_Shape> turned_solids() {
       {"half_shaft", polygon_turned({{0, 0}, {6, 0}, {6, 10}, {4, 10}, {4, 20}, {0, 20}}, half_turn)},
       {"quarter_shaft", polygon_turned({{0, 0}, {6, 0}, {4, 20}, {0, 20}}, half_turn / 2)},
       {"three_quarters", polygon_turned({{0, 0}, {6, 0}, {6, 10}, {0, 10}}, 1.5 * half_turn)},
+      {"socket_screw", socket_screw()},
+      {"square_end", joined(polygon_turned({{0, 0}, {6, 0}, {8, 4}, {8, 20}, {0, 20}}, 2 * half_turn),
+                            prism(4, 12, 20, 30))},
+      {"twelve_sided_hole",
+       taken_off(polygon_turned({{0, 0}, {9, 0}, {7, 8}, {0, 8}}, 2 * half_turn), prism(12, 8, -1, 9))},
+      {"odd_socket",
+       taken_off(polygon_turned({{0, 0}, {9, 0}, {7, 8}, {0, 8}}, 2 * half_turn), prism(5, 8, -1, 9))},
       {"half_dome", taken_off(dome, BRepPrimAPI_MakeBox(gp_Pnt(-10, -10, -1), 20, 10, 30).Shape())},
   };
 }
