@@ -31,14 +31,15 @@ namespace isopatch::geometry::test {
 /// (concave ones along floors), "rounded_boss", "rounded_plate", "eased_block" (convex ones),
 /// "rounded_boss_on_fillet" (one above the other). Turned with branches across (made_solids/branched.cpp):
 /// "bossed_bar", "bossed_oblique", "tapped_boss", "two_bosses", "cross_bored", "beside_the_axis", "oil_bore",
-/// "pinned_tube", "sunk_bar", "keyed_bar", "tee", "boss_near_the_end", "oil_bores_at_120", "bolted_cap" (with
-/// bores beside the axis), "bolted_close" (near a raised face); "wide_boss" and "boss_at_the_end", for which
-/// there is no room. Turned (made_solids/turned.cpp): "ball_on_rod" (along x), "bored_ball", "hollow_ball",
-/// "domed_rod", "round_cup", "flat_cup", "pointed_rod", "ring_in_halves" (all faces), "sheave", "round_ring",
-/// "vessel_head" (ellipsoids), and by an angle "bent_rod" (120 degrees), "bent_tube" (90), "half_torus",
-/// "half_shaft", "quarter_shaft", "three_quarters", "half_dome", which reach the axis. Hexahedra with curved
-/// sides: "drilled_quarters" (the drilled block in four), "ring_quarter", "ring_150" (radii 5 and 8, height
-/// 4), "oblique_ring" (a quarter under z = 6 + x / 4
+/// "pinned_tube", "grooved_bushing" (four holes into a groove inside), "sunk_bar", "keyed_bar", "tee",
+/// "boss_near_the_end", "oil_bores_at_120", "bolted_cap" (with bores beside the axis), "bolted_close" (near a
+/// raised face); "wide_boss" and "boss_at_the_end", for which there is no room. Turned
+/// (made_solids/turned.cpp): "ball_on_rod" (along x), "bored_ball", "hollow_ball", "domed_rod", "round_cup",
+/// "flat_cup", "pointed_rod", "ring_in_halves" (all faces), "sheave", "round_ring", "vessel_head"
+/// (ellipsoids), and by an angle "bent_rod" (120 degrees), "bent_tube" (90), "half_torus", "half_shaft",
+/// "quarter_shaft", "three_quarters", "half_dome", which reach the axis. Hexahedra with curved sides:
+/// "drilled_quarters" (the drilled block in four), "ring_quarter", "ring_150" (radii 5 and 8, height 4),
+/// "oblique_ring" (a quarter under z = 6 + x / 4
 /// + y / 8), "cone_quarter" (radii 6 and 8 below, 3 and 4 above, height 5), "shell_piece" (radii 5 and 7,
 /// latitudes 10 to 60 degrees, a quarter around), "elbow_piece" (a quarter of a pipe of radii 1 and 2, bent
 /// by 60 degrees with radius 6). "drilled_splines" and other names with that ending: all faces and edges as
