@@ -8,6 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include "segmentation/branches/internal/own_columns.hpp"
+
 namespace isopatch::segmentation {
 namespace {
 
@@ -88,6 +90,10 @@ class BoreRoomFinder {
 
   BoreRoom make() {
     find_heights();
+    if (floors_ == FloorLines::own_columns) {
+      made_.lines = own_columns(solid_, blank_, frame_, bores_).lines;
+      return std::move(made_);
+    }
     std::vector<Eigen::Vector3d> done;
     for (const CrossBore& bore : bores_) {
       const Eigen::Vector3d& direction = bore.branch.view.along;

@@ -14,6 +14,7 @@
 #include "segmentation/branches/internal/bore_room.hpp"
 #include "segmentation/branches/internal/branch_tops.hpp"
 #include "segmentation/branches/internal/cross_bores.hpp"
+#include "segmentation/branches/internal/own_columns.hpp"
 #include "segmentation/sweeps/require_all_of.hpp"
 #include "segmentation/sweeps/swept_cells.hpp"
 
@@ -28,6 +29,15 @@ class BoredStack {
   BoredStack(const Brep& solid, const Brep& blank, const SweepFrame& frame,
              const std::vector<CrossBore>& bores)
       : solid_(solid), blank_(blank), bores_(bores), frame_(frame) {}
+
+  bool columns_end_at_corners() const {
+    try {
+      return own_columns(solid_, blank_, frame_, bores_).end_at_corners;
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::internal) throw;
+      return false;
+    }
+  }
 
   CrossBoredCells make(FloorLines floors, bool thorough) {
     const BoreRoom room = bore_room(solid_, blank_, frame_, bores_, floors);
@@ -121,20 +131,30 @@ class BoredStack {
   SweepFrame frame_;
 };
 
+/// Columns that end at corners of walls first, or else after others.
+std::vector<FloorLines> ways_to_draw(const BoredStack& stack) {
+  if (stack.columns_end_at_corners())
+    return {FloorLines::own_columns, FloorLines::through_all, FloorLines::between_planes};
+  return {FloorLines::through_all, FloorLines::between_planes, FloorLines::own_columns};
+}
+
 /// With the floors' planes through all of it, or else no longer than they have to be; last by drawings that
-/// take longer. The first that is good enough, else the best.
+/// take longer. The first that is good enough, columns that end at corners only where they are better than
+/// that; else the best.
 CrossBoredCells made_of(BoredStack stack) {
-  constexpr double good = 0.12;  // least scaled Jacobian
+  constexpr double good = 0.12, good_at_once = 0.25;  // least scaled Jacobian
   std::optional<CrossBoredCells> best;
   std::optional<Error> refusal;
   double least = 0;
+  const std::vector<FloorLines> ways = ways_to_draw(stack);
   for (const bool thorough : {false, true})
-    for (const FloorLines floors : {FloorLines::through_all, FloorLines::between_planes}) {
+    for (const FloorLines floors : ways) {
       try {
         CrossBoredCells made = stack.make(floors, thorough);
         const double quality = geometry::least_quality(made.complex);
         if (!best || quality > least) best = std::move(made), least = quality;
-        if (least > good) return std::move(*best);
+        const bool first = !thorough && floors == FloorLines::own_columns && floors == ways.front();
+        if (least > (first ? good_at_once : good)) return std::move(*best);
       } catch (const Error& error) {
         if (error.code() == ErrorCode::internal) throw;
         if (!refusal) refusal = error;

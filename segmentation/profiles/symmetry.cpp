@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -152,27 +153,52 @@ bool is_symmetric(const Profile& profile, const std::vector<Curve>& curves, cons
 
 // Mirroring.
 
+/// x -> turn x + shift: keeps lengths, and the sense of turning where det(turn) is 1.
+struct Motion {
+  Eigen::Matrix2d turn;
+  Vector2d shift;
+
+  Vector2d operator()(const Vector2d& p) const { return turn * p + shift; }
+  bool mirrors() const { return turn.determinant() < 0; }
+};
+
+/// What mirroring about lines, again and again, makes of what lies where it is, that first.
+/// @throws Error unsupported  lines that do not meet at a whole part of 180 degrees
+std::vector<Motion> motions_of(const std::vector<MirrorLine>& lines) {
+  constexpr std::size_t most = 32;
+  std::vector<Motion> result = {{Eigen::Matrix2d::Identity(), Vector2d::Zero()}};
+  const auto near = [&](const Motion& a, const Motion& b) {
+    return (a.turn - b.turn).norm() < 1e-6;  // all of them keep the place where the lines meet
+  };
+  for (std::size_t done = 0; done < result.size(); ++done)
+    for (const MirrorLine& line : lines) {
+      const Vector2d n = across(line);
+      const Eigen::Matrix2d mirror = Eigen::Matrix2d::Identity() - 2 * n * n.transpose();
+      const Motion next{mirror * result[done].turn, image_of(line, result[done].shift)};
+      if (std::any_of(result.begin(), result.end(), [&](const Motion& known) { return near(known, next); }))
+        continue;
+      if (result.size() == most)
+        throw Error(ErrorCode::unsupported,
+                    "lines of symmetry that do not meet at a whole part of 180 degrees");
+      result.push_back(next);
+    }
+  return result;
+}
+
+/// All images of a part's quadrilaterals, in one; what is in one place is stored once.
 class Mirrorer {
  public:
-  Mirrorer(const Profile& profile, const MirrorLine& line, const Quadrangulation& half)
+  Mirrorer(const Profile& profile, const Quadrangulation& part)
       : profile_(profile),
-        line_(line),
         tolerance_(near_enough * extent_of(profile)),
         curves_(planar::curves_of(profile)),
         find_(profile, curves_, tolerance_),
-        made_(half),
-        half_(half) {}
+        part_(part) {
+    made_.vertices = profile.vertices;
+  }
 
-  Quadrangulation make() {
-    for (const Quad& quad : half_.quads) {
-      Quad image{image_of_region(quad.region), {}};
-      for (std::size_t k = 0; k < 4; ++k) {
-        const EdgeUse& side = quad.sides[3 - k];
-        const EdgeUse other = image_of_edge(side.edge.value);
-        image.sides[k] = {other.edge, other.reversed == side.reversed};
-      }
-      made_.quads.push_back(image);
-    }
+  Quadrangulation make(const std::vector<Motion>& motions) {
+    for (const Motion& motion : motions) add(motion);
     return std::move(made_);
   }
 
@@ -182,46 +208,65 @@ class Mirrorer {
                 fmt::format("the drawing has no image of what is at ({:.6g}, {:.6g})", at.x(), at.y()));
   }
 
-  bool is_on_line(const Vector2d& p) const { return std::abs(height_over(line_, p)) < tolerance_; }
+  void add(const Motion& motion) {
+    std::map<int, int> vertices, regions;
+    std::map<int, EdgeUse> edges;
+    const auto known = [](auto& places, int number, const auto& find) {
+      const auto at = places.find(number);
+      return at != places.end() ? at->second : places[number] = find();
+    };
+    const auto vertex = [&](int number) {
+      return known(vertices, number,
+                   [&] { return vertex_at(motion(part_.vertices[static_cast<std::size_t>(number)])); });
+    };
+    for (const Quad& quad : part_.quads) {
+      Quad image{known(regions, quad.region, [&] { return image_of_region(motion, quad.region); }), {}};
+      for (std::size_t k = 0; k < 4; ++k) {
+        const EdgeUse& side = quad.sides[motion.mirrors() ? 3 - k : k];
+        const EdgeUse other = known(edges, side.edge.value, [&] {
+          const QuadEdge& edge = part_.edges[static_cast<std::size_t>(side.edge.value)];
+          return image_of_edge(motion, edge, vertex(edge.start), vertex(edge.end));
+        });
+        image.sides[k] = {other.edge, other.reversed != (side.reversed != motion.mirrors())};
+      }
+      made_.quads.push_back(image);
+    }
+  }
 
-  int image_of_vertex(int vertex) {
-    const auto [known, fresh] = vertices_.try_emplace(vertex, vertex);
-    if (!fresh) return known->second;
-    const Vector2d at = half_.vertices[static_cast<std::size_t>(vertex)];
-    if (is_on_line(at)) return vertex;
-    const Vector2d there = image_of(line_, at);
-    const auto off = [&](const Vector2d& p) { return (p - there).norm(); };
-    const auto nearest =
-        std::min_element(profile_.vertices.begin(), profile_.vertices.end(),
-                         [&](const Vector2d& a, const Vector2d& b) { return off(a) < off(b); });
-    if (nearest != profile_.vertices.end() && off(*nearest) < tolerance_)
-      return known->second = static_cast<int>(nearest - profile_.vertices.begin());
-    made_.vertices.push_back(there);
-    return known->second = static_cast<int>(made_.vertices.size()) - 1;
+  int vertex_at(const Vector2d& place) {
+    for (std::size_t v = 0; v < made_.vertices.size(); ++v)
+      if ((made_.vertices[v] - place).norm() < tolerance_) return static_cast<int>(v);
+    made_.vertices.push_back(place);
+    return static_cast<int>(made_.vertices.size()) - 1;
   }
 
   /// Used as the image runs.
-  EdgeUse image_of_edge(int number) {
-    if (const auto known = edges_.find(number); known != edges_.end()) return known->second;
-    const QuadEdge& edge = half_.edges[static_cast<std::size_t>(number)];
+  EdgeUse image_of_edge(const Motion& motion, const QuadEdge& edge, int start, int end) {
     QuadEdge image = edge;
-    image.start = image_of_vertex(edge.start);
-    image.end = image_of_vertex(edge.end);
-    if (edge.apex) image.apex = image_of(line_, *edge.apex);
+    image.start = start;
+    image.end = end;
+    if (edge.apex) image.apex = motion(*edge.apex);
     bool turned = false;
-    if (edge.profile_edge >= 0) turned = move_to_image(edge, image);
-    const bool is_same = image.start == edge.start && image.end == edge.end &&
-                         image.profile_edge == edge.profile_edge && std::abs(image.low - edge.low) < 1e-6 &&
-                         (!edge.apex || is_on_line(*edge.apex));
-    if (is_same && !turned) return edges_[number] = {EdgeId(number), false};
+    if (edge.profile_edge >= 0)
+      turned = move_to_image(motion, edge, image);
+    else if (start > end)
+      std::swap(image.start, image.end), turned = true;
+    for (std::size_t e = 0; e < made_.edges.size(); ++e)
+      if (is_same(made_.edges[e], image)) return {EdgeId(static_cast<int>(e)), turned};
     made_.edges.push_back(image);
-    return edges_[number] = {EdgeId(static_cast<int>(made_.edges.size()) - 1), turned};
+    return {EdgeId(static_cast<int>(made_.edges.size()) - 1), turned};
+  }
+
+  bool is_same(const QuadEdge& a, const QuadEdge& b) const {
+    return a.start == b.start && a.end == b.end && a.profile_edge == b.profile_edge &&
+           std::abs(a.low - b.low) < 1e-6 && a.apex.has_value() == b.apex.has_value() &&
+           (!a.apex || (*a.apex - *b.apex).norm() < tolerance_);
   }
 
   /// @return  whether it runs against the image of the edge
-  bool move_to_image(const QuadEdge& edge, QuadEdge& image) {
+  bool move_to_image(const Motion& motion, const QuadEdge& edge, QuadEdge& image) {
     const Curve& curve = curves_[static_cast<std::size_t>(edge.profile_edge)];
-    const auto there = [&](double t) { return image_of(line_, curve.at(t)); };
+    const auto there = [&](double t) { return motion(curve.at(t)); };
     const Vector2d middle = there((edge.low + edge.high) / 2);
     const std::optional<OnCurve> found = find_.at(middle);
     if (!found) fail(middle);
@@ -246,35 +291,29 @@ class Mirrorer {
   }
 
   /// The one on the other side of the image of one of its edges.
-  int image_of_region(int region) {
-    if (const auto known = regions_.find(region); known != regions_.end()) return known->second;
+  int image_of_region(const Motion& motion, int region) {
     const EdgeUse& side = profile_.regions[static_cast<std::size_t>(region)].loops.front().front();
     const Curve& curve = curves_[static_cast<std::size_t>(side.edge.value)];
-    const Vector2d middle = image_of(line_, curve.at(0.5));
+    const Vector2d middle = motion(curve.at(0.5));
     const std::optional<OnCurve> found = find_.at(middle);
     if (!found) fail(middle);
-    const Vector2d way = curve.derivative(0.5);
-    const Vector2d turned_way = way - 2 * way.dot(across(line_)) * across(line_);
+    const Vector2d turned_way = motion.turn * curve.derivative(0.5);
     const bool against =
         turned_way.dot(curves_[static_cast<std::size_t>(found->edge)].derivative(found->at)) < 0;
-    const bool reversed = side.reversed == against;
+    const bool reversed = (side.reversed != against) != motion.mirrors();
     for (std::size_t r = 0; r < profile_.regions.size(); ++r)
       for (const auto& loop : profile_.regions[r].loops)
         for (const EdgeUse& use : loop)
-          if (use.edge.value == found->edge && use.reversed == reversed)
-            return regions_[region] = static_cast<int>(r);
+          if (use.edge.value == found->edge && use.reversed == reversed) return static_cast<int>(r);
     fail(middle);
   }
 
   const Profile& profile_;
-  MirrorLine line_;
   double tolerance_;
   std::vector<Curve> curves_;
   EdgeFinder find_;
   Quadrangulation made_;
-  const Quadrangulation& half_;
-  std::map<int, int> vertices_, regions_;
-  std::map<int, EdgeUse> edges_;
+  const Quadrangulation& part_;
 };
 
 /// To the left of all lines, by its outer loop's middle.
@@ -294,6 +333,25 @@ bool is_left(const Profile& profile, const ProfileRegion& region, const std::vec
   return true;
 }
 
+/// Two lines next to each other of three or more at equal angles, turned so that the part between them is to
+/// their left; none of others.
+std::vector<MirrorLine> wedge_of(std::vector<MirrorLine> lines) {
+  if (lines.size() < 3) return {};
+  const auto angle = [](const MirrorLine& line) {
+    const double result = std::atan2(line.along.y(), line.along.x());
+    return result < -1e-9 ? result + std::numbers::pi : result > std::numbers::pi - 1e-9 ? 0 : result;
+  };
+  std::sort(lines.begin(), lines.end(),
+            [&](const MirrorLine& a, const MirrorLine& b) { return angle(a) < angle(b); });
+  const double step = std::numbers::pi / static_cast<double>(lines.size());
+  for (std::size_t i = 0; i + 1 < lines.size(); ++i)
+    if (std::abs(angle(lines[i + 1]) - angle(lines[i]) - step) > 1e-6) return {};
+  MirrorLine first = lines[0], second = lines[1];
+  if (across(first).dot(second.along) < 0) second.along = -second.along;
+  second.along = -second.along;
+  return {first, second};
+}
+
 }  // namespace
 
 std::vector<MirrorLine> mirror_lines(const Profile& profile) {
@@ -310,14 +368,70 @@ std::vector<MirrorLine> mirror_lines(const Profile& profile) {
   return result;
 }
 
+bool is_symmetric(const Profile& profile, const MirrorLine& line) {
+  const std::vector<Curve> curves = planar::curves_of(profile);
+  return is_symmetric(profile, curves, EdgeFinder(profile, curves, near_enough * extent_of(profile)), line);
+}
+
+std::vector<std::vector<MirrorLine>> ways_to_mirror(const std::vector<MirrorLine>& lines) {
+  constexpr std::size_t most = 2;
+  std::vector<std::vector<MirrorLine>> result;
+  if (std::vector<MirrorLine> wedge = wedge_of(lines); !wedge.empty()) result.push_back(std::move(wedge));
+  for (std::size_t j = 1; j < lines.size(); ++j)
+    if (std::abs(lines[0].along.dot(lines[j].along)) < 1e-6) {
+      result.push_back({lines[0], lines[j]});
+      break;
+    }
+  for (std::size_t i = 0; i < std::min(most, lines.size()); ++i) result.push_back({lines[i]});
+  return result;
+}
+
+std::vector<MirrorLine> all_images(const std::vector<MirrorLine>& lines) {
+  std::vector<MirrorLine> result;
+  for (const Motion& motion : motions_of(lines))
+    for (const MirrorLine& line : lines) {
+      const MirrorLine image{motion(line.point), motion.turn * line.along};
+      if (std::none_of(result.begin(), result.end(), [&](const MirrorLine& known) {
+            return std::abs(across(known).dot(image.along)) < 1e-6;
+          }))
+        result.push_back(image);
+    }
+  return result;
+}
+
+Quadrangulation without_lines(const Profile& profile, const std::vector<MirrorLine>& lines,
+                              Quadrangulation quads) {
+  const double tolerance = near_enough * extent_of(profile);
+  const std::vector<MirrorLine> all = all_images(lines);
+  for (QuadEdge& edge : quads.edges) {
+    if (edge.profile_edge < 0) continue;
+    const ProfileEdge& drawn = profile.edges[static_cast<std::size_t>(edge.profile_edge)];
+    const bool on_line = std::any_of(all.begin(), all.end(), [&](const MirrorLine& line) {
+      return std::all_of(drawn.points.begin(), drawn.points.end(), [&](const Vector2d& point) {
+        return std::abs(height_over(line, point)) < tolerance;
+      });
+    });
+    if (on_line) edge = {edge.start, edge.end};
+  }
+  return quads;
+}
+
+Profile part_to_mirror(Profile profile, const std::vector<MirrorLine>& lines) {
+  const double tolerance = near_enough * extent_of(profile);
+  for (std::size_t r = 0; r < profile.regions.size(); ++r)
+    if (profile.regions[r].wanted)
+      profile.regions[r].wanted = is_left(profile, profile.regions[r], lines, tolerance);
+  return profile;
+}
+
+Quadrangulation mirrored(const Profile& profile, const std::vector<MirrorLine>& lines, Quadrangulation part) {
+  if (lines.empty()) return part;
+  return Mirrorer(profile, part).make(motions_of(lines));
+}
+
 Quadrangulation mirrored_quadrangulation(const Profile& profile, const std::vector<MirrorLine>& lines,
                                          const QuadrangulationOptions& options) {
-  Profile part = profile;
-  for (ProfileRegion& region : part.regions)
-    region.wanted = region.wanted && is_left(profile, region, lines, near_enough * extent_of(profile));
-  Quadrangulation result = quadrangulate(part, options);
-  for (const MirrorLine& line : lines) result = Mirrorer(profile, line, result).make();
-  return result;
+  return mirrored(profile, lines, quadrangulate(part_to_mirror(profile, lines), options));
 }
 
 }  // namespace isopatch::segmentation

@@ -46,10 +46,15 @@ double cost_of(std::size_t number, double least) {
 /// does not do, of which the most promising are finished. The best of them at all heights.
 class InclinedWalls {
  public:
-  /// @param merged  of the drawing's profile, what is divided in its place; must outlive this
+  /// @param merged   of the drawing's profile, what is divided in its place; must outlive this
+  /// @param mirrors  lines that are drawn: what is to their left is divided, and mirrored
   InclinedWalls(const geometry::Brep& solid, const SweepFrame& frame, SweptDrawing drawing,
-                const MergedProfile* merged = nullptr)
-      : solid_(solid), frame_(frame), drawing_(std::move(drawing)), merged_(merged) {
+                const MergedProfile* merged = nullptr, std::vector<MirrorLine> mirrors = {})
+      : solid_(solid),
+        frame_(frame),
+        drawing_(std::move(drawing)),
+        merged_(merged),
+        mirrors_(std::move(mirrors)) {
     const auto [low, high] = range_of(drawing_.tracks);
     half_way_ = (low + high) / 2;
     there_ = profiles_at_heights(solid, frame, drawing_);
@@ -66,6 +71,9 @@ class InclinedWalls {
     if (!best_) throw *refusal_;
     return {std::move(drawing_), *std::move(best_)};
   }
+  /// Of what was divided: the least scaled Jacobian at all heights, and what it costs.
+  double least() const { return least_; }
+  double cost() const { return cost_; }
 
  private:
   /// Of a scaled Jacobian: what is better at all heights stays as it is.
@@ -148,12 +156,18 @@ class InclinedWalls {
     enter(draft, [&] { return finished_of(draft); });
   }
 
-  Profile reduced(Profile profile) const { return merged_ ? merged_->reduced(profile) : std::move(profile); }
+  Profile reduced(Profile profile) const {
+    return merged_ ? merged_->reduced(profile) : part_to_mirror(std::move(profile), mirrors_);
+  }
 
   Quadrangulation finished_of(const Draft& draft) const {
     if (draft.refusal) throw Error(*draft.refusal);
     Quadrangulation quads = draft.quads->finished();
-    return merged_ ? merged_->expanded(std::move(quads), drawing_.profile) : quads;
+    if (merged_) return merged_->expanded(std::move(quads), drawing_.profile);
+    if (mirrors_.empty()) return quads;
+    const Profile& there =
+        draft.half_way ? profile_at(solid_, frame_, drawing_, half_way_) : drawing_.profile;
+    return without_lines(drawing_.profile, mirrors_, mirrored(there, mirrors_, std::move(quads)));
   }
 
   /// @return  whether it is good at all heights
@@ -197,6 +211,7 @@ class InclinedWalls {
   const SweepFrame& frame_;
   SweptDrawing drawing_;
   const MergedProfile* merged_;
+  std::vector<MirrorLine> mirrors_;
   double half_way_ = 0;
   ProfilesAtHeights there_;
   std::optional<Quadrangulation> best_;
@@ -213,18 +228,62 @@ std::array<Eigen::Vector3d, 2> in_space(const MirrorLine& line, const geometry::
           frame.point(middle + solid.size() * line.along, 0)};
 }
 
-/// Each line, and the first two at right angles.
-std::vector<std::vector<MirrorLine>> ways_to_mirror(const std::vector<MirrorLine>& lines) {
-  constexpr std::size_t most = 2;
-  std::vector<std::vector<MirrorLine>> result;
-  for (const MirrorLine& line : lines)
-    if (result.size() < most) result.push_back({line});
-  for (std::size_t j = 1; j < lines.size(); ++j)
-    if (std::abs(lines[0].along.dot(lines[j].along)) < 1e-6) {
-      result.push_back({lines[0], lines[j]});
-      break;
-    }
+Lines in_space(const std::vector<MirrorLine>& mirrors, const geometry::Brep& solid, const SweepFrame& frame) {
+  Lines result;
+  for (const MirrorLine& mirror : all_images(mirrors)) result.push_back(in_space(mirror, solid, frame));
   return result;
+}
+
+/// About which a drawing is symmetric where it is lowest, half-way up and where it is highest.
+std::vector<MirrorLine> lines_at_all_heights(const geometry::Brep& solid, const SweepFrame& frame,
+                                             const SweptDrawing& drawing) {
+  const auto [low, high] = range_of(drawing.tracks);
+  std::vector<MirrorLine> result = mirror_lines(drawing.profile);
+  for (const double height : {(low + high) / 2, high}) {
+    if (result.empty()) break;
+    const Profile there = profile_at(solid, frame, drawing, height);
+    result.erase(std::remove_if(result.begin(), result.end(),
+                                [&](const MirrorLine& line) { return !is_symmetric(there, line); }),
+                 result.end());
+  }
+  return result;
+}
+
+/// A drawing with inclined walls as a whole and by parts that are mirrored; no longer looked for than until
+/// one is good, where it is large.
+DividedDrawing divided_with_inclined_walls(const geometry::Brep& solid, const SweepFrame& frame,
+                                           const Lines& lines, SweptDrawing whole,
+                                           const QuadrangulationOptions& options) {
+  constexpr std::size_t large = 8;  // outlines: the whole takes ten seconds and more then
+  std::size_t outlines = 0;
+  for (const ProfileRegion& region : whole.profile.regions)
+    outlines += region.wanted ? region.loops.size() : 0;
+  const bool is_large = outlines >= large;
+  std::optional<DividedDrawing> best;
+  std::optional<Error> refusal;
+  double least = 0, cost = 0;
+  const auto consider = [&](const std::vector<MirrorLine>& mirrors) {
+    try {
+      SweptDrawing drawing =
+          mirrors.empty() ? std::move(whole) : swept_drawing(solid, frame, in_space(mirrors, solid, frame));
+      InclinedWalls walls(solid, frame, std::move(drawing), nullptr, mirrors);
+      DividedDrawing made = walls.divided(options);
+      if (!best || walls.cost() < cost) best = std::move(made), cost = walls.cost(), least = walls.least();
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::internal) throw;
+      if (!refusal) refusal = error;
+    }
+  };
+  // Lines that others draw are sides of hexahedra: those are divided with the whole.
+  std::vector<std::vector<MirrorLine>> ways;
+  if (lines.empty()) ways = ways_to_mirror(lines_at_all_heights(solid, frame, whole));
+  for (const std::vector<MirrorLine>& mirrors : ways) {
+    if (best && is_large && least >= good && mirrors.size() == 1) break;
+    consider(mirrors);
+  }
+  if (!best || !is_large || least < good) consider({});
+  if (!best) throw *refusal;
+  return std::move(*best);
 }
 
 }  // namespace
@@ -247,16 +306,13 @@ DividedDrawing divided_drawing(const geometry::Brep& solid, const SweepFrame& fr
   };
   SweptDrawing whole = swept_drawing(solid, frame, lines);
   if (!as_divided && !stays(whole.tracks))
-    return InclinedWalls(solid, frame, std::move(whole)).divided(options);
+    return divided_with_inclined_walls(solid, frame, lines, std::move(whole), options);
   std::vector<std::vector<MirrorLine>> ways;
   if (lines.empty() && stays(whole.tracks))
     ways = ways_to_mirror(mirror_lines(profile_of(whole, as_divided)));
   consider(std::move(whole), {});
-  for (const std::vector<MirrorLine>& mirrors : ways) {
-    Lines drawn;
-    for (const MirrorLine& mirror : mirrors) drawn.push_back(in_space(mirror, solid, frame));
-    consider(swept_drawing(solid, frame, drawn), mirrors);
-  }
+  for (const std::vector<MirrorLine>& mirrors : ways)
+    consider(swept_drawing(solid, frame, in_space(mirrors, solid, frame)), mirrors);
   if (!best) throw *refusal;
   return std::move(*best);
 }

@@ -19,6 +19,7 @@ struct BoreRoom {
 enum class FloorLines {
   through_all,     ///< the whole stack
   between_planes,  ///< to the planes beside the bore: leaves more freedom to what is beyond
+  own_columns,     ///< no further than the sides of the bore's own column (see `own_columns`)
 };
 
 /// Planes between bores, along the stack and across it, near to those that have much room; at floors.

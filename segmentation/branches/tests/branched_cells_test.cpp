@@ -14,6 +14,7 @@
 #include "segmentation/branches/cross_bored_cells.hpp"
 #include "segmentation/branches/internal/bore_room.hpp"
 #include "segmentation/branches/internal/cross_bores.hpp"
+#include "segmentation/branches/internal/own_columns.hpp"
 #include "segmentation/sweeps/tests/sound_cells.hpp"
 
 namespace isopatch::segmentation {
@@ -69,6 +70,7 @@ INSTANTIATE_TEST_SUITE_P(Branched, SolidsWithBranches,
                                          Sample{"tapped_boss", 73, 1}, Sample{"two_bosses", 83, 2},
                                          Sample{"cross_bored", 24, 1}, Sample{"beside_the_axis", 24, 1},
                                          Sample{"oil_bore", 15, 1}, Sample{"pinned_tube", 18, 2},
+                                         Sample{"grooved_bushing", 40, 4, branched, 0.1},
                                          Sample{"sunk_bar", 62, 1}, Sample{"keyed_bar", 116, 1},
                                          Sample{"tee", 20, 1}, Sample{"boss_near_the_end", 39, 1},
                                          Sample{"oil_bores_at_120", 30, 3}, Sample{"bolted_cap", 30, 2},
@@ -80,13 +82,14 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Sample{"port", 21, 1, cross_bored, 0.2}, Sample{"ports", 24, 2, cross_bored, 0.2},
         Sample{"three_bores", 60, 4, cross_bored, 0.2}, Sample{"sunk_port", 60, 1, cross_bored, 0.2},
-        Sample{"blind_bore", 70, 1, cross_bored, 0.2}, Sample{"slotted_bar", 14, 1, cross_bored, 0.2},
+        Sample{"blind_bore", 70, 1, cross_bored, 0.2}, Sample{"slotted_bar", 14, 2, cross_bored, 0.2, 1},
         Sample{"slotted_wing", 9, 1, cross_bored, 0.2, 1},
         Sample{"pocketed_wing", 21, 1, cross_bored, 0.2, 1},
         Sample{"slotted_lens", 14, 1, cross_bored, 0.2, 1}, Sample{"bored_lens", 9, 1, cross_bored, 0.2},
         Sample{"flatted_pin", 160, 1, cross_bored, 0.2}, Sample{"vee_block", 42, 2, cross_bored, 0.2},
         Sample{"rod_fork", 40, 1, cross_bored, 0.2}, Sample{"bored_rod_fork", 40, 1, cross_bored, 0.2},
-        Sample{"nozzle", 60, 1, cross_bored, 0.2}),
+        Sample{"nozzle", 60, 1, cross_bored, 0.2},
+        Sample{"greased_bar", 24, 1, cross_bored, 0.2}, Sample{"keyed_hub", 90, 1, cross_bored, 0.2}),
     name_of_sample);
 
 // The tip's levels bend away from the bore across, which is at the height of one.
@@ -120,6 +123,34 @@ TEST(CrossBoredCells, MayHaveFloorsNoLongerThanTheRoomBesideThem) {
   EXPECT_GT(longest_line(FloorLines::through_all), 1);
   EXPECT_LT(longest_line(FloorLines::between_planes), 0.6);
   EXPECT_GT(longest_line(FloorLines::between_planes), 0);
+}
+
+/// The lines of a solid's own columns, and whether they end at corners.
+OwnColumns columns_of(const char* name, const Eigen::Vector3d& along) {
+  const geometry::Brep solid = geometry::test::made_brep(name);
+  const auto bores = *cross_bores(solid, along);
+  const geometry::Brep blank = geometry::without_faces(solid, bores.front().faces);
+  return own_columns(solid, blank, sweep_frames(blank).front(), bores);
+}
+
+// From the flat's corners at x = +-sqrt(20^2 - 17^2) to the bore, 45 degrees from the hole.
+TEST(OwnColumns, LeadFromTheCornersOfAFlatToTheBore) {
+  const OwnColumns columns = columns_of("greased_bar", Eigen::Vector3d::UnitY());
+  EXPECT_TRUE(columns.end_at_corners);
+  ASSERT_EQ(columns.lines.size(), 2U);
+  for (const Line& line : columns.lines) {
+    EXPECT_NEAR(std::abs(line[0].x()), std::sqrt(111.0) * 1e-3, 1e-8);
+    EXPECT_NEAR(line[0].z(), 0.017, 1e-8);
+    EXPECT_NEAR(line[1].z(), 0.011 * std::sqrt(0.5), 1e-8);
+  }
+}
+
+TEST(OwnColumns, EndBesideBoresWhereNoCornerIsNear) {
+  const OwnColumns columns = columns_of("blind_bore", Eigen::Vector3d::UnitX());
+  EXPECT_FALSE(columns.end_at_corners);
+  double widest = 0;
+  for (const Line& line : columns.lines) widest = larger(widest, std::abs(line[0].y() - 0.02));
+  EXPECT_NEAR(widest, 0.008, 1e-8);
 }
 
 TEST(BranchedCells, AreNoneOfSolidsWithoutATurnedBody) {

@@ -69,6 +69,47 @@ TEST(MirroredQuadrangulation, FillsTheDrawingAndIsSymmetric) {
     }));
 }
 
+/// A square in its eight parts between its four lines of symmetry.
+Profile square_in_eight() {
+  Profile result;
+  result.vertices = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}, {0, 0}};
+  for (int i = 0; i < 8; ++i) result.edges.push_back(straight(result, i, (i + 1) % 8));
+  for (int i = 0; i < 8; ++i) result.edges.push_back(straight(result, 8, i));
+  for (int i = 0; i < 8; ++i)
+    result.regions.push_back(
+        {{{{EdgeId(8 + i), false}, {EdgeId(i), false}, {EdgeId(8 + (i + 1) % 8), true}}}});
+  return result;
+}
+
+TEST(MirroredQuadrangulation, PutsAWedgeTogetherAllAround) {
+  const Profile profile = square_in_eight();
+  const auto ways = ways_to_mirror(mirror_lines(profile));
+  ASSERT_EQ(ways.size(), 4U);  // a wedge, a quarter, two halves
+  ASSERT_EQ(ways[0].size(), 2U);
+  EXPECT_NEAR(std::abs(ways[0][0].along.dot(ways[0][1].along)), std::sqrt(0.5), 1e-12);
+  EXPECT_EQ(all_images(ways[0]).size(), 4U);
+  const Quadrangulation quads = mirrored_quadrangulation(profile, ways[0]);
+  EXPECT_EQ(checks::fault_of(profile, quads), "");
+  EXPECT_EQ(quads.quads.size(), 8 * 3U);
+  EXPECT_EQ(quads.vertices.size(), 9 + 16 + 8U);  // given ones, middles of sides, one inside each part
+}
+
+TEST(MirroredQuadrangulation, HasChordsForLinesThatBoundNothing) {
+  const Profile profile = square_in_eight();
+  const auto wedge = ways_to_mirror(mirror_lines(profile)).front();
+  const Quadrangulation quads = without_lines(profile, wedge, mirrored_quadrangulation(profile, wedge));
+  for (const QuadEdge& edge : quads.edges) EXPECT_LT(edge.profile_edge, 8);
+  EXPECT_EQ(std::count_if(quads.edges.begin(), quads.edges.end(),
+                          [](const QuadEdge& edge) { return edge.profile_edge >= 0; }),
+            16);
+}
+
+TEST(MirroredQuadrangulation, NeedsLinesAtAWholePartOf180Degrees) {
+  const double angle = 1;
+  EXPECT_ERROR(all_images({{{0, 0}, {1, 0}}, {{0, 0}, {std::cos(angle), std::sin(angle)}}}),
+               ErrorCode::unsupported, "whole part of 180 degrees");
+}
+
 TEST(MirroredQuadrangulation, NeedsEdgesAlongTheLine) {
   EXPECT_ERROR(mirrored_quadrangulation(bored(), {{{0, 0}, {0, 1}}}), ErrorCode::unsupported,
                "not divided along its line of symmetry");

@@ -51,6 +51,16 @@ TEST(SweptCells, EndOnConesThatCutWallsOff) {
   test::expect_sound(solid, swept->complex, 1e-7);
 }
 
+TEST(SweptCells, AreOfEqualPartsOfASymmetricSolidWhereWallsAreInclined) {
+  const Brep solid = geometry::test::made_brep("tipped_cover");
+  const auto swept = swept_cells(solid);
+  ASSERT_TRUE(swept);
+  EXPECT_EQ(swept->quadrilaterals % 4, 0);
+  EXPECT_LE(swept->complex.cells.size(), 200U);
+  EXPECT_GT(geometry::least_quality(swept->complex), 0.25);
+  test::expect_sound(solid, swept->complex);
+}
+
 TEST(SweptCells, AreNoneOfOtherSolids) {
   for (const char* name : {"sphere", "torus", "spring", "round_corner"})
     EXPECT_FALSE(swept_cells(geometry::test::made_brep(name))) << name;

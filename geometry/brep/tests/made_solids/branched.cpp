@@ -2,11 +2,16 @@
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
 #include <ShapeUpgrade_UnifySameDomain.hxx>
 #include <TopExp_Explorer.hxx>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 namespace {
 
@@ -43,6 +48,30 @@ TopoDS_Shape key() {
   return both(both(middle, rod({25, 0, 6}, gp::DZ(), 3, 10)), rod({37, 0, 6}, gp::DZ(), 3, 10));
 }
 
+// Turned about z, with a groove inside and four holes into it, one through the seams.
+TopoDS_Shape grooved_bushing() {
+  BRepBuilderAPI_MakePolygon outline;
+  for (const auto& [radius, height] : {std::pair(15, 0),
+                                       {30, 0},
+                                       {30, 6},
+                                       {22, 6},
+                                       {22, 40},
+                                       {15, 40},
+                                       {15, 27},
+                                       {17, 27},
+                                       {17, 20},
+                                       {15, 20}})
+    outline.Add(gp_Pnt(radius, 0, height));
+  outline.Close();
+  TopoDS_Shape result =
+      BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp::OZ()).Shape();
+  for (int i = 0; i < 4; ++i) {
+    const gp_Dir way(std::cos(i * std::numbers::pi / 2), std::sin(i * std::numbers::pi / 2), 0);
+    result = BRepAlgoAPI_Cut(result, rod({0, 0, 23.5}, way, 2, 25)).Shape();
+  }
+  return merged(result);
+}
+
 }  // namespace
 
 std::map<std::string, TopoDS_Shape> branched() {
@@ -59,6 +88,7 @@ std::map<std::string, TopoDS_Shape> branched() {
       {"pinned_tube", cut(tube(), rod({30, 0, -15}, gp::DZ(), 3, 30))},
       {"sunk_bar", cut(bar(), rod({30, 0, 7}, gp::DZ(), 4, 10))},
       {"keyed_bar", cut(bar(), key())},
+      {"grooved_bushing", grooved_bushing()},
       {"tee", cut(both(bar(), rod({30, 0, 0}, gp::DZ(), 6, 20)),
                   both(rod({-1, 0, 0}, gp::DX(), 7, 62), rod({30, 0, 0}, gp::DZ(), 4, 22)))},
       {"bolted_cap",

@@ -1,6 +1,7 @@
 #include "geometry/brep/tests/made_solids/drilled.hpp"
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -58,6 +59,29 @@ TopoDS_Shape vee_block() {
   return result;
 }
 
+TopoDS_Shape drilled(const TopoDS_Shape& blank, const Drill& drill) {
+  const gp_Ax2 axis(drill.from, drill.along);
+  return BRepAlgoAPI_Cut(blank, BRepPrimAPI_MakeCylinder(axis, drill.radius, drill.length).Shape()).Shape();
+}
+
+// A bar that is round but for a flat above, bored along y, with a hole from the flat into the bore.
+TopoDS_Shape greased_bar() {
+  const TopoDS_Shape bar = BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 0, 0), gp::DY()), 20, 30).Shape();
+  const TopoDS_Shape flatted =
+      BRepAlgoAPI_Cut(bar, BRepPrimAPI_MakeBox(gp_Pnt(-30, -1, 17), 60, 40, 20).Shape()).Shape();
+  return drilled(drilled(flatted, {{0, -1, 0}, gp::DY(), 11, 32}), {{0, 15, 0}, gp::DZ(), 3, 20});
+}
+
+// A hub of radius 16 on a disc, a keyway in its bore, a hole from outside through the keyway's floor.
+TopoDS_Shape keyed_hub() {
+  const TopoDS_Shape hub = BRepPrimAPI_MakeCylinder(16, 30).Shape();
+  const TopoDS_Shape outside = BRepAlgoAPI_Fuse(hub, BRepPrimAPI_MakeCylinder(34, 10).Shape()).Shape();
+  const TopoDS_Shape bored = drilled(outside, {{0, 0, -1}, gp::DZ(), 8, 32});
+  const TopoDS_Shape keyed =
+      BRepAlgoAPI_Cut(bored, BRepPrimAPI_MakeBox(gp_Pnt(0, -2.5, -1), 10.3, 5, 32).Shape()).Shape();
+  return drilled(keyed, {{0, 0, 20}, gp::DX(), 2.1, 20});
+}
+
 }  // namespace
 
 std::map<std::string, TopoDS_Shape> drilled() {
@@ -71,6 +95,8 @@ std::map<std::string, TopoDS_Shape> drilled() {
       {"blind_bore", block_with({gallery, {{30, 20, 33}, gp::DZ(), 4, 8}})},
       {"port_beside", block_with({gallery, {{30, 22, 20}, gp::DZ(), 5, 21}})},
       {"vee_block", vee_block()},
+      {"greased_bar", greased_bar()},
+      {"keyed_hub", keyed_hub()},
       {"tipped_bore", block_with_tip({{{30, 20, 41}, gp::DZ().Reversed(), 6, 27}})},
       {"tipped_gallery", block_with_tip({{{-1, 20, 20}, gp::DX(), 7, 40}, {{45, 6, -1}, gp::DZ(), 3, 42}})},
       {"wide_port", block_with({gallery, {{30, 20, 20}, gp::DZ(), 9, 21}})},

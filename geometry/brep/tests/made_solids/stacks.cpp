@@ -16,6 +16,7 @@
 #include <ShapeUpgrade_UnifySameDomain.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TopoDS.hxx>
+#include <utility>
 
 namespace {
 
@@ -79,6 +80,14 @@ TopoDS_Shape wavy() {
   return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0, 0, 6)).Shape();
 }
 
+// A bored disc of 40 with four blind holes whose tips end in flats.
+TopoDS_Shape tipped_cover() {
+  TopoDS_Shape result = cut(cylinder(0, 0, 0, 40, 12), cylinder(0, 0, -1, 12, 14));
+  for (const auto& [x, y] : {std::pair(26, 0), {0, 26}, {-26, 0}, {0, -26}})
+    result = cut(cut(result, cylinder(x, y, 5, 4, 8)), cone(x, y, 3, 1, 4, 2));
+  return result;
+}
+
 }  // namespace
 
 std::map<std::string, TopoDS_Shape> stacks() {
@@ -87,6 +96,7 @@ std::map<std::string, TopoDS_Shape> stacks() {
                                    fused(cylinder(0, 0, 16, 8, 8), cylinder(0, 0, 24, 11, 6)));
   const TopoDS_Shape boss = fused(block, cylinder(15, 10, 10, 6, 5));
   return {
+      {"tipped_cover", tipped_cover()},
       {"countersunk", cut(cut(block, cylinder(15, 10, -1, 5, 12)), cone(15, 10, 7, 5, 8, 3))},
       {"drafted_pocket", cut(block, drafted(9, 7, 4, 12, 6))},
       {"drafted_boss", fused(block, drafted(9, 7, 10, 12, 6))},
