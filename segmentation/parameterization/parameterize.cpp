@@ -140,22 +140,29 @@ std::string edge_label(const HexComplex& complex, std::size_t edge) {
                      place(found.vertices[0]), place(found.vertices[1]));
 }
 
-/// A complex that has been fitted, with the patches of its blocks.
+/// A complex that has been fitted.
 struct FittedComplex {
   HexComplex complex;
   ComplexFit fit;
+};
+
+FittedComplex fitted_complex(HexComplex complex, const FitOptions& options) {
+  ComplexFit found = fit(complex, options);
+  return {std::move(complex), std::move(found)};
+}
+
+/// A complex that has been fitted, with the patches of its blocks.
+struct FittedBlocks {
+  FittedComplex fitted;
   BlockPatches blocks;
 };
 
 /// Nothing where weights come out too small, which without arcs they never do.
-std::optional<FittedComplex> fitted_complex(HexComplex complex, const FitOptions& options) {
-  FittedComplex result{std::move(complex), {}, {}};
-  result.fit = fit(result.complex, options);
-  if (!result.fit.has_fair_weights) return std::nullopt;
-  std::optional<BlockPatches> blocks = first_patches(result.complex, result.fit);
+std::optional<FittedBlocks> fitted_blocks(FittedComplex fitted) {
+  if (!fitted.fit.has_fair_weights) return std::nullopt;
+  std::optional<BlockPatches> blocks = first_patches(fitted.complex, fitted.fit);
   if (!blocks) return std::nullopt;
-  result.blocks = std::move(*blocks);
-  return result;
+  return FittedBlocks{std::move(fitted), std::move(*blocks)};
 }
 
 std::size_t poor_count(const BlockPatches& blocks, double wanted_quality) {
@@ -164,41 +171,73 @@ std::size_t poor_count(const BlockPatches& blocks, double wanted_quality) {
       [&](const PatchValidity& validity) { return !is_good_enough(validity, wanted_quality); }));
 }
 
-/// The input's splines may bring so many spans along a sheet ...
+/// The input's splines may come to so many spans along a sheet ...
 constexpr int few_spans = 4;
 /// ... or so many for each that the tolerance needs: they are exact, which is worth something.
 constexpr double worth_of_splines = 1.5;
 
-/// Without the input's splines along sheets where they bring more spans than they are worth, since many edges
-/// with knots of their own meet there, or since they are finer than the tolerance.
-HexComplex lean(const HexComplex& complex, const FitOptions& options) {
+/// Spans may be so short beside the shortest that the tolerance needs: shorter ones make needles.
+constexpr double shortest_beside_needed = 0.25;
+
+bool is_short(const KnotVector& knots) {
+  return knots.element_count() <= few_spans;
+}
+
+double shortest_span(const KnotVector& knots) {
+  const std::vector<double> breaks = knots.breaks();
+  double result = knots.length();
+  for (std::size_t i = 1; i < breaks.size(); ++i) result = std::min(result, breaks[i] - breaks[i - 1]);
+  return result;
+}
+
+bool is_worth_it(const KnotVector& own, const KnotVector& needed) {
+  return own.element_count() <= worth_of_splines * needed.element_count() &&
+         shortest_span(own) >= shortest_beside_needed * shortest_span(needed);
+}
+
+/// Those of the `kept` sheets whose knots are worth it.
+std::vector<bool> worthy(std::vector<bool> kept, const std::vector<KnotVector>& own,
+                         const std::vector<KnotVector>& needed) {
+  for (std::size_t k = 0; k < kept.size(); ++k)
+    kept[k] = kept[k] && (is_short(own[k]) || is_worth_it(own[k], needed[k]));
+  return kept;
+}
+
+/// Fitted, without the input's splines along sheets where they bring more spans than they are worth: many
+/// edges with knots of their own meet there, or they are finer than the tolerance, or what else runs through
+/// the sheet has their spans halved where it would have needed others.
+FittedComplex lean_fit(const HexComplex& complex, const FitOptions& options) {
   const std::vector<KnotVector> own = start_knots(complex, options.degree, options.start_spans);
-  const auto is_short = [](const KnotVector& knots) { return knots.element_count() <= few_spans; };
-  if (std::all_of(own.begin(), own.end(), is_short)) return complex;
-  const ComplexFit needed = fit(without_paces(complex), options);
-  std::vector<bool> kept;
-  for (std::size_t k = 0; k < own.size(); ++k)
-    kept.push_back(is_short(own[k]) ||
-                   own[k].element_count() <= worth_of_splines * needed.sheets[k].element_count());
-  if (std::find(kept.begin(), kept.end(), false) == kept.end()) return complex;
-  return with_splines_of(complex, kept);
+  if (!has_paces(complex) || std::all_of(own.begin(), own.end(), is_short))
+    return fitted_complex(complex, options);
+  const std::vector<KnotVector> needed = fit(without_paces(complex), options).sheets;
+  std::vector<bool> kept = worthy(std::vector<bool>(own.size(), true), own, needed);
+  for (;;) {
+    FittedComplex result = fitted_complex(with_splines_of(complex, kept), options);
+    const std::vector<bool> fewer = worthy(kept, result.fit.sheets, needed);
+    if (fewer == kept) return result;
+    kept = fewer;
+  }
 }
 
 /// Keeps the input's paces, and with them its splines and arcs, unless arc length leaves fewer poor blocks.
-FittedComplex first_fit(const HexComplex& given, const ParameterizationOptions& options) {
-  const HexComplex complex = lean(given, options.fit);
-  std::optional<FittedComplex> result = fitted_complex(complex, options.fit);
-  if (!result) return fitted_complex(without_paces(complex), options.fit).value();
+FittedBlocks first_fit(const HexComplex& complex, const ParameterizationOptions& options) {
+  std::optional<FittedBlocks> result = fitted_blocks(lean_fit(complex, options.fit));
+  const auto by_arc_length = [&] {
+    return fitted_blocks(fitted_complex(without_paces(complex), options.fit)).value();
+  };
+  if (!result) return by_arc_length();
   const std::size_t poor = poor_count(result->blocks, options.wanted_quality);
-  if (poor == 0 || !has_paces(complex)) return std::move(*result);
-  FittedComplex other = fitted_complex(without_paces(complex), options.fit).value();
+  if (poor == 0 || !has_paces(result->fitted.complex)) return std::move(*result);
+  FittedBlocks other = by_arc_length();
   return poor_count(other.blocks, options.wanted_quality) < poor ? std::move(other) : std::move(*result);
 }
 
 Parameterization shared_method(const HexModel& model, const HexComplex& given,
                                const ParameterizationOptions& options, const Progress& progress) {
   progress("fitting edges and faces", 0);
-  auto [complex, fitted, blocks] = first_fit(given, options);
+  auto [found, blocks] = first_fit(given, options);
+  auto& [complex, fitted] = found;
   const BlockPatches first = blocks;
   if (options.optimize) improve(complex, fitted, blocks, options, progress);
   Parameterization result;

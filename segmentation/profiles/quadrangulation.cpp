@@ -20,7 +20,9 @@ QuadShape shape_of(const Profile& profile, const Quadrangulation& quads, int qua
     if (use.reversed) shapes[k] = planar::turned(shapes[k]);
   }
   QuadShape result;
-  result.jacobian = planar::least_jacobian({&shapes[0], &shapes[1], &shapes[2], &shapes[3]});
+  const std::array<const planar::SideShape*, 4> sides = {&shapes[0], &shapes[1], &shapes[2], &shapes[3]};
+  result.jacobian = planar::least_jacobian(sides);
+  result.slenderness = planar::slenderness(sides);
   double smallest = planar::refused, largest = 0;
   for (std::size_t k = 0; k < 4; ++k) {
     const double angle = planar::angle_between(shapes[k].start_direction,

@@ -39,6 +39,7 @@ struct QuadShape {
   Angle smallest, largest;  ///< corner, between tangents of the sides
   double jacobian =
       0;  ///< the least of det / (length times length of the derivatives), on 7 x 7 points; 1: a rectangle
+  double slenderness = 1;  ///< opposite sides' mean length over their least distance, at 7 points
 };
 
 /// @cost some microseconds a quadrilateral

@@ -151,10 +151,18 @@ class Settling {
         shapes[k] = side_shape(drawn.curves, drawn.nodes, cells_[static_cast<std::size_t>(number)][k]);
       const std::array<const planar::SideShape*, 4> sides = {&shapes[0], &shapes[1], &shapes[2], &shapes[3]};
       sum +=
-          share_of_shape * bounded_cost_of(rules_, sides, 4) +
+          share_of_shape * bounded_cost_of(rules_, sides, 4) + cost_of_slenderness(sides) +
           weight * std::exp(-steepness * upright_[static_cast<std::size_t>(number)] * least_jacobian(sides));
     }
     return sum;
+  }
+
+  /// Needles take solvers many iterations, since all knots of what meets them run along them: one of 1 by 10
+  /// costs 0.1, one of 1 by 100 0.4.
+  static double cost_of_slenderness(const std::array<const planar::SideShape*, 4>& sides) {
+    constexpr double weight = 0.02;
+    const double ratio = std::log(planar::slenderness(sides));
+    return weight * ratio * ratio;
   }
 
   double cost_at(int vertex) const {

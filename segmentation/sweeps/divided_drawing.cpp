@@ -37,8 +37,14 @@ double least_jacobian(const Profile& profile, const Quadrangulation& quads) {
 constexpr double good = 0.25;
 
 /// A number of quadrilaterals or hexahedra, and more where some are poor.
-double cost_of(std::size_t number, double least) {
-  return static_cast<double>(number) / std::clamp(least, 0.01, good);
+double cost_of(double number, double least) {
+  return number / std::clamp(least, 0.01, good);
+}
+
+/// Needles count more: of 1 by 10 as one and a half, of 1 by 100 as three.
+double cost_of(const StandingQuads& stands) {
+  constexpr double weight = 0.1;
+  return cost_of(stands.hexahedra + weight * stands.slenderness, stands.least_jacobian);
 }
 
 /// Of a drawing whose walls are inclined: divided where they are lowest, and half-way up, where what moves is
@@ -177,8 +183,8 @@ class InclinedWalls {
       Quadrangulation made = make();
       if (draft.half_way) made = as_drawn(solid_, frame_, drawing_, std::move(made), half_way_);
       StandingQuads stands = standing(made);
-      if (stands.least_jacobian < well_settled) settle(made, stands);
-      const double cost = cost_of(static_cast<std::size_t>(stands.hexahedra), stands.least_jacobian);
+      settle(made, stands);
+      const double cost = cost_of(stands);
       if (!best_ || cost < cost_) {
         best_ = std::move(made);
         least_ = stands.least_jacobian;
@@ -202,7 +208,7 @@ class InclinedWalls {
     drawings.insert(drawings.end(), there_.profiles.begin(), there_.profiles.end());
     Quadrangulation moved = settled(quads, drawings, stands.upright);
     StandingQuads stand_then = standing(moved);
-    if (stand_then.least_jacobian <= stands.least_jacobian) return;
+    if (stand_then.least_jacobian < std::min(stands.least_jacobian, well_settled)) return;
     quads = std::move(moved);
     stands = std::move(stand_then);
   }
@@ -297,7 +303,7 @@ DividedDrawing divided_drawing(const geometry::Brep& solid, const SweepFrame& fr
     try {
       const Profile profile = profile_of(drawing, as_divided);
       Quadrangulation quads = mirrored_quadrangulation(profile, mirrors, options);
-      const double cost = cost_of(quads.quads.size(), least_jacobian(profile, quads));
+      const double cost = cost_of(static_cast<double>(quads.quads.size()), least_jacobian(profile, quads));
       if (!best || cost < least) best = DividedDrawing{std::move(drawing), std::move(quads)}, least = cost;
     } catch (const Error& error) {
       if (error.code() == ErrorCode::internal) throw;

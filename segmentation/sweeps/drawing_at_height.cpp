@@ -135,7 +135,9 @@ Quadrangulation as_drawn(const Brep& solid, const SweepFrame& frame, const Swept
 StandingQuads standing_quads(const Brep& solid, const SweepFrame& frame, const SweptDrawing& drawing,
                              const ProfilesAtHeights& there, const Quadrangulation& quads) {
   const MovingDrawing moving(solid, frame, drawing, quads);
-  StandingQuads result{1, 0, std::vector<double>(quads.vertices.size(), 1)};
+  StandingQuads result;
+  result.upright.assign(quads.vertices.size(), 1);
+  std::vector<double> most_slender(quads.quads.size(), 1);
   for (int v = 0; v < static_cast<int>(quads.vertices.size()); ++v)
     for (std::size_t h = 0; h + 1 < there.heights.size(); ++h) {
       const Eigen::Vector3d way = moving.place(v, there.heights[h + 1]) - moving.place(v, there.heights[h]);
@@ -151,12 +153,18 @@ StandingQuads standing_quads(const Brep& solid, const SweepFrame& frame, const S
         for (const int end : {edge.start, edge.end})
           steepest = std::min(steepest, result.upright[static_cast<std::size_t>(end)]);
       }
-      result.least_jacobian =
-          std::min(result.least_jacobian, steepest * shape_of(there.profiles[h], moved, q).jacobian);
+      const QuadShape shape = shape_of(there.profiles[h], moved, q);
+      result.least_jacobian = std::min(result.least_jacobian, steepest * shape.jacobian);
+      double& slenderness = most_slender[static_cast<std::size_t>(q)];
+      slenderness = std::max(slenderness, shape.slenderness);
     }
   }
-  for (const auto& column : layers(quads, drawing.slabs, moving, {}, 1e-7 * solid.size()).columns)
-    result.hexahedra += static_cast<int>(column.size());
+  const auto columns = layers(quads, drawing.slabs, moving, {}, 1e-7 * solid.size()).columns;
+  for (std::size_t q = 0; q < columns.size(); ++q) {
+    const auto count = static_cast<int>(columns[q].size());
+    result.hexahedra += count;
+    result.slenderness += count * std::pow(std::log(most_slender[q]), 2);
+  }
   return result;
 }
 

@@ -255,6 +255,20 @@ double thinness(const std::array<const SideShape*, 4>& sides) {
   return determinants.least_over_mean();
 }
 
+double slenderness(const std::array<const SideShape*, 4>& sides) {
+  constexpr double most = 1e6;
+  double result = 1;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const SideShape &side = *sides[k], &opposite = *sides[k + 2];
+    double apart = refused;
+    for (int i = 0; i < SideShape::samples; ++i)
+      apart = std::min(apart, (side.point(i) - opposite.point(SideShape::samples - 1 - i)).norm());
+    const double length = (side.length + opposite.length) / 2;
+    result = std::max(result, length > most * apart ? most : length / apart);
+  }
+  return result;
+}
+
 bool map_stands(const std::array<const SideShape*, 4>& sides, double smallest, double thinnest) {
   // A bilinear map is steepest and flattest in its corners.
   if (std::all_of(sides.begin(), sides.end(), [](const SideShape* side) { return side->straight; }))

@@ -84,7 +84,11 @@ double least_jacobian(const std::array<const SideShape*, 4>& sides);
 /// Least over mean determinant of that map.
 double thinness(const std::array<const SideShape*, 4>& sides);
 
-/// Whether both are at least so much, for corners that are within the rules; quicker.
+/// How much longer two opposite sides are than they are apart where they are nearest: 1 of a square, 10 of a
+/// needle of 1 by 10; 1e6 at most.
+double slenderness(const std::array<const SideShape*, 4>& sides);
+
+/// Whether Jacobian and thinness are at least so much, for corners that are within the rules; quicker.
 bool map_stands(const std::array<const SideShape*, 4>& sides, double smallest, double thinnest);
 
 /// Cost of a cell: 1 and what its shape costs, or `refused`.

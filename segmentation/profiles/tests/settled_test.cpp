@@ -84,6 +84,28 @@ TEST(Settled, SuitsSeveralDrawingsAtOnce) {
   EXPECT_GT(least_jacobian(dented, there(moved)), 0.4);
 }
 
+// Rectangles are all as good by their Jacobians, which are 1.
+TEST(Settled, WidensNeedles) {
+  const Profile profile = drawings::square();
+  Quadrangulation quads = square_in_four({0.99, 0.5});
+  quads.vertices[4] = {0.99, 0};
+  quads.vertices[6] = {0.99, 1};
+  quads.edges[0].high = quads.edges[1].low = 0.99;
+  quads.edges[4].high = quads.edges[5].low = 0.01;
+  ASSERT_EQ(checks::fault_of(profile, quads), "");
+  const auto most_slender = [&](const Quadrangulation& division) {
+    double most = 1;
+    for (int q = 0; q < 4; ++q) most = larger(most, shape_of(profile, division, q).slenderness);
+    return most;
+  };
+  EXPECT_NEAR(most_slender(quads), 50, 1e-9);  // 0.5 by 0.01
+  const std::vector<double> upright(quads.vertices.size(), 1);
+  const Quadrangulation moved = settled(quads, {profile}, upright);
+  EXPECT_EQ(checks::fault_of(profile, moved), "");
+  EXPECT_LT(most_slender(moved), 3);
+  EXPECT_GT(least_jacobian(profile, moved), 0.99);
+}
+
 TEST(Settled, LeavesRightAnglesAsTheyAre) {
   const Profile profile = drawings::square();
   const Quadrangulation quads = quadrangulate(profile);

@@ -34,6 +34,7 @@ struct StandingQuads {
   double least_jacobian = 1;  ///< scaled, about: of the quadrilaterals at these heights, each times the
                               ///< cosine of the steepest way up beside it
   int hexahedra = 0;
+  double slenderness = 0;       ///< sum over the hexahedra of the squared logarithm of their quadrilaterals'
   std::vector<double> upright;  ///< by vertex: the least cosine of its way up
 };
 
