@@ -18,6 +18,7 @@ class NodeBlocks {
   /// @param value  for first == second symmetric
   void add(int first, int second, const Eigen::Matrix3d& value);
   void add(const NodeBlocks& other);
+  bool empty() const { return blocks_.empty(); }
 
   /// forces += S displacement, per node of all patches. (3, nodes)
   void add_forces(const Eigen::Matrix3Xd& displacement, Eigen::Matrix3Xd& forces) const;
