@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "geometry/base/error.hpp"
@@ -62,12 +63,6 @@ struct Residual {
   double energy = 0;      // J
 };
 
-double energy_of(const std::vector<ElementErrors>& errors) {
-  double sum = 0;
-  for (const ElementErrors& of_patch : errors) sum += of_patch.energy.sum();
-  return sum;
-}
-
 // Those of displacements, a column each. A fold is seen by the process whose elements have it, and must be
 // known to all before they talk again.
 Eigen::MatrixXd forces_of(const Level& level, const LevelOperator& stiffness, const Eigen::MatrixXd& u,
@@ -90,9 +85,11 @@ Eigen::MatrixXd forces_of(const Level& level, const LevelOperator& stiffness, co
   return forces;
 }
 
-// Between the points at which holds act they would tell of no error: they hold everywhere.
-SurfaceTerms held_everywhere(SurfaceTerms terms) {
-  for (SprungFace& face : terms.springs.faces) face.is_hold = false;
+// The raised functions are held everywhere: at points, those of the solution or others, they would bulge
+// between them, which the part does not.
+SurfaceTerms raised_terms(const ElasticityProblem& problem) {
+  SurfaceTerms terms = surface_terms(problem);
+  terms.springs = held_everywhere(std::move(terms.springs));
   return terms;
 }
 
@@ -103,8 +100,11 @@ struct Correction {
   int iterations = 0;
 };
 
+// Of a displacement on the free unknowns, J.
+using EnergyOf = std::function<double(const Eigen::VectorXd&)>;
+
 // Conjugate gradients of one residual, whose energy grows from iteration to iteration towards that of the
-// solution.
+// solution. What is not counted of it says nothing of when to end.
 class CorrectionSearch {
  public:
   explicit CorrectionSearch(Eigen::VectorXd residual)
@@ -124,17 +124,17 @@ class CorrectionSearch {
   }
 
   // @param forces  those of the direction
-  void advance(const Level& level, const Eigen::VectorXd& forces) {
+  void advance(const Level& level, const Eigen::VectorXd& forces, const EnergyOf& uncounted) {
     const double curvature = level.rows.dot(direction_, forces);
     goes_on_ = curvature > 0;  // or a motion without energy
     if (!goes_on_) return;
     const double length = square_ / curvature;
     found_.displacement += length * direction_;
     residual_ -= length * forces;
-    const double gained = 0.5 * length * square_;
-    found_.energy += gained;
+    whole_ += 0.5 * length * square_;
+    const double before = std::exchange(found_.energy, whole_ - uncounted(found_.displacement));
     ++found_.iterations;
-    small_gains_ = gained > least_gain * found_.energy ? 0 : small_gains_ + 1;
+    small_gains_ = std::abs(found_.energy - before) > least_gain * found_.energy ? 0 : small_gains_ + 1;
     goes_on_ = small_gains_ < most_small_gains && found_.iterations < most_corrections;
   }
 
@@ -142,7 +142,7 @@ class CorrectionSearch {
 
  private:
   Eigen::VectorXd residual_, direction_;
-  double square_ = 0;
+  double square_ = 0, whole_ = 0;
   int small_gains_ = 0;
   Correction found_;
   bool goes_on_ = true;
@@ -151,7 +151,7 @@ class CorrectionSearch {
 // The searches of several residuals, whose products are computed together.
 std::vector<Correction> corrections_of(std::vector<Eigen::VectorXd> residuals, const Level& level,
                                        const LevelOperator& stiffness, const FastDiagonalization& smoother,
-                                       const Progress& progress) {
+                                       const EnergyOf& uncounted, const Progress& progress) {
   std::vector<CorrectionSearch> searches;
   for (Eigen::VectorXd& residual : residuals) searches.emplace_back(std::move(residual));
   for (int iteration = 0; iteration < most_corrections; ++iteration) {
@@ -167,7 +167,7 @@ std::vector<Correction> corrections_of(std::vector<Eigen::VectorXd> residuals, c
       directions.col(static_cast<Eigen::Index>(i)) = left[i]->direction();
     const Eigen::MatrixXd forces = stiffness.apply_each(directions);
     for (std::size_t i = 0; i < left.size(); ++i)
-      left[i]->advance(level, forces.col(static_cast<Eigen::Index>(i)));
+      left[i]->advance(level, forces.col(static_cast<Eigen::Index>(i)), uncounted);
   }
   std::vector<Correction> result;
   for (CorrectionSearch& search : searches) result.push_back(std::move(search).found());
@@ -205,10 +205,11 @@ struct ErrorEstimator::State {
         options(with_options),
         spaces(isoparametric_spaces(raised.discretization)),
         level(raised_level(raised.discretization, raised, spaces, options)),
-        stiffness(level, raised.materials, 0, held_everywhere(surface_terms(problem))),
-        springs(support_stiffness(spaces, level.parts, held_everywhere(surface_terms(problem)).springs)),
+        stiffness(level, raised.materials, 0, raised_terms(problem)),
+        springs(support_stiffness(spaces, level.parts, without_holds(springs_of(problem)))),
+        holds(support_stiffness(spaces, level.parts, held_everywhere(holds_among(springs_of(problem))))),
         smoother(raised.discretization.model, level, raised.materials, stiffness.diagonal(),
-                 stiffness.surfaces()) {}
+                 stiffness.surfaces(), held_everywhere(holds_among(springs_of(problem)))) {}
 
   // What each solution leaves of its loads.
   std::vector<Residual> residuals(const std::vector<SolutionToEstimate>& solutions) const {
@@ -222,7 +223,7 @@ struct ErrorEstimator::State {
     for (std::size_t i = 0; i < solutions.size(); ++i) {
       const auto k = static_cast<Eigen::Index>(i);
       result.push_back({level.free.to_free(sum_of_nodes(level, solutions[i].loads) - forces.col(k)),
-                        0.5 * level.rows.dot(u.col(k), forces.col(k)) - energy_of_jumps(u.col(k))});
+                        0.5 * level.rows.dot(u.col(k), forces.col(k)) - uncounted(u.col(k))});
     }
     return result;
   }
@@ -231,14 +232,19 @@ struct ErrorEstimator::State {
     return options.non_matching == NonMatchingCoupling::mortar &&
            !problem.discretization.model.non_matching().empty();
   }
-  // What Nitsche's terms count of displacements with mortar multipliers, whose jumps cost nothing.
-  double energy_of_jumps(const Eigen::VectorXd& u) const {
-    if (!has_mortar()) return 0;
+  // What the equations count of a displacement and the part does not have: what holds do not give way, they
+  // stop at their points in the solution, and jumps cost nothing where the solution has mortar multipliers.
+  double uncounted(const Eigen::VectorXd& u) const {
+    if (holds.empty() && !has_mortar()) return 0;
     const Eigen::Matrix3Xd of_nodes = at_nodes(level, u);
-    Eigen::Matrix3Xd all = Eigen::Matrix3Xd::Zero(3, of_nodes.cols()), of_springs = all;
-    stiffness.surfaces().add_forces(of_nodes, all);
-    springs.add_forces(of_nodes, of_springs);
-    return options.processes.sum(0.5 * of_nodes.cwiseProduct(all - of_springs).sum());
+    Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, of_nodes.cols()), counted = forces;
+    if (has_mortar()) {
+      stiffness.surfaces().add_forces(of_nodes, forces);
+      springs.add_forces(of_nodes, counted);
+    } else {
+      holds.add_forces(of_nodes, forces);
+    }
+    return options.processes.sum(0.5 * of_nodes.cwiseProduct(forces - counted).sum());
   }
 
   const ElasticityProblem& problem;
@@ -247,7 +253,7 @@ struct ErrorEstimator::State {
   std::vector<PatchSpace> spaces;
   Level level;
   LevelOperator stiffness;
-  NodeBlocks springs;  // of what the stiffness has beside the elements'
+  NodeBlocks springs, holds;  // of what the stiffness has beside the elements'
   FastDiagonalization smoother;
 };
 
@@ -297,8 +303,9 @@ std::vector<ErrorEstimate> ErrorEstimator::estimates(const std::vector<SolutionT
     energies.push_back(residual.energy);
     residuals.push_back(std::move(residual.force));
   }
-  const std::vector<Correction> corrections =
-      corrections_of(std::move(residuals), s.level, s.stiffness, s.smoother, progress);
+  const std::vector<Correction> corrections = corrections_of(
+      std::move(residuals), s.level, s.stiffness, s.smoother,
+      [&s](const Eigen::VectorXd& e) { return s.uncounted(s.level.free.to_space(e)); }, progress);
   std::vector<Eigen::Matrix3Xd> errors;
   for (const Correction& correction : corrections)
     errors.push_back(at_nodes(s.level, s.level.free.to_space(correction.displacement)));
@@ -310,7 +317,7 @@ std::vector<ErrorEstimate> ErrorEstimator::estimates(const std::vector<SolutionT
     ErrorEstimate& result = results.emplace_back();
     result.iterations = correction.iterations;
     result.elements = std::move(elements[i]);
-    result.energy = s.has_mortar() ? energy_of(result.elements) : correction.energy;
+    result.energy = correction.energy;
     const double whole = energies[i] + result.energy;
     result.relative = whole > 0 ? std::sqrt(result.energy / whole) : 0;
     result.stress_at = stresses_at(solutions[i].places, s.raised, s.level, errors[i], s.options.processes);

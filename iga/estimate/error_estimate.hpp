@@ -45,9 +45,11 @@ struct SolutionToEstimate {
 /// less than a tenth where the solution is smooth, by some 30 % at re-entrant edges and other places where
 /// stress grows without limit.
 ///
+/// Where springs stand for holds (`SprungFace::is_hold`) the raised functions are held everywhere, and what
+/// that costs the springs is no error: the strain energy of the correction counts.
+///
 /// Across faces that do not match the raised functions are coupled by Nitsche's method. Where the solution
-/// has mortar multipliers, what its jumps would cost there is no error: the strain energy of the correction
-/// counts.
+/// has mortar multipliers, what its jumps would cost there is no error either.
 ///
 /// One set-up serves any number of load cases and sums of them.
 ///

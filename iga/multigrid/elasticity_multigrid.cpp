@@ -91,7 +91,8 @@ ElasticityMultigrid::ElasticityMultigrid(const ElasticityProblem& problem, const
   SurfaceTerms of_finest = surface_terms(problem);
   of_finest.kind = options.interfaces;
   SurfaceTerms of_coarser = of_finest;
-  for (SprungFace& face : of_coarser.springs.faces) face.is_hold = false;
+  of_coarser.springs = held_everywhere(std::move(of_coarser.springs));
+  const Springs holds = holds_among(of_finest.springs), coarser_holds = held_everywhere(holds);
   std::vector<solvers::MultigridLevel> described;
   for (std::size_t l = 0; l < levels.size(); ++l) {
     const Level& level = *levels[l];
@@ -107,8 +108,9 @@ ElasticityMultigrid::ElasticityMultigrid(const ElasticityProblem& problem, const
     const LevelOperator& stiffness =
         state_->operators.emplace_back(level, l == 0 && !product ? state_->smoothed_spaces : level.spaces,
                                        problem.materials, options.points, l == 0 ? of_finest : of_coarser);
-    const FastDiagonalization& smoother = state_->smoothers.emplace_back(
-        model, level, problem.materials, stiffness.diagonal(), stiffness.surfaces());
+    const FastDiagonalization& smoother =
+        state_->smoothers.emplace_back(model, level, problem.materials, stiffness.diagonal(),
+                                       stiffness.surfaces(), l == 0 ? holds : coarser_holds);
     made.product = l == 0 && product
                        ? product
                        : solvers::VectorsOperator(

@@ -119,18 +119,19 @@ bool is_held(const Level& level, const std::vector<int>& rows, const std::array<
 FastDiagonalization::FastDiagonalization(const geometry::MultiPatch& model, const Level& level,
                                          const std::vector<Material>& materials,
                                          const std::vector<Eigen::Matrix3d>& diagonal,
-                                         const NodeBlocks& surfaces)
+                                         const NodeBlocks& surfaces, const Springs& holds)
     : level_(&level), interface_(model, level, materials, surfaces, diagonal) {
   std::vector<char> in_block(static_cast<std::size_t>(level.rows.global_rows()), 0);
   const std::vector<bool> elsewhere = nodes_that_do_not_match(model, level);
   for (std::size_t node = 0; node < elsewhere.size(); ++node)
     if (elsewhere[node]) in_block[static_cast<std::size_t>(level.global_of[node])] = 1;
+  held_ = HeldFaces(level, materials, holds, diagonal, in_block);
+  std::vector<geometry::PatchFace> apart;
+  for (const SprungFace& held : holds.faces) apart.push_back(held.face);
   std::map<std::array<int, 7>, Modes> known;  // patch, component, direction, range, fixed ends
   std::map<int, std::array<LinesOfAxis, 3>> lines;
-  for (const TensorBlock& block : tensor_blocks(model, level)) {
+  for (const TensorBlock& block : tensor_blocks(model, level, apart, in_block)) {
     const std::vector<int> nodes = nodes_of(level, block);
-    for (const int node : nodes)
-      in_block[static_cast<std::size_t>(level.global_of[static_cast<std::size_t>(node)])] = 1;
     const auto p = static_cast<std::size_t>(block.patch);
     if (!level.is_primary[p]) continue;
     const PatchSpace& space = level.spaces[p];
@@ -210,6 +211,7 @@ Eigen::VectorXd FastDiagonalization::apply(const Eigen::VectorXd& residual) cons
     result.segment<3>(3 * point.row) = point.inverse * force.segment<3>(3 * point.row);
   result = level_->free.to_free(std::move(result));
   interface_.add(residual, result);
+  held_.add(residual, result);
   level_->rows.sum(result);
   return result;
 }

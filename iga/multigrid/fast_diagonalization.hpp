@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "iga/material/material.hpp"
+#include "iga/multigrid/held_faces.hpp"
 #include "iga/multigrid/interface_block.hpp"
 #include "iga/multigrid/level.hpp"
 #include "iga/multigrid/tensor_blocks.hpp"
@@ -29,10 +30,12 @@ class FastDiagonalization {
   ///                  over processes
   /// @param surfaces  what the stiffness has beside that of the elements; of faces that do not match all
   ///                  nodes are one block, which is factorized (`InterfaceBlock`)
+  /// @param holds     the stiff springs among these, as they are on this level: a block for each patch's
+  ///                  (`HeldFaces`)
   /// @cost  O(n^3) per direction with n functions
   FastDiagonalization(const geometry::MultiPatch& model, const Level& level,
                       const std::vector<Material>& materials, const std::vector<Eigen::Matrix3d>& diagonal,
-                      const NodeBlocks& surfaces);
+                      const NodeBlocks& surfaces, const Springs& holds = {});
 
   /// Between consistent local vectors of unknowns. (3 rows)
   /// @cost  12 n flops per unknown with n functions per direction, as matrix products
@@ -62,6 +65,7 @@ class FastDiagonalization {
   std::vector<Block> blocks_;
   std::vector<Point> points_;
   InterfaceBlock interface_;
+  HeldFaces held_;
 };
 
 }  // namespace isopatch::iga

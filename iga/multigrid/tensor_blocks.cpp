@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <set>
 
-#include "iga/multigrid/interface_block.hpp"
-
 namespace isopatch::iga {
 namespace {
 
@@ -53,12 +51,10 @@ std::vector<int> nodes_of(const Level& level, const TensorBlock& block) {
   return nodes;
 }
 
-std::vector<TensorBlock> tensor_blocks(const geometry::MultiPatch& model, const Level& level) {
-  const std::set<PatchFace> inner = inner_faces(model);
-  std::vector<char> taken(static_cast<std::size_t>(level.rows.global_rows()), 0);
-  const std::vector<bool> elsewhere = nodes_that_do_not_match(model, level);
-  for (std::size_t node = 0; node < elsewhere.size(); ++node)
-    if (elsewhere[node]) taken[static_cast<std::size_t>(level.global_of[node])] = 1;
+std::vector<TensorBlock> tensor_blocks(const geometry::MultiPatch& model, const Level& level,
+                                       const std::vector<PatchFace>& apart, std::vector<char>& taken) {
+  std::set<PatchFace> inner = inner_faces(model);
+  inner.insert(apart.begin(), apart.end());
   std::vector<TensorBlock> blocks;
   for (int p = 0; p < model.patch_count(); ++p) {
     const auto sizes = level.spaces[static_cast<std::size_t>(p)].sizes();

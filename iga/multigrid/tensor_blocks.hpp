@@ -24,7 +24,11 @@ std::vector<int> nodes_of(const Level& level, const TensorBlock& block);
 /// together with its outer faces, the inside of every interface, and of every edge where interfaces meet.
 ///
 /// Nodes that fit into no such block are left out: corners, collapsed edges, edges whose nodes two
-/// interfaces number differently, and those of faces that do not match.
-std::vector<TensorBlock> tensor_blocks(const geometry::MultiPatch& model, const Level& level);
+/// interfaces number differently, those of faces that do not match, and what other blocks have.
+/// @param apart  faces whose nodes have blocks of their own
+/// @param taken  per global row: whether it has a block; those of the result are added
+std::vector<TensorBlock> tensor_blocks(const geometry::MultiPatch& model, const Level& level,
+                                       const std::vector<geometry::PatchFace>& apart,
+                                       std::vector<char>& taken);
 
 }  // namespace isopatch::iga

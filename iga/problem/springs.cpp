@@ -75,4 +75,21 @@ Springs springs_of(const ElasticityProblem& problem) {
   return result;
 }
 
+Springs holds_among(const Springs& springs) {
+  Springs result;
+  std::copy_if(springs.faces.begin(), springs.faces.end(), std::back_inserter(result.faces),
+               [](const SprungFace& face) { return face.is_hold; });
+  return result;
+}
+
+Springs without_holds(Springs springs) {
+  std::erase_if(springs.faces, [](const SprungFace& face) { return face.is_hold; });
+  return springs;
+}
+
+Springs held_everywhere(Springs springs) {
+  for (SprungFace& face : springs.faces) face.is_hold = false;
+  return springs;
+}
+
 }  // namespace isopatch::iga
