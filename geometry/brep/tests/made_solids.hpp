@@ -34,7 +34,9 @@ namespace isopatch::geometry::test {
 /// (made_solids/turned.cpp): "ball_on_rod" (along x), "bored_ball", "hollow_ball", "domed_rod", "round_cup",
 /// "flat_cup", "pointed_rod", "ring_in_halves" (all faces), "sheave", "round_ring", "vessel_head"
 /// (ellipsoids), and by an angle "bent_rod" (120 degrees), "bent_tube" (90), "half_torus", "half_shaft",
-/// "quarter_shaft", "three_quarters", "half_dome", which reach the axis. Hexahedra with curved sides:
+/// "quarter_shaft", "three_quarters", "half_dome", which reach the axis. One spline all around
+/// (made_solids/closed_faces.cpp): "ellipsoid" (15, 10, 7), "pebble", "creased" (a spline with edges),
+/// "banana" (bent too far to be seen from its middle). Hexahedra with curved sides:
 /// "drilled_quarters" (the drilled block in four), "ring_quarter", "ring_150" (radii 5 and 8, height 4),
 /// "oblique_ring" (a quarter under z = 6 + x / 4
 /// + y / 8), "cone_quarter" (radii 6 and 8 below, 3 and 4 above, height 5), "shell_piece" (radii 5 and 7,
