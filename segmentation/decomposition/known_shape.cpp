@@ -11,6 +11,7 @@
 #include "geometry/base/stopwatch.hpp"
 #include "geometry/brep/hexahedra_quality.hpp"
 #include "geometry/brep/require_solid.hpp"
+#include "segmentation/balls/ball_cells.hpp"
 #include "segmentation/branches/branched_cells.hpp"
 #include "segmentation/branches/cross_bored_cells.hpp"
 #include "segmentation/decomposition/prepare.hpp"
@@ -91,6 +92,10 @@ std::string text_of(const TurnedCells& turned) {
   return fmt::format("turned about {}: {} quadrilateral{} in {} sector{}{}", direction_text(turned.about),
                      turned.quadrilaterals, turned.quadrilaterals == 1 ? "" : "s", turned.sectors,
                      turned.sectors == 1 ? "" : "s", column);
+}
+
+std::string text_of(const BallCells&) {
+  return "one closed face around a hexahedron";
 }
 
 std::string text_of(const BranchedCells& cells) {
@@ -189,6 +194,7 @@ std::optional<KnownCells> known_cells(const geometry::Brep& solid, double second
   if (!is_good() && !planes_are_divided(solid)) look([&] { return swept_cells(solid); }, best, why.not_swept);
   if (is_plain) as_turned();
   why.stopped_by = not_turned.empty() ? why.not_swept : not_turned;
+  if (!best && is_one_closed_face(solid)) look([&] { return ball_cells(solid); }, best, why.stopped_by);
   // Where it is swept, but poorly, it may do better.
   if (!is_good()) look([&] { return branched_cells(solid); }, best, why.not_branched);
   if (best || planes_are_divided(solid)) return best;
@@ -306,7 +312,9 @@ KnownShape known_shape(const geometry::Brep& solid, const DecompositionOptions& 
   if (made)
     result.decomposition = decomposition_of(std::move(*made), watch.seconds());
   else if (result.why_not = no_stack(solid, options); result.why_not.empty() && !why.stopped_by.empty())
-    result.why_not = "It looks swept or turned, but " + why.stopped_by;
+    result.why_not = (is_one_closed_face(solid) ? "One face all around would do, but "
+                                                : "It looks swept or turned, but ") +
+                     why.stopped_by;
   else if (!result.decomposition && !result.why_not.empty() && !why.not_swept.empty())
     result.why_not += ". Without its rounds it would be one, but " + why.not_swept;
   if (!result.decomposition && !why.not_bored.empty())

@@ -69,8 +69,9 @@ geometry::NurbsCurve interpolated(const std::function<Eigen::Vector3d(double)>& 
   throw Error(ErrorCode::unsupported, "a curve of the solid has corners");
 }
 
-geometry::NurbsSurface interpolated(const std::function<Eigen::Vector3d(double, double)>& surface) {
-  const auto knots = geometry::KnotVector::uniform(degree_between, spans_between);
+geometry::NurbsSurface interpolated(const std::function<Eigen::Vector3d(double, double)>& surface,
+                                    int spans) {
+  const auto knots = geometry::KnotVector::uniform(degree_between, spans);
   const std::vector<double> at = knots.greville();
   const auto n = static_cast<Eigen::Index>(at.size());
   // One row for each u, all v side by side; then the other way round.

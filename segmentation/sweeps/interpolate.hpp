@@ -16,6 +16,8 @@ geometry::NurbsCurve interpolated(const std::function<Eigen::Vector3d(double)>& 
 geometry::NurbsCurve interpolated(const std::function<Eigen::Vector3d(double)>& curve, double tolerance);
 
 /// The same of a smooth surface over the unit square.
-geometry::NurbsSurface interpolated(const std::function<Eigen::Vector3d(double, double)>& surface);
+/// @param spans  along either direction, of equal lengths
+geometry::NurbsSurface interpolated(const std::function<Eigen::Vector3d(double, double)>& surface,
+                                    int spans = 8);
 
 }  // namespace isopatch::segmentation

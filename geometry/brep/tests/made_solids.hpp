@@ -39,9 +39,11 @@ namespace isopatch::geometry::test {
 /// "flat_cup", "pointed_rod", "ring_in_halves" (all faces), "sheave", "round_ring", "vessel_head"
 /// (ellipsoids), and by an angle "bent_rod" (120 degrees), "bent_tube" (90), "half_torus", "half_shaft",
 /// "quarter_shaft", "three_quarters", "half_dome", which reach the axis; with prisms about their axis
-/// "socket_screw" (a hexagonal socket), "square_end", "twelve_sided_hole", "odd_socket" (five sides).
-/// Hexahedra with curved sides: "drilled_quarters" (the drilled block in four), "ring_quarter", "ring_150"
-/// (radii 5 and 8, height 4), "oblique_ring" (a quarter under z = 6 + x / 4
+/// "socket_screw" (a hexagonal socket), "square_end", "twelve_sided_hole", "odd_socket" (five sides). One
+/// spline all around (made_solids/closed_faces.cpp): "ellipsoid" (15, 10, 7), "pebble", "creased" (a spline
+/// with edges), "banana" (bent too far to be seen from its middle). Hexahedra with curved sides:
+/// "drilled_quarters" (the drilled block in four), "ring_quarter", "ring_150" (radii 5 and 8, height 4),
+/// "oblique_ring" (a quarter under z = 6 + x / 4
 /// + y / 8), "cone_quarter" (radii 6 and 8 below, 3 and 4 above, height 5), "shell_piece" (radii 5 and 7,
 /// latitudes 10 to 60 degrees, a quarter around), "elbow_piece" (a quarter of a pipe of radii 1 and 2, bent
 /// by 60 degrees with radius 6). "drilled_splines" and other names with that ending: all faces and edges as

@@ -21,6 +21,7 @@ TEST(KnownShape, IsTheWayWithFewerHexahedra) {
   // Swept it takes 29.
   EXPECT_EQ(seen_as("shaft"), "turned about z: 4 quadrilaterals in 4 sectors, 3 along the axis");
   EXPECT_EQ(seen_as("bent_tube"), "turned about (0, 0.6, 0.8): 4 quadrilaterals in 1 sector");
+  EXPECT_EQ(seen_as("ellipsoid"), "one closed face around a hexahedron");
   EXPECT_EQ(seen_as("spring"), "");
   EXPECT_EQ(seen_as("sphere", {.method = Method::cuts}), "");
 }
@@ -29,6 +30,14 @@ TEST(KnownShape, SaysWhyATurnedSolidIsNotDivided) {
   const KnownShape known = known_shape(geometry::test::made_brep("pointed_rod"), {});
   EXPECT_FALSE(known.decomposition);
   EXPECT_NE(known.why_not.find("comes to a point on the axis"), std::string::npos);
+}
+
+TEST(KnownShape, SaysWhyOneClosedFaceIsNotDivided) {
+  const KnownShape known = known_shape(geometry::test::made_brep("banana"), {});
+  EXPECT_FALSE(known.decomposition);
+  EXPECT_EQ(known.why_not.find(
+                "One face all around would do, but its face has an edge or a tip, or cannot be seen"),
+            0U);
 }
 
 }  // namespace

@@ -44,6 +44,7 @@
 #include <vector>
 
 #include "geometry/brep/tests/made_solids/branched.hpp"
+#include "geometry/brep/tests/made_solids/closed_faces.hpp"
 #include "geometry/brep/tests/made_solids/crossed.hpp"
 #include "geometry/brep/tests/made_solids/drilled.hpp"
 #include "geometry/brep/tests/made_solids/rounds.hpp"
@@ -253,6 +254,7 @@ void write_all(const std::string& folder) {
   write(spring(), in_folder("spring"));
   for (const auto& [name, shape] : stacks()) write(shape, in_folder(name.c_str()));
   for (const auto& [name, shape] : branched()) write(shape, in_folder(name.c_str()));
+  for (const auto& [name, shape] : closed_faces()) write(shape, in_folder(name.c_str()));
   for (const auto& [name, shape] : crossed()) write(shape, in_folder(name.c_str()));
   for (const auto& [name, shape] : drilled()) write(shape, in_folder(name.c_str()));
   for (const auto& [name, shape] : slotted()) write(shape, in_folder(name.c_str()));
