@@ -25,6 +25,8 @@ bool lies_within(const NurbsSurface& surface, const NurbsSurface& other, double 
   return true;
 }
 
+constexpr double beside_outlines = 1e-3;  // of the area, where chords stand for curved outlines
+
 constexpr double much_smaller = 0.25;
 
 // About its area: that of the parallelogram of its tangents in the middle.
@@ -173,14 +175,23 @@ SharedSurface shared_surface(const NurbsSurface& first, const NurbsSurface& seco
   const int points = 3 + std::max({first.degree(0), first.degree(1), second.degree(0), second.degree(1)});
   SharedSurface result;
   double coarse = 0;
+  std::vector<std::pair<double, double>> apart;  // with the area
   for (const SharedCell& cell : common_refinement(divided(first), divided(second), points, same_point))
     for (const SharedPoint& point : cell.points) {
       result.area += point.weight;
-      result.gap = larger(result.gap, (first.point(point.first) - second.point(point.second)).norm());
+      apart.emplace_back((first.point(point.first) - second.point(point.second)).norm(),
+                         std::abs(point.weight));
     }
   for (const SharedCell& cell : common_refinement(divided(first), divided(second), points - 1, same_point))
     for (const SharedPoint& point : cell.points) coarse += point.weight;
   result.area_error = std::abs(result.area - coarse);
+  std::sort(apart.rbegin(), apart.rend());
+  double beyond = 0;
+  for (const auto& [distance, area] : apart) {
+    result.gap = distance;
+    beyond += area;
+    if (beyond > beside_outlines * result.area) break;
+  }
   return result;
 }
 

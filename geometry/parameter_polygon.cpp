@@ -8,6 +8,9 @@ namespace {
 
 using Point = Parameter<2>;
 
+// Along sides so short, as a share of the box around the polygon, two points do: cubic splines are integrated
+// as well as the corners of curved edges are known.
+constexpr double short_side = 0.1;
 constexpr int most_halvings = 9;  // of a polygon, each of its two parts again
 
 double cross(const Point& a, const Point& b) {
@@ -40,14 +43,14 @@ bool is_box(const ParameterPolygon& polygon, const Point& low, const Point& high
 
 // A square collapsed into a triangle; weights have the sign of its turn.
 // Source: Duffy 1982.
-void add_triangle(const Point& apex, const Point& b, const Point& c, double sign, const QuadratureRule& rule,
-                  PlanePoints& points) {
+void add_triangle(const Point& apex, const Point& b, const Point& c, double sign,
+                  const QuadratureRule& of_away, const QuadratureRule& of_along, PlanePoints& points) {
   const double twice = sign * cross(b - apex, c - apex);
-  for (Eigen::Index j = 0; j < rule.nodes.size(); ++j)
-    for (Eigen::Index i = 0; i < rule.nodes.size(); ++i) {
-      const double away = rule.nodes[i], along = rule.nodes[j];
+  for (Eigen::Index j = 0; j < of_along.nodes.size(); ++j)
+    for (Eigen::Index i = 0; i < of_away.nodes.size(); ++i) {
+      const double away = of_away.nodes[i], along = of_along.nodes[j];
       points.emplace_back(apex + away * ((1 - along) * (b - apex) + along * (c - apex)),
-                          rule.weights[i] * rule.weights[j] * twice * away);
+                          of_away.weights[i] * of_along.weights[j] * twice * away);
     }
 }
 
@@ -71,7 +74,7 @@ double hidden_area(const ParameterPolygon& polygon, const Point& from, double ar
   return sum;
 }
 
-// ParameterPolygons that cannot be seen whole from one point, as bent strips, are halved until their parts
+// Polygons that cannot be seen whole from one point, as bent strips, are halved until their parts
 // can: triangles that cancel each other would have points far from the polygon.
 void add_polygon(const ParameterPolygon& polygon, double sign, const QuadratureRule& rule, int halvings,
                  PlanePoints& result) {
@@ -91,8 +94,13 @@ void add_polygon(const ParameterPolygon& polygon, double sign, const QuadratureR
       add_polygon(clipped(polygon, longer, half, side), sign, rule, halvings - 1, result);
     return;
   }
-  for (std::size_t k = 0; k < polygon.size(); ++k)
-    add_triangle(middle, polygon[k], polygon[(k + 1) % polygon.size()], sign, rule, result);
+  const QuadratureRule two = gauss_legendre(2);
+  const Point sides = high - low;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Point& next = polygon[(k + 1) % polygon.size()];
+    const bool is_short = ((next - polygon[k]).cwiseAbs().array() < short_side * sides.array()).all();
+    add_triangle(middle, polygon[k], next, sign, rule, is_short ? two : rule, result);
+  }
 }
 
 }  // namespace

@@ -47,24 +47,13 @@ std::array<int, 3> PatchSide::element(const ElementOfFace& of_face) const {
 
 PatchSide::Functions PatchSide::functions(const ElementOfFace& of_face,
                                           const geometry::Parameter<2>& on_side) const {
-  const Functions all = functions_behind(of_face, geometry::on_side(*space_.geometry, side_, on_side));
-  const auto sizes = space_.sizes();
-  const int across = geometry::direction(side_);
-  int stride = 1;
-  for (int d = 0; d < across; ++d) stride *= sizes[static_cast<std::size_t>(d)];
-  const int count = sizes[static_cast<std::size_t>(across)];
-  Functions result;
-  result.normal = all.normal;
-  for (std::size_t f = 0; f < all.nodes.size(); ++f) {
-    const int index = (all.nodes[f] - first_node_) / stride % count;
-    const int layer = geometry::is_high(side_) ? count - 1 - index : index;
-    if (layer > 1) continue;  // neither its values nor its slopes reach the side
-    result.nodes.push_back(all.nodes[f]);
-    result.is_on_side.push_back(all.is_on_side[f]);
-    result.values.push_back(all.values[f]);
-    result.gradients.push_back(all.gradients[f]);
-  }
-  return result;
+  // Neither values nor slopes of what is behind the second layer reach the side.
+  return functions_of_layers(of_face, geometry::on_side(*space_.geometry, side_, on_side), 2);
+}
+
+PatchSide::Functions PatchSide::functions_behind(const ElementOfFace& of_face,
+                                                 const geometry::Parameter<3>& at) const {
+  return functions_of_layers(of_face, at, degree() + 1);
 }
 
 std::array<geometry::Parameter<3>, 2> PatchSide::box_behind(const ElementOfFace& of_face) const {
@@ -78,8 +67,8 @@ std::array<geometry::Parameter<3>, 2> PatchSide::box_behind(const ElementOfFace&
   return result;
 }
 
-PatchSide::Functions PatchSide::functions_behind(const ElementOfFace& of_face,
-                                                 const geometry::Parameter<3>& at) const {
+PatchSide::Functions PatchSide::functions_of_layers(const ElementOfFace& of_face,
+                                                    const geometry::Parameter<3>& at, int layers) const {
   const std::array<int, 3> element = this->element(of_face);
   std::array<Eigen::MatrixXd, 3> bases;
   std::array<int, 3> first;
@@ -95,21 +84,34 @@ PatchSide::Functions PatchSide::functions_behind(const ElementOfFace& of_face,
   // Along the gradient of the parameter that is constant on the side.
   result.normal =
       (geometry::is_high(side_) ? 1 : -1) * inverse.row(geometry::direction(side_)).transpose().normalized();
-  add_functions(bases, first, result);
+  add_functions(bases, first, layers, result);
   for (Eigen::Vector3d& gradient : result.gradients) gradient = inverse.transpose() * gradient;
   return result;
 }
 
 void PatchSide::add_functions(const std::array<Eigen::MatrixXd, 3>& bases, const std::array<int, 3>& first,
-                              Functions& result) const {
+                              int layers, Functions& result) const {
   const auto sizes = space_.sizes();
   const int across = geometry::direction(side_);
   const int on_side = geometry::is_high(side_) ? sizes[static_cast<std::size_t>(across)] - 1 : 0;
+  // The layers are the first or the last functions of the direction across.
+  std::array<int, 3> begin = {0, 0, 0}, end;
+  for (std::size_t d = 0; d < 3; ++d) end[d] = static_cast<int>(bases[d].cols());
+  const auto a = static_cast<std::size_t>(across);
+  if (geometry::is_high(side_))
+    begin[a] = std::max(0, end[a] - layers);
+  else
+    end[a] = std::min(end[a], layers);
+  const auto count =
+      static_cast<std::size_t>((end[0] - begin[0]) * (end[1] - begin[1]) * (end[2] - begin[2]));
+  result.nodes.reserve(count);
+  result.values.reserve(count);
+  result.gradients.reserve(count);
   double denominator = 0;
   Eigen::Vector3d slope = Eigen::Vector3d::Zero();
-  for (int k = 0; k < bases[2].cols(); ++k)
-    for (int j = 0; j < bases[1].cols(); ++j)
-      for (int i = 0; i < bases[0].cols(); ++i) {
+  for (int k = begin[2]; k < end[2]; ++k)
+    for (int j = begin[1]; j < end[1]; ++j)
+      for (int i = begin[0]; i < end[0]; ++i) {
         const std::array<int, 3> index = {first[0] + i, first[1] + j, first[2] + k};
         const int node = index[0] + sizes[0] * (index[1] + sizes[1] * index[2]);
         const double weight = space_.is_rational() ? space_.weights[node] : 1.0;
@@ -122,9 +124,9 @@ void PatchSide::add_functions(const std::array<Eigen::MatrixXd, 3>& bases, const
         denominator += result.values.back();
         slope += result.gradients.back();
       }
-  for (std::size_t a = 0; a < result.nodes.size(); ++a) {
-    result.values[a] /= denominator;
-    result.gradients[a] = (result.gradients[a] - result.values[a] * slope) / denominator;
+  for (std::size_t f = 0; f < result.nodes.size(); ++f) {
+    result.values[f] /= denominator;
+    result.gradients[f] = (result.gradients[f] - result.values[f] * slope) / denominator;
   }
 }
 

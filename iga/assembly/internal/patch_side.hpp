@@ -48,7 +48,10 @@ class PatchSide {
   Functions functions_behind(const ElementOfFace& of_face, const geometry::Parameter<3>& at) const;
 
  private:
-  void add_functions(const std::array<Eigen::MatrixXd, 3>& bases, const std::array<int, 3>& first,
+  // @param layers  of functions from the side inwards
+  Functions functions_of_layers(const ElementOfFace& of_face, const geometry::Parameter<3>& at,
+                                int layers) const;
+  void add_functions(const std::array<Eigen::MatrixXd, 3>& bases, const std::array<int, 3>& first, int layers,
                      Functions& result) const;
 
   const PatchSpace& space_;
