@@ -69,7 +69,7 @@ class Refinement {
   std::vector<SharedCell> cells() const {
     std::vector<Piece> pieces;
     for (const ElementOutline& outline : element_outlines(inner_, outer_, same_point_))
-      add_pieces(outline.on_other, outline.element, pieces);
+      add_pieces(outline, pieces);
     // Polygons that are cut off from elements are straight where these are curved, and fit to polygons alone.
     const bool are_whole =
         std::all_of(pieces.begin(), pieces.end(), [](const Piece& piece) { return piece.is_whole; });
@@ -94,8 +94,8 @@ class Refinement {
     bool is_whole = false;  // all of the inner element
   };
 
-  void add_pieces(const ParameterPolygon& element, const std::array<int, 2>& of_inner,
-                  std::vector<Piece>& pieces) const {
+  void add_pieces(const ElementOutline& outline, std::vector<Piece>& pieces) const {
+    const ParameterPolygon& element = outline.on_other;
     Point low = element[0], high = element[0];
     for (const Point& point : element) {
       low = low.cwiseMin(point);
@@ -111,9 +111,9 @@ class Refinement {
         const double area = signed_area(cell);
         if (std::abs(area) <= 1e-12 * (to - from).prod()) continue;
         const Point reach = same_place * (to - from);
-        const bool is_whole =
-            ((low - from + reach).array() >= 0).all() && ((to - high + reach).array() >= 0).all();
-        pieces.push_back({of_inner, {i, j}, std::move(cell), area, is_whole});
+        const bool is_whole = !outline.is_cut && ((low - from + reach).array() >= 0).all() &&
+                              ((to - high + reach).array() >= 0).all();
+        pieces.push_back({outline.element, {i, j}, std::move(cell), area, is_whole});
       }
   }
 

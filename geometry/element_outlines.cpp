@@ -84,10 +84,13 @@ class Outlines {
     if (!edges_are_straight()) segments_ = segments_needed();
   }
 
-  // An element, or what the other surface has of it; empty where that is nothing.
-  ParameterPolygon of_element(int i, int j) {
-    if (segments_ == 1) return {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)};
-    return what_is_there(around(i, j));
+  // An element, or what the other surface has of it; without corners where that is nothing.
+  ElementOutline of_element(int i, int j) {
+    if (segments_ == 1) return {{i, j}, {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}, false};
+    const Outline outline = around(i, j);
+    const bool is_cut = std::any_of(outline.places.begin(), outline.places.end(),
+                                    [](const OnOuter& place) { return !place.is_there; });
+    return {{i, j}, what_is_there(outline), is_cut};
   }
 
  private:
@@ -266,7 +269,7 @@ std::vector<ElementOutline> element_outlines(const DividedSurface& surface, cons
   std::vector<ElementOutline> result;
   for (int j = 0; j + 1 < static_cast<int>(surface.breaks[1].size()); ++j)
     for (int i = 0; i + 1 < static_cast<int>(surface.breaks[0].size()); ++i) {
-      ElementOutline outline{{i, j}, outlines.of_element(i, j)};
+      ElementOutline outline = outlines.of_element(i, j);
       if (outline.on_other.size() >= 3) result.push_back(std::move(outline));
     }
   return result;

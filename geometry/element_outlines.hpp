@@ -12,6 +12,7 @@ namespace isopatch::geometry {
 struct ElementOutline {
   std::array<int, 2> element = {0, 0};
   ParameterPolygon on_other;
+  bool is_cut = false;  ///< where the other surface ends, which outlines of straight elements leave
 };
 
 /// The elements of one surface in the parameters of another where the two are one surface.

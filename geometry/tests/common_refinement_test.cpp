@@ -97,6 +97,24 @@ TEST(CommonRefinement, IsExactWhereStraightLinesCross) {
   EXPECT_LT(apart, 1e-13);
 }
 
+// Lines of elements that bend in each other's parameters, though both faces are plane: of an element that
+// sticks out the part within counts, also where that part lies within one element.
+TEST(CommonRefinement, CountsOfAnElementThatSticksOutThePartWithin) {
+  const auto quadrilateral = [](double left_low, double left_high, double right_low, double right_high) {
+    return face_surface(test::mapped({KnotVector::bezier(1), KnotVector::bezier(1), KnotVector::bezier(1)},
+                                     [=](const Vector3d& x) {
+                                       const double from = left_low + x[1] * (left_high - left_low);
+                                       const double to = right_low + x[1] * (right_high - right_low);
+                                       return Vector3d(from + x[0] * (to - from), x[1], x[2]);
+                                     }),
+                        Side::front);
+  };
+  const NurbsSurface first = quadrilateral(0, 0, 1.1, 0.9), second = quadrilateral(0.6, 0.8, 2, 2);
+  const auto cells = common_refinement(divided(first), divided(second), 4, 1e-9);
+  // Chords of 16 segments.
+  EXPECT_NEAR(integral(cells, first, second, [](const Vector3d&) { return 1.0; }).first, 0.3, 1e-4);
+}
+
 // A fan of long elements and a rectangle that covers a part of it: neither lies within the other, elements
 // end at the rectangle's border, and what is left of them is bent.
 TEST(CommonRefinement, KeepsToWhereBentElementsCrossARectangle) {
