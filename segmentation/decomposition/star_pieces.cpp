@@ -103,16 +103,29 @@ struct Cut {
   double radius;  ///< of the smaller inner ball on both sides, m
 };
 
+/// The middles of the widest gaps between vertices along an axis: a plane beside a vertex would make slivers.
+std::vector<double> heights_between_vertices(const Brep& solid, int axis) {
+  constexpr std::size_t most = 12;
+  std::vector<double> places;
+  for (Eigen::Index v = 0; v < solid.vertices().cols(); ++v) places.push_back(solid.vertices()(axis, v));
+  std::sort(places.begin(), places.end());
+  std::vector<std::pair<double, double>> gaps;  // less their widths, with their middles
+  for (std::size_t i = 1; i < places.size(); ++i)
+    gaps.emplace_back(places[i - 1] - places[i], (places[i - 1] + places[i]) / 2);
+  std::sort(gaps.begin(), gaps.end());
+  std::vector<double> result;
+  for (std::size_t i = 0; i < std::min(most, gaps.size()); ++i) result.push_back(gaps[i].second);
+  return result;
+}
+
 /// Across the coordinate axes, the best first.
 std::vector<Cut> promising_cuts(const Brep& solid) {
-  constexpr int places = 16;
   const auto [low, high] = solid.box();
   const Eigen::Vector3d middle = (low + high) / 2;
   std::vector<Cut> result;
   for (int axis = 0; axis < 3; ++axis)
-    for (int i = 1; i < places; ++i) {
+    for (const double height : heights_between_vertices(solid, axis)) {
       const Eigen::Vector3d along = Eigen::Vector3d::Unit(axis);
-      const double height = low[axis] + (high[axis] - low[axis]) * i / places;
       const double one = inner_ball(below(solid, along, height), middle, solid.size()).radius,
                    other = inner_ball(below(solid, -along, -height), middle, solid.size()).radius;
       result.push_back({along, height, std::min(one, other)});
@@ -141,7 +154,7 @@ bool faces_are_discs(const Brep& solid) {
 std::vector<StarPiece> cut_in_two(const StarPiece& piece) {
   constexpr std::size_t most_tries = 4;
   const std::vector<Cut> cuts = promising_cuts(piece.brep);
-  for (std::size_t c = 0; c < most_tries; ++c) {
+  for (std::size_t c = 0; c < std::min(most_tries, cuts.size()); ++c) {
     std::vector<StarPiece> made = cut(piece, cuts[c]);
     if (made.size() > 1 && std::all_of(made.begin(), made.end(),
                                        [](const StarPiece& part) { return faces_are_discs(part.brep); }))
