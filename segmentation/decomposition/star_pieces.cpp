@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/base/larger.hpp"
 #include "geometry/base/stopwatch.hpp"
 #include "geometry/brep/cell_solids.hpp"
 #include "geometry/brep/cut_by_plane.hpp"
@@ -128,7 +129,7 @@ std::vector<Cut> promising_cuts(const Brep& solid) {
       const Eigen::Vector3d along = Eigen::Vector3d::Unit(axis);
       const double one = inner_ball(below(solid, along, height), middle, solid.size()).radius,
                    other = inner_ball(below(solid, -along, -height), middle, solid.size()).radius;
-      result.push_back({along, height, std::min(one, other)});
+      result.push_back({along, height, smaller(one, other)});
     }
   std::stable_sort(result.begin(), result.end(),
                    [](const Cut& a, const Cut& b) { return a.radius > b.radius; });
