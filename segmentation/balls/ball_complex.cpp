@@ -13,7 +13,6 @@ namespace isopatch::segmentation {
 namespace {
 
 using geometry::CellComplex;
-using geometry::CellFace;
 using geometry::EdgeUse;
 using geometry::NurbsCurve;
 using geometry::NurbsSurface;

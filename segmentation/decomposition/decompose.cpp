@@ -18,6 +18,7 @@
 #include "segmentation/decomposition/keep_t_joints.hpp"
 #include "segmentation/decomposition/known_shape.hpp"
 #include "segmentation/decomposition/star_cells.hpp"
+#include "segmentation/decomposition/star_pieces.hpp"
 #include "segmentation/decomposition/starting_cell.hpp"
 #include "segmentation/decomposition/templates.hpp"
 #include "segmentation/decomposition/unfinished_parts.hpp"
@@ -304,6 +305,7 @@ Decomposition decomposed(const Brep& solid, const std::string& name, const Decom
     throw CuttingError(error.code(), with_reason(error), error.fault(), error.parts());
   } catch (const geometry::SolidError& error) {
     if (known.decomposition) return std::move(*known.decomposition);
+    if (auto made = kept_triangles(solid, options)) return std::move(*made);
     throw geometry::SolidError(error.code(), with_reason(error), error.fault());
   } catch (const Error& error) {
     if (error.code() == ErrorCode::internal) throw;

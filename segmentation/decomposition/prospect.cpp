@@ -7,6 +7,7 @@
 #include "geometry/brep/cell_solids.hpp"
 #include "segmentation/decomposition/cutting/corner_shape.hpp"
 #include "segmentation/decomposition/known_shape.hpp"
+#include "segmentation/decomposition/star_pieces.hpp"
 #include "segmentation/decomposition/starting_cell.hpp"
 
 namespace isopatch::segmentation {
@@ -51,9 +52,11 @@ Prospect prospect(const geometry::Brep& solid, const DecompositionOptions& optio
     if (error.code() == ErrorCode::internal) throw;
     result.refusal = geometry::SolidError(error.code(), error.what(), {});
   }
-  if (!known.decomposition) return result;
+  std::optional<Decomposition> found = known.decomposition;
+  if (!found && result.refusal) found = kept_triangles(solid, options);
+  if (!found) return result;
   result.refusal.reset();
-  result.seen_as = known.decomposition->report.seen_as;
+  result.seen_as = found->report.seen_as;
   return result;
 }
 

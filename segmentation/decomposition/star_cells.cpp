@@ -22,7 +22,8 @@ using geometry::EdgeUse;
 
 class StarMaker {
  public:
-  StarMaker(const Brep& source, CellComplex complex) : source_(source), complex_(std::move(complex)) {}
+  StarMaker(const Brep& source, CellComplex complex, const std::vector<Eigen::Vector3d>& centres)
+      : source_(source), complex_(std::move(complex)), centres_(centres) {}
 
   CellComplex make() {
     const std::vector<Cell> cells = complex_.cells;
@@ -30,7 +31,7 @@ class StarMaker {
       if (!is_polyhedral(CellShapes(source_, complex_), CellId(static_cast<int>(c))))
         throw Error(ErrorCode::unsupported, "a cell with curved sides cannot be divided into tetrahedra");
     std::vector<Cell> result;
-    for (const Cell& cell : cells) divide(cell, result);
+    for (std::size_t c = 0; c < cells.size(); ++c) divide(cells[c], c, result);
     complex_.cells = std::move(result);
     return std::move(complex_);
   }
@@ -81,7 +82,7 @@ class StarMaker {
     return found->second;
   }
 
-  void divide(const Cell& cell, std::vector<Cell>& result) {
+  void divide(const Cell& cell, std::size_t number, std::vector<Cell>& result) {
     std::set<VertexId> corners;
     for (const CellFaceUse& use : cell.faces)
       for (const EdgeUse& edge : complex_.face(use.face).loop) corners.insert(complex_.from(edge));
@@ -91,7 +92,7 @@ class StarMaker {
     }
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     for (const VertexId corner : corners) middle += complex_.vertex(corner) / double(corners.size());
-    const VertexId apex = complex_.add_vertex(middle);
+    const VertexId apex = complex_.add_vertex(centres_.empty() ? middle : centres_[number]);
     for (const CellFaceUse& use : cell.faces) {
       const std::map<EdgeId, FaceId> pieces = parts(use.face);
       if (pieces.empty()) {
@@ -116,6 +117,7 @@ class StarMaker {
 
   const Brep& source_;
   CellComplex complex_;
+  const std::vector<Eigen::Vector3d>& centres_;
   std::map<std::pair<VertexId, VertexId>, EdgeId> edges_;
   std::map<std::pair<EdgeId, VertexId>, FaceId> triangles_;
   std::map<FaceId, std::map<EdgeId, FaceId>> parts_;
@@ -123,8 +125,8 @@ class StarMaker {
 
 }  // namespace
 
-CellComplex star_cells(const Brep& source, CellComplex complex) {
-  return StarMaker(source, std::move(complex)).make();
+CellComplex star_cells(const Brep& source, CellComplex complex, const std::vector<Eigen::Vector3d>& centres) {
+  return StarMaker(source, std::move(complex), centres).make();
 }
 
 }  // namespace isopatch::segmentation

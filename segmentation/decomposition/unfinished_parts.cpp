@@ -23,6 +23,14 @@ std::vector<Eigen::Matrix3Xd> concave_edges(const CellStore::Entry& entry, const
   return lines;
 }
 
+/// ". They meet in parts of 3 sides, the first at (0.1, 0, 0.2) m"; "" if they do not.
+std::string where_they_meet(const CellShapes& shapes, const std::vector<PartedSide>& t_joints) {
+  if (t_joints.empty() || t_joints.front().inside.empty()) return "";
+  const Eigen::Vector3d place = shapes.point(t_joints.front().inside.front(), 0.5);
+  return fmt::format(". They meet in parts of {} side{}, the first at ({:.4g}, {:.4g}, {:.4g}) m",
+                     t_joints.size(), t_joints.size() == 1 ? "" : "s", place.x(), place.y(), place.z());
+}
+
 CuttingError error_about(ErrorCode code, const std::string& message, const std::string& called,
                          std::vector<UnfinishedPart> parts) {
   geometry::SolidFault fault;
@@ -75,7 +83,8 @@ CuttingError unfinished_meeting(const Error& error, const geometry::Brep& solid,
   for (const PartedSide& side : t_joints)
     for (const EdgeId edge : side.inside)
       parts[static_cast<std::size_t>(side.cell.value)].lines.push_back(polyline(shapes, edge));
-  return error_about(error.code(), error.what(), "parts of a side meet", std::move(parts));
+  return error_about(error.code(), error.what() + where_they_meet(shapes, t_joints), "parts of a side meet",
+                     std::move(parts));
 }
 
 }  // namespace isopatch::segmentation

@@ -311,38 +311,6 @@ TEST(Prospect, CountsSidesAndConcaveEdgesOrRefuses) {
   EXPECT_EQ(notched.refusal->fault().faces.size(), 2U);
 }
 
-TEST(Prospect, RefusesSmoothBodiesOfManyTriangles) {
-  // A ball of 12 by 16 points, and two poles.
-  constexpr int rings = 12, around = 16;
-  geometry::Polyhedron ball;
-  ball.vertices.resize(3, rings * around + 2);
-  const auto at = [&](int ring, int i) { return ring * around + i % around; };
-  for (int r = 0; r < rings; ++r)
-    for (int i = 0; i < around; ++i) {
-      const double down = (r + 1) * 3.14159265 / (rings + 1), turn = i * 2 * 3.14159265 / around;
-      ball.vertices.col(at(r, i)) << std::sin(down) * std::cos(turn), std::sin(down) * std::sin(turn),
-          std::cos(down);
-    }
-  const int top = rings * around, bottom = top + 1;
-  ball.vertices.col(top) << 0, 0, 1;
-  ball.vertices.col(bottom) << 0, 0, -1;
-  for (int i = 0; i < around; ++i) {
-    ball.faces.push_back({top, at(0, i), at(0, i + 1)});
-    for (int r = 0; r + 1 < rings; ++r) {
-      // Not both in the plane of the four points, which would be one side.
-      ball.vertices.col(at(r, i)) *= 1 + 0.01 * ((r + i) % 2);
-      ball.faces.push_back({at(r, i), at(r + 1, i), at(r + 1, i + 1)});
-      ball.faces.push_back({at(r, i), at(r + 1, i + 1), at(r, i + 1)});
-    }
-    ball.faces.push_back({bottom, at(rings - 1, i + 1), at(rings - 1, i)});
-  }
-  const Prospect found = prospect(geometry::make_brep(ball));
-  ASSERT_TRUE(found.refusal);
-  const std::string why = found.refusal->what();
-  EXPECT_NE(why.find("384 of its 384 sides are triangles"), std::string::npos) << why;
-  EXPECT_NE(why.find("as face 0 does"), std::string::npos) << why;
-}
-
 TEST(Decompose, NamesTheFacesOfAGraphThatIsNotThreeConnected) {
   const geometry::Brep solid = geometry::make_brep(samples::house_with_a_bent_notch());
   EXPECT_ERROR(decompose(solid, "notched", {}), ErrorCode::not_three_connected,
