@@ -202,12 +202,11 @@ segmentation::ReadBlocks put_together(const CutSolids& solids, const segmentatio
 std::string cutting_text(const CutSolids& solids) {
   std::string text;
   for (const CutBody& body : solids.bodies)
-    text += fmt::format("  {}: {}{}{}{}{}{}{}\n", body.solid.name, body.recognised,
-                        body.recognised.empty() ? "" : "; ", body.blends, body.blends.empty() ? "" : "; ",
-                        body.tips, body.tips.empty() ? "" : "; ",
-                        body.cutting   ? report_text(body.cutting->report)
-                        : body.failure ? "given up"
-                                       : "a topological hexahedron as it is");
+    text +=
+        fmt::format("  {}: {}{}{}\n", body.solid.name, body.recognised, body.recognised.empty() ? "" : "; ",
+                    body.cutting   ? report_text(body.cutting->report)
+                    : body.failure ? "given up"
+                                   : "a topological hexahedron as it is");
   return text;
 }
 

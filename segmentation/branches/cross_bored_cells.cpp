@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/processor_stopwatch.hpp"
 #include "geometry/brep/hexahedra_quality.hpp"
 #include "geometry/brep/require_solid.hpp"
 #include "geometry/brep/without_faces.hpp"
@@ -106,8 +107,8 @@ class BoredStack {
   void require_room(const CrossBore& bore, const Eigen::Vector2d& low, const Eigen::Vector2d& high) const {
     const double free = (bore.low - low).cwiseMin(high - bore.high).minCoeff();
     if (free < least_room * bore.radius)
-      throw Error(ErrorCode::unsupported, fmt::format("{} has no room beside it: {:.3g} m to what is next",
-                                                      describe(solid_, bore.faces.front()), free));
+      throw Error(ErrorCode::unsupported, fmt::format("{} has no room beside it: {:.3g} mm to what is next",
+                                                      describe(solid_, bore.faces.front()), 1e3 * free));
   }
 
   /// By the solid's faces instead of the blank's.
@@ -143,12 +144,15 @@ std::vector<FloorLines> ways_to_draw(const BoredStack& stack) {
 /// that; else the best.
 CrossBoredCells made_of(BoredStack stack) {
   constexpr double good = 0.12, good_at_once = 0.25;  // least scaled Jacobian
+  constexpr double enough_seconds = 15;               // after which no longer drawings are begun
+  const ProcessorStopwatch watch;
   std::optional<CrossBoredCells> best;
   std::optional<Error> refusal;
   double least = 0;
   const std::vector<FloorLines> ways = ways_to_draw(stack);
   for (const bool thorough : {false, true})
     for (const FloorLines floors : ways) {
+      if (thorough && watch.seconds() > enough_seconds) break;
       try {
         CrossBoredCells made = stack.make(floors, thorough);
         const double quality = geometry::least_quality(made.complex);

@@ -71,8 +71,8 @@ class ColumnFinder {
   }
 
   [[noreturn]] void refuse(const CrossBore& bore, double free) const {
-    throw Error(ErrorCode::unsupported, fmt::format("{} has no room beside it: {:.3g} m to what is next",
-                                                    describe(solid_, bore.faces.front()), free));
+    throw Error(ErrorCode::unsupported, fmt::format("{} has no room beside it: {:.3g} mm to what is next",
+                                                    describe(solid_, bore.faces.front()), 1e3 * free));
   }
 
   /// Others along the same direction that overlap with it, seen along the stack, are in its column; to those
@@ -198,7 +198,10 @@ class ColumnFinder {
       }
     }
     const std::optional<Hit> last = next_wall(from, -view.along);
-    if (!last) refuse(bore, std::abs(y));
+    if (!last)
+      throw Error(ErrorCode::unsupported,
+                  fmt::format("{} has no straight way to its other end {:.3g} mm beside its middle",
+                              describe(solid_, bore.faces.front()), 1e3 * std::abs(y)));
     return {from, last->place};
   }
 

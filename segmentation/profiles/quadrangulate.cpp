@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "segmentation/profiles/division_error.hpp"
 #include "segmentation/profiles/internal/best_mesh.hpp"
 #include "segmentation/profiles/internal/candidates.hpp"
 #include "segmentation/profiles/internal/search.hpp"
@@ -112,7 +113,12 @@ double DraftedQuadrangulation::cost() const {
 }
 
 Quadrangulation DraftedQuadrangulation::finished() const {
-  const planar::CellMesh best = planar::finished_mesh(parts_->input, parts_->draft, parts_->options);
+  planar::CellMesh best;
+  try {
+    best = planar::finished_mesh(parts_->input, parts_->draft, parts_->options);
+  } catch (const DivisionError& error) {
+    throw DivisionError(error.region(), parts_->standard.centre + parts_->standard.axes * error.place());
+  }
   const std::vector<planar::Curve> curves_there = planar::curves_of(parts_->profile);
   return result_of(curves_there, moved_back(best, parts_->standard, parts_->profile, curves_there));
 }

@@ -12,6 +12,7 @@
 #include "segmentation/profiles/settled.hpp"
 #include "segmentation/profiles/symmetry.hpp"
 #include "segmentation/sweeps/internal/drawing_at_height.hpp"
+#include "segmentation/sweeps/internal/placed_refusal.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -168,7 +169,7 @@ class InclinedWalls {
 
   Quadrangulation finished_of(const Draft& draft) const {
     if (draft.refusal) throw Error(*draft.refusal);
-    Quadrangulation quads = draft.quads->finished();
+    Quadrangulation quads = or_placed_refusal(solid_, frame_, [&] { return draft.quads->finished(); });
     if (merged_) return merged_->expanded(std::move(quads), drawing_.profile);
     if (mirrors_.empty()) return quads;
     const Profile& there =
@@ -302,7 +303,8 @@ DividedDrawing divided_drawing(const geometry::Brep& solid, const SweepFrame& fr
   const auto consider = [&](SweptDrawing drawing, const std::vector<MirrorLine>& mirrors) {
     try {
       const Profile profile = profile_of(drawing, as_divided);
-      Quadrangulation quads = mirrored_quadrangulation(profile, mirrors, options);
+      Quadrangulation quads = or_placed_refusal(
+          solid, frame, [&] { return mirrored_quadrangulation(profile, mirrors, options); });
       const double cost = cost_of(static_cast<double>(quads.quads.size()), least_jacobian(profile, quads));
       if (!best || cost < least) best = DividedDrawing{std::move(drawing), std::move(quads)}, least = cost;
     } catch (const Error& error) {
@@ -327,7 +329,8 @@ DividedDrawing divided_drawing(const geometry::Brep& solid, const SweepFrame& fr
                                const MergedProfile& merged, const QuadrangulationOptions& options) {
   if (!stays(drawing.tracks))
     return InclinedWalls(solid, frame, std::move(drawing), &merged).divided(options);
-  Quadrangulation quads = mirrored_quadrangulation(merged.reduced(drawing.profile), {}, options);
+  Quadrangulation quads = or_placed_refusal(
+      solid, frame, [&] { return mirrored_quadrangulation(merged.reduced(drawing.profile), {}, options); });
   quads = merged.expanded(std::move(quads), drawing.profile);
   return {std::move(drawing), std::move(quads)};
 }

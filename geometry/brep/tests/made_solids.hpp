@@ -16,16 +16,16 @@ namespace isopatch::geometry::test {
 /// "round_corner" (radius 3), "spring" (two turns; splines), "named" (a plate with a coloured and named top,
 /// and a pin). Stacks along z (made_solids/stacks.cpp): "countersunk", "drafted_pocket", "drafted_boss",
 /// "shaft" (with a cone), "bored_boss", "pocketed", "turned_off" (corners by a cone), "wavy" (a wall is a
-/// spline), "tipped_cover" (a bored disc with four blind holes, whose tips end in flats). Of several
-/// directions (made_solids/crossed.cpp): "angle" (two plates of 8, bored), "bent_sheet" (the same, bent
-/// round), "fork" (with a pin's bore and one across it), "rod_fork" (on a rod that is wider than its slot),
-/// "bored_rod_fork" (the rod is a tube), "nozzle" (on the side of a block, its bore ends in a slot), "lugs"
-/// (two on a plate), "flanged_bend" (a pipe). Blocks along x with bores across
-/// (made_solids/drilled.cpp): "port", "ports" (through), "three_bores", "sunk_port", "blind_bore",
-/// "port_beside" (the axis), "tipped_bore" (down, its tip is a drill's),
-/// "tipped_gallery" (likewise, a bore across beside the tip), and "wide_port", which is wider than the bore
-/// that it ends in; "vee_block" along y; "greased_bar" (round, along y, with a flat and a hole from it into
-/// its bore), "keyed_hub" (on a disc, along z, with a hole into its keyway). Stacks with slots across
+/// spline), "tipped_cover" (a bored disc with four blind holes, whose tips end in flats), "cusp" (a cylinder
+/// touches two of its sides). Of several directions (made_solids/crossed.cpp): "angle" (two plates of 8,
+/// bored), "bent_sheet" (the same, bent round), "fork" (with a pin's bore and one across it), "rod_fork" (on
+/// a rod that is wider than its slot), "bored_rod_fork" (the rod is a tube), "nozzle" (on the side of a
+/// block, its bore ends in a slot), "lugs" (two on a plate), "flanged_bend" (a pipe). Blocks along x with
+/// bores across (made_solids/drilled.cpp): "port", "ports" (through), "three_bores", "sunk_port",
+/// "blind_bore", "port_beside" (the axis), "tipped_bore" (down, its tip is a drill's), "tipped_gallery"
+/// (likewise, a bore across beside the tip), and "wide_port", which is wider than the bore that it ends in;
+/// "vee_block" along y; "greased_bar" (round, along y, with a flat and a hole from it into its bore),
+/// "keyed_hub" (on a disc, along z, with a hole into its keyway). Stacks with slots across
 /// (made_solids/slotted.cpp): "slotted_bar", "slotted_wing" (freeform walls and slot), "pocketed_wing",
 /// "slotted_lens" (round walls), "bored_lens", "flatted_pin" (bored through two flats under a chamfer).
 /// Stacks but for their rounds (made_solids/rounds.cpp): "filleted_boss", "filleted_step", "filleted_pocket"

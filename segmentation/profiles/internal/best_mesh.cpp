@@ -1,7 +1,5 @@
 #include "segmentation/profiles/internal/best_mesh.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -11,6 +9,7 @@
 #include <utility>
 
 #include "geometry/base/error.hpp"
+#include "segmentation/profiles/division_error.hpp"
 #include "segmentation/profiles/internal/midpoint_division.hpp"
 #include "segmentation/profiles/internal/ring.hpp"
 #include "segmentation/profiles/internal/shared_cuts.hpp"
@@ -26,11 +25,7 @@ CellMesh last_resort(const SearchInput& input, const CellMesh& mesh) {
     std::array<SideShape, 4> shapes;
     for (std::size_t k = 0; k < 4; ++k) shapes[k] = side_shape(input.curves, result.nodes, cell.sides[k]);
     if (least_jacobian({&shapes[0], &shapes[1], &shapes[2], &shapes[3]}) <= 0)
-      throw Error(
-          ErrorCode::unsupported,
-          fmt::format("region {} of the profile cannot be divided: all divisions found are folded near "
-                      "({:.4g}, {:.4g}) of its size; try a larger effort or wider bounds of angles",
-                      cell.region, shapes[0].points.front().x(), shapes[0].points.front().y()));
+      throw DivisionError(cell.region, shapes[0].points.front());
   }
   return result;
 }

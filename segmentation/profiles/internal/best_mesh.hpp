@@ -16,6 +16,7 @@ DraftedMesh drafted_mesh(const SearchInput& input, const Profile& profile,
 
 /// In quadrilaterals: of a thorough search without rows that are not needed; if no search was successful,
 /// with each cell divided around its middle.
+/// @throws DivisionError  that is folded; says the region, and where in the profile's standard position
 CellMesh finished_mesh(const SearchInput& input, const DraftedMesh& draft,
                        const QuadrangulationOptions& options);
 

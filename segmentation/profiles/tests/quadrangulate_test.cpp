@@ -3,10 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
 #include "geometry/base/tests/expect_error.hpp"
+#include "segmentation/profiles/division_error.hpp"
 #include "segmentation/profiles/tests/division_check.hpp"
 #include "segmentation/profiles/tests/drawing.hpp"
 #include "segmentation/profiles/tests/random_drawing.hpp"
@@ -37,6 +41,29 @@ TEST(Quadrangulate, PolygonsAreDividedByFewChords) {
   EXPECT_EQ(count_of(l_shape()), 2U);  // a chord from the reflex corner to the opposite one
   EXPECT_EQ(count_of(t_shape()), 4U);
   EXPECT_LE(count_of(h_shape()), 7U);
+}
+
+// Between two sides of a square and the arc that touches both: two of its corners have no angle.
+TEST(Quadrangulate, SaysWhereARegionCannotBeDivided) {
+  Profile profile;
+  profile.vertices = {{7, 3}, {9, 3}, {9, 5}};
+  profile.edges = {{0, 1, {profile.vertices[0], profile.vertices[1]}},
+                   {1, 2, {profile.vertices[1], profile.vertices[2]}},
+                   {0, 2, {}}};
+  for (int i = 0; i <= 24; ++i) {
+    const double angle = std::numbers::pi / 2 * i / 24;
+    profile.edges[2].points.emplace_back(7 + 2 * std::sin(angle), 5 - 2 * std::cos(angle));
+  }
+  profile.regions = {{{{{EdgeId(0), false}, {EdgeId(1), false}, {EdgeId(2), true}}}}};
+  try {
+    quadrangulate(profile);
+    FAIL() << "it was divided";
+  } catch (const DivisionError& error) {
+    EXPECT_EQ(error.region(), 0);
+    EXPECT_LT(std::min((error.place() - Eigen::Vector2d(7, 3)).norm(),
+                       (error.place() - Eigen::Vector2d(9, 5)).norm()),
+              1);
+  }
 }
 
 // What is finished of a draft is what is divided at once, which costs no more than the draft.

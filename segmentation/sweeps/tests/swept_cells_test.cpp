@@ -66,6 +66,12 @@ TEST(SweptCells, AreNoneOfOtherSolids) {
     EXPECT_FALSE(swept_cells(geometry::test::made_brep(name))) << name;
 }
 
+TEST(SweptCells, SayWhereInSpaceTheirOutlinesCannotBeDivided) {
+  const Brep solid = geometry::test::made_brep("cusp");
+  EXPECT_ERROR(swept_cells(solid), ErrorCode::unsupported, "mm, beside face ");
+  EXPECT_ERROR(swept_cells(solid), ErrorCode::unsupported, "its outlines as seen along (0, 0, 1)");
+}
+
 TEST(SweptCells, HaveNoRoomForRoundsOnBothSidesOfAnOutline) {
   EXPECT_ERROR(swept_cells(geometry::test::made_brep("rounded_boss_on_fillet")), ErrorCode::unsupported,
                "on the other side");

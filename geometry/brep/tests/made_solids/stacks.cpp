@@ -97,6 +97,7 @@ std::map<std::string, TopoDS_Shape> stacks() {
   const TopoDS_Shape boss = fused(block, cylinder(15, 10, 10, 6, 5));
   return {
       {"tipped_cover", tipped_cover()},
+      {"cusp", cut(box(0, 0, 0, 10, 10, 5), cylinder(0, 10, -1, 10, 7))},
       {"countersunk", cut(cut(block, cylinder(15, 10, -1, 5, 12)), cone(15, 10, 7, 5, 8, 3))},
       {"drafted_pocket", cut(block, drafted(9, 7, 4, 12, 6))},
       {"drafted_boss", fused(block, drafted(9, 7, 10, 12, 6))},
