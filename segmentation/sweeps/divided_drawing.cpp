@@ -227,38 +227,84 @@ std::vector<std::vector<MirrorLine>> ways_to_mirror(const std::vector<MirrorLine
   return result;
 }
 
+/// Of a drawing that is the same at all heights: by its symmetries, and a thorough one once more where that is not good.
+class UprightWalls {
+ public:
+  /// All must outlive it.
+  UprightWalls(const geometry::Brep& solid, const SweepFrame& frame, const Lines& lines,
+               const AsDivided& as_divided, SweptDrawing whole)
+      : as_divided_(as_divided) {
+    std::vector<std::vector<MirrorLine>> mirrors;
+    if (lines.empty() && stays(whole.tracks))
+      mirrors = ways_to_mirror(mirror_lines(profile_of(whole, as_divided)));
+    ways_.push_back({{}, std::move(whole)});
+    for (const std::vector<MirrorLine>& way : mirrors) {
+      Lines drawn;
+      for (const MirrorLine& mirror : way) drawn.push_back(in_space(mirror, solid, frame));
+      add(way, [&] { return swept_drawing(solid, frame, drawn); });
+    }
+  }
+
+  DividedDrawing divided(QuadrangulationOptions options) {
+    for (const Way& way : ways_) consider(way, options);
+    if (options.thorough && (!best_ || least_ < good)) {
+      // The search goes no further than its bounds ask for.
+      options.smallest_jacobian = std::max(options.smallest_jacobian, good);
+      for (const Way& way : ways_) consider(way, options);
+    }
+    if (!best_) throw *refusal_;
+    return std::move(*best_);
+  }
+
+ private:
+  struct Way {
+    std::vector<MirrorLine> mirrors;
+    SweptDrawing drawing;
+  };
+
+  template <class Draw>
+  void add(const std::vector<MirrorLine>& mirrors, const Draw& draw) {
+    try {
+      ways_.push_back({mirrors, draw()});
+    } catch (const Error& error) {
+      refuse(error);
+    }
+  }
+
+  void refuse(const Error& error) {
+    if (error.code() == ErrorCode::internal) throw error;
+    if (!refusal_) refusal_ = error;
+  }
+
+  void consider(const Way& way, const QuadrangulationOptions& options) {
+    try {
+      const Profile profile = profile_of(way.drawing, as_divided_);
+      Quadrangulation quads = mirrored_quadrangulation(profile, way.mirrors, options);
+      const double least = least_jacobian(profile, quads), cost = cost_of(quads.quads.size(), least);
+      if (best_ && cost >= cost_) return;
+      best_ = DividedDrawing{way.drawing, std::move(quads)};
+      least_ = least;
+      cost_ = cost;
+    } catch (const Error& error) {
+      refuse(error);
+    }
+  }
+
+  const AsDivided& as_divided_;
+  std::vector<Way> ways_;
+  std::optional<DividedDrawing> best_;
+  double least_ = 0, cost_ = 0;  // scaled Jacobian of the best, and its cost
+  std::optional<Error> refusal_;
+};
+
 }  // namespace
 
 DividedDrawing divided_drawing(const geometry::Brep& solid, const SweepFrame& frame, const Lines& lines,
                                const QuadrangulationOptions& options, const AsDivided& as_divided) {
-  std::optional<DividedDrawing> best;
-  std::optional<Error> refusal;
-  double least = 0;
-  const auto consider = [&](SweptDrawing drawing, const std::vector<MirrorLine>& mirrors) {
-    try {
-      const Profile profile = profile_of(drawing, as_divided);
-      Quadrangulation quads = mirrored_quadrangulation(profile, mirrors, options);
-      const double cost = cost_of(quads.quads.size(), least_jacobian(profile, quads));
-      if (!best || cost < least) best = DividedDrawing{std::move(drawing), std::move(quads)}, least = cost;
-    } catch (const Error& error) {
-      if (error.code() == ErrorCode::internal) throw;
-      if (!refusal) refusal = error;
-    }
-  };
   SweptDrawing whole = swept_drawing(solid, frame, lines);
   if (!as_divided && !stays(whole.tracks))
     return InclinedWalls(solid, frame, std::move(whole)).divided(options);
-  std::vector<std::vector<MirrorLine>> ways;
-  if (lines.empty() && stays(whole.tracks))
-    ways = ways_to_mirror(mirror_lines(profile_of(whole, as_divided)));
-  consider(std::move(whole), {});
-  for (const std::vector<MirrorLine>& mirrors : ways) {
-    Lines drawn;
-    for (const MirrorLine& mirror : mirrors) drawn.push_back(in_space(mirror, solid, frame));
-    consider(swept_drawing(solid, frame, drawn), mirrors);
-  }
-  if (!best) throw *refusal;
-  return std::move(*best);
+  return UprightWalls(solid, frame, lines, as_divided, std::move(whole)).divided(options);
 }
 
 DividedDrawing divided_drawing(const geometry::Brep& solid, const SweepFrame& frame, SweptDrawing drawing,

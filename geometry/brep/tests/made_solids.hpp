@@ -15,17 +15,17 @@ namespace isopatch::geometry::test {
 /// of a cylinder taken off an edge), "notched" (with a step in the middle of an edge), "round_edge",
 /// "round_corner" (radius 3), "spring" (two turns; splines), "named" (a plate with a coloured and named top,
 /// and a pin). Stacks along z (made_solids/stacks.cpp): "countersunk", "drafted_pocket", "drafted_boss",
-/// "shaft" (with a cone), "bored_boss", "pocketed", "turned_off" (corners by a cone), "wavy" (a wall is a
-/// spline). Of several directions (made_solids/crossed.cpp): "angle" (two plates of 8, bored), "bent_sheet"
-/// (the same, bent round), "fork" (with a pin's bore and one across it), "rod_fork" (on a rod that is wider
-/// than its slot), "bored_rod_fork" (the rod is a tube), "nozzle" (on the side of a block, its bore ends in a
-/// slot), "lugs" (two on a plate), "flanged_bend" (a pipe). Blocks along x with bores across
-/// (made_solids/drilled.cpp): "port", "ports" (through), "three_bores", "sunk_port", "blind_bore",
-/// "port_beside" (the axis), "tipped_bore" (down, its tip is a drill's),
-/// "tipped_gallery" (likewise, a bore across beside the tip), and "wide_port", which is wider than the bore
-/// that it ends in; "vee_block" along y. Stacks with slots across (made_solids/slotted.cpp): "slotted_bar",
-/// "slotted_wing" (freeform walls and slot), "pocketed_wing", "slotted_lens" (round walls), "bored_lens",
-/// "flatted_pin" (bored through two flats under a chamfer). Stacks but for their rounds
+/// "shaft" (with a cone), "bored_boss", "pocketed", "turned_off" (corners by a cone),
+/// "bored_beside_a_pocket", "wavy" (a wall is a spline). Of several directions (made_solids/crossed.cpp):
+/// "angle" (two plates of 8, bored), "bent_sheet" (the same, bent round), "fork" (with a pin's bore and one
+/// across it), "rod_fork" (on a rod that is wider than its slot), "bored_rod_fork" (the rod is a tube),
+/// "nozzle" (on the side of a block, its bore ends in a slot), "lugs" (two on a plate), "flanged_bend" (a
+/// pipe). Blocks along x with bores across (made_solids/drilled.cpp): "port", "ports" (through),
+/// "three_bores", "sunk_port", "blind_bore", "port_beside" (the axis), "tipped_bore" (down, its tip is a
+/// drill's), "tipped_gallery" (likewise, a bore across beside the tip), and "wide_port", which is wider than
+/// the bore that it ends in; "vee_block" along y. Stacks with slots across (made_solids/slotted.cpp):
+/// "slotted_bar", "slotted_wing" (freeform walls and slot), "pocketed_wing", "slotted_lens" (round walls),
+/// "bored_lens", "flatted_pin" (bored through two flats under a chamfer). Stacks but for their rounds
 /// (made_solids/rounds.cpp): "filleted_boss", "filleted_step", "filleted_pocket" (concave ones along floors),
 /// "rounded_boss", "rounded_plate", "eased_block" (convex ones), "rounded_boss_on_fillet" (one above the
 /// other). Turned with branches across (made_solids/branched.cpp): "bossed_bar", "bossed_oblique",
