@@ -7,6 +7,7 @@
 #include "geometry/brep/cell_solids.hpp"
 #include "segmentation/decomposition/cutting/corner_shape.hpp"
 #include "segmentation/decomposition/known_shape.hpp"
+#include "segmentation/decomposition/looks.hpp"
 #include "segmentation/decomposition/starting_cell.hpp"
 
 namespace isopatch::segmentation {
@@ -41,7 +42,7 @@ bool corners_open(const geometry::Brep& hexahedron) {
 }
 
 Prospect prospect(const geometry::Brep& solid, const DecompositionOptions& options) {
-  const KnownShape known = known_shape(solid, options);
+  const bool looked_at = options.method != Method::cuts && !is_cut_by_hand(options);
   Prospect result;
   try {
     result = seen(solid, options);
@@ -51,9 +52,12 @@ Prospect prospect(const geometry::Brep& solid, const DecompositionOptions& optio
     if (error.code() == ErrorCode::internal) throw;
     result.refusal = geometry::SolidError(error.code(), error.what(), {});
   }
-  if (!known.decomposition) return result;
-  result.refusal.reset();
-  result.seen_as = known.decomposition->report.seen_as;
+  if (looked_at) result.seen_as = looks(solid);
+  // Where nothing else is seen, only dividing tells whether it comes in pieces.
+  if (result.refusal && result.seen_as.empty())
+    if (const KnownShape known = known_shape(solid, options); known.decomposition)
+      result.seen_as = known.decomposition->report.seen_as;
+  if (!result.seen_as.empty()) result.refusal.reset();
   return result;
 }
 
