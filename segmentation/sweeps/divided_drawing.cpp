@@ -227,7 +227,8 @@ std::vector<std::vector<MirrorLine>> ways_to_mirror(const std::vector<MirrorLine
   return result;
 }
 
-/// Of a drawing that is the same at all heights: by its symmetries, and a thorough one once more where that is not good.
+/// Of a drawing that is the same at all heights: by its symmetries, and a thorough one once more where that
+/// is not good.
 class UprightWalls {
  public:
   /// All must outlive it.
@@ -247,8 +248,8 @@ class UprightWalls {
 
   DividedDrawing divided(QuadrangulationOptions options) {
     for (const Way& way : ways_) consider(way, options);
-    if (options.thorough && (!best_ || least_ < good)) {
-      // The search goes no further than its bounds ask for.
+    // What is little better than its bounds ask for.
+    if (!as_divided_ && options.thorough && (!best_ || least_ < 1.25 * options.smallest_jacobian)) {
       options.smallest_jacobian = std::max(options.smallest_jacobian, good);
       for (const Way& way : ways_) consider(way, options);
     }
