@@ -276,7 +276,7 @@ std::string outlook_text(const std::optional<segmentation::Prospect>& prospect) 
   if (!prospect) return "a topological hexahedron, a block as it is";
   if (prospect->refusal) return fmt::format("refused: {}", prospect->refusal->what());
   const bool known = !prospect->seen_as.empty();
-  if (known && prospect->sides == 0) return prospect->seen_as;
+  if (known && prospect->sides == 0) return "looks " + prospect->seen_as;
   const auto listed = [](const std::vector<EdgeId>& edges, const char* one, const char* several) {
     constexpr std::size_t most = 8;
     const std::size_t shown = std::min(most, edges.size());
@@ -285,8 +285,8 @@ std::string outlook_text(const std::optional<segmentation::Prospect>& prospect) 
     return fmt::format("{} {} ({}{})", edges.size(), edges.size() == 1 ? one : several,
                        fmt::join(numbers, ", "), shown < edges.size() ? ", ..." : "");
   };
-  std::string text =
-      known ? prospect->seen_as + ", or cut if that takes fewer hexahedra: " : "cuts will be looked for: ";
+  std::string text = known ? "looks " + prospect->seen_as + ", or is cut if that takes fewer hexahedra: "
+                           : "cuts will be looked for: ";
   text += fmt::format("{} faces, ", prospect->sides);
   text += prospect->concave.empty() ? "all edges convex"
                                     : listed(prospect->concave, "concave edge", "concave edges");

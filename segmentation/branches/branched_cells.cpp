@@ -65,6 +65,11 @@ class BodyDivider {
 
 }  // namespace
 
+std::optional<Eigen::Vector3d> branched_about(const Brep& solid) {
+  const std::vector<MainBody> bodies = main_bodies(solid);
+  return bodies.empty() ? std::nullopt : std::optional(bodies.front().axis);
+}
+
 std::optional<BranchedCells> branched_cells(const Brep& solid) {
   std::optional<Error> refusal;
   for (const MainBody& body : main_bodies(solid)) {

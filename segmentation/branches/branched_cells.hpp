@@ -14,6 +14,10 @@ struct BranchedCells {
   int branches = 0;
 };
 
+/// The axis of the turned body that a solid looks like but for branches; nothing of others.
+/// @throws Error unsupported  each body that it looks like has a branch of another kind: names a face
+std::optional<Eigen::Vector3d> branched_about(const geometry::Brep& solid);
+
 /// Divides a turned solid with branches: bosses and pipes that stand on its cylinders, bores and slots across
 /// its axis. The body without them is divided as a turned solid (see `turned_cells`), so that each branch
 /// begins within one side of a hexahedron; then the column of hexahedra below that side is divided as the

@@ -203,6 +203,12 @@ std::optional<CrossBoredCells> bored_along(const Brep& solid, const BoredWay& wa
 
 }  // namespace
 
+std::optional<Eigen::Vector3d> bored_across(const Brep& solid) {
+  std::optional<Error> refusal;
+  const std::vector<BoredWay> ways = bored_ways(solid, refusal);
+  return ways.empty() ? std::nullopt : std::optional(ways.front().along);
+}
+
 bool bores_meet(const Brep& solid) {
   std::optional<Error> refusal;
   const std::vector<BoredWay> ways = bored_ways(solid, refusal);

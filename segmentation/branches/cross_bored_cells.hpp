@@ -16,6 +16,10 @@ struct CrossBoredCells {
   int bosses = 0;                 ///< those that stand out
 };
 
+/// The direction of a stack that a solid looks like but for bores, slots and bosses across it; nothing of
+/// others.
+std::optional<Eigen::Vector3d> bored_across(const geometry::Brep& solid);
+
 /// Whether a solid looks like a stack with bores across it that meet each other or bores along it.
 bool bores_meet(const geometry::Brep& solid);
 

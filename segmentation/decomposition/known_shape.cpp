@@ -14,6 +14,7 @@
 #include "segmentation/balls/ball_cells.hpp"
 #include "segmentation/branches/branched_cells.hpp"
 #include "segmentation/branches/cross_bored_cells.hpp"
+#include "segmentation/decomposition/looks.hpp"
 #include "segmentation/decomposition/prepare.hpp"
 #include "segmentation/pieces/mirror_planes.hpp"
 #include "segmentation/pieces/mirrored_cells.hpp"
@@ -27,15 +28,6 @@
 
 namespace isopatch::segmentation {
 namespace {
-
-/// "z" where it is an axis, "(0.6, 0, 0.8)" elsewhere.
-std::string direction_text(const Eigen::Vector3d& direction) {
-  for (int i = 0; i < 3; ++i)
-    if (std::abs(direction[i]) > 1 - 1e-12) return std::string(1, "xyz"[i]);
-  const auto clean = [](double x) { return std::abs(x) < 5e-7 ? 0.0 : x; };  // no "-0"
-  return fmt::format("({:.3g}, {:.3g}, {:.3g})", clean(direction.x()), clean(direction.y()),
-                     clean(direction.z()));
-}
 
 /// Whether planes come in several faces, as of triangulations: their outlines would all be drawn.
 bool planes_are_divided(const geometry::Brep& solid) {

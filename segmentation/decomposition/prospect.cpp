@@ -7,6 +7,7 @@
 #include "geometry/brep/cell_solids.hpp"
 #include "segmentation/decomposition/cutting/corner_shape.hpp"
 #include "segmentation/decomposition/known_shape.hpp"
+#include "segmentation/decomposition/looks.hpp"
 #include "segmentation/decomposition/star_pieces.hpp"
 #include "segmentation/decomposition/starting_cell.hpp"
 
@@ -42,7 +43,7 @@ bool corners_open(const geometry::Brep& hexahedron) {
 }
 
 Prospect prospect(const geometry::Brep& solid, const DecompositionOptions& options) {
-  const KnownShape known = known_shape(solid, options);
+  const bool looked_at = options.method != Method::cuts && !is_cut_by_hand(options);
   Prospect result;
   try {
     result = seen(solid, options);
@@ -52,11 +53,14 @@ Prospect prospect(const geometry::Brep& solid, const DecompositionOptions& optio
     if (error.code() == ErrorCode::internal) throw;
     result.refusal = geometry::SolidError(error.code(), error.what(), {});
   }
-  std::optional<Decomposition> found = known.decomposition;
-  if (!found && result.refusal) found = kept_triangles(solid, options);
-  if (!found) return result;
-  result.refusal.reset();
-  result.seen_as = found->report.seen_as;
+  if (looked_at) result.seen_as = looks(solid);
+  // Where nothing else is seen, only dividing tells whether it comes in pieces, or in its triangles.
+  if (result.refusal && result.seen_as.empty()) {
+    std::optional<Decomposition> found = known_shape(solid, options).decomposition;
+    if (!found) found = kept_triangles(solid, options);
+    if (found) result.seen_as = found->report.seen_as;
+  }
+  if (!result.seen_as.empty()) result.refusal.reset();
   return result;
 }
 

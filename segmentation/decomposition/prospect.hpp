@@ -15,7 +15,8 @@ struct Prospect {
   std::vector<EdgeId>
       concave;                ///< edges of the solid with more than 180 degrees inside: cuts go through them
   std::vector<EdgeId> blunt;  ///< likewise those with about as much: tangent, nearly flat
-  std::string seen_as = {};   ///< as in `DecompositionReport`; all else is empty then if it could not be cut
+  std::string seen_as =
+      {};  ///< see `looks`; of what comes in pieces, and would not be cut, as in `DecompositionReport`
   std::optional<geometry::SolidError> refusal = {};  ///< why it will not be tried; all else is empty then
 };
 
@@ -23,7 +24,8 @@ struct Prospect {
 /// degrees or more, none points inwards. Otherwise it has to be cut there.
 bool corners_open(const geometry::Brep& hexahedron);
 
-/// @cost  that of one triangulation, the angles at all edges, and of dividing what is swept or turned
+/// @cost  that of one triangulation and of the angles at all edges; only what looks like nothing that is
+/// known, and would not be cut, is divided
 Prospect prospect(const geometry::Brep& solid, const DecompositionOptions& options = {});
 
 }  // namespace isopatch::segmentation

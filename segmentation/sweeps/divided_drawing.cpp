@@ -293,36 +293,87 @@ DividedDrawing divided_with_inclined_walls(const geometry::Brep& solid, const Sw
   return std::move(*best);
 }
 
+/// Of a drawing that is the same at all heights: by its symmetries, and a thorough one once more where that
+/// is not good.
+class UprightWalls {
+ public:
+  /// All must outlive it.
+  UprightWalls(const geometry::Brep& solid, const SweepFrame& frame, const Lines& lines,
+               const AsDivided& as_divided, SweptDrawing whole)
+      : solid_(solid), frame_(frame), as_divided_(as_divided) {
+    std::vector<std::vector<MirrorLine>> mirrors;
+    if (lines.empty() && stays(whole.tracks))
+      mirrors = ways_to_mirror(mirror_lines(profile_of(whole, as_divided)));
+    ways_.push_back({{}, std::move(whole)});
+    for (const std::vector<MirrorLine>& way : mirrors) {
+      add(way, [&] { return swept_drawing(solid, frame, in_space(way, solid, frame)); });
+    }
+  }
+
+  DividedDrawing divided(QuadrangulationOptions options) {
+    for (const Way& way : ways_) consider(way, options);
+    // What is little better than its bounds ask for.
+    if (!as_divided_ && options.thorough && (!best_ || least_ < 1.25 * options.smallest_jacobian)) {
+      options.smallest_jacobian = std::max(options.smallest_jacobian, good);
+      for (const Way& way : ways_) consider(way, options);
+    }
+    if (!best_) throw *refusal_;
+    return std::move(*best_);
+  }
+
+ private:
+  struct Way {
+    std::vector<MirrorLine> mirrors;
+    SweptDrawing drawing;
+  };
+
+  template <class Draw>
+  void add(const std::vector<MirrorLine>& mirrors, const Draw& draw) {
+    try {
+      ways_.push_back({mirrors, draw()});
+    } catch (const Error& error) {
+      refuse(error);
+    }
+  }
+
+  void refuse(const Error& error) {
+    if (error.code() == ErrorCode::internal) throw error;
+    if (!refusal_) refusal_ = error;
+  }
+
+  void consider(const Way& way, const QuadrangulationOptions& options) {
+    try {
+      const Profile profile = profile_of(way.drawing, as_divided_);
+      Quadrangulation quads = or_placed_refusal(
+          solid_, frame_, [&] { return mirrored_quadrangulation(profile, way.mirrors, options); });
+      const double least = least_jacobian(profile, quads);
+      const double cost = cost_of(static_cast<double>(quads.quads.size()), least);
+      if (best_ && cost >= cost_) return;
+      best_ = DividedDrawing{way.drawing, std::move(quads)};
+      least_ = least;
+      cost_ = cost;
+    } catch (const Error& error) {
+      refuse(error);
+    }
+  }
+
+  const geometry::Brep& solid_;
+  const SweepFrame& frame_;
+  const AsDivided& as_divided_;
+  std::vector<Way> ways_;
+  std::optional<DividedDrawing> best_;
+  double least_ = 0, cost_ = 0;  // scaled Jacobian of the best, and its cost
+  std::optional<Error> refusal_;
+};
+
 }  // namespace
 
 DividedDrawing divided_drawing(const geometry::Brep& solid, const SweepFrame& frame, const Lines& lines,
                                const QuadrangulationOptions& options, const AsDivided& as_divided) {
-  std::optional<DividedDrawing> best;
-  std::optional<Error> refusal;
-  double least = 0;
-  const auto consider = [&](SweptDrawing drawing, const std::vector<MirrorLine>& mirrors) {
-    try {
-      const Profile profile = profile_of(drawing, as_divided);
-      Quadrangulation quads = or_placed_refusal(
-          solid, frame, [&] { return mirrored_quadrangulation(profile, mirrors, options); });
-      const double cost = cost_of(static_cast<double>(quads.quads.size()), least_jacobian(profile, quads));
-      if (!best || cost < least) best = DividedDrawing{std::move(drawing), std::move(quads)}, least = cost;
-    } catch (const Error& error) {
-      if (error.code() == ErrorCode::internal) throw;
-      if (!refusal) refusal = error;
-    }
-  };
   SweptDrawing whole = swept_drawing(solid, frame, lines);
   if (!as_divided && !stays(whole.tracks))
     return divided_with_inclined_walls(solid, frame, lines, std::move(whole), options);
-  std::vector<std::vector<MirrorLine>> ways;
-  if (lines.empty() && stays(whole.tracks))
-    ways = ways_to_mirror(mirror_lines(profile_of(whole, as_divided)));
-  consider(std::move(whole), {});
-  for (const std::vector<MirrorLine>& mirrors : ways)
-    consider(swept_drawing(solid, frame, in_space(mirrors, solid, frame)), mirrors);
-  if (!best) throw *refusal;
-  return std::move(*best);
+  return UprightWalls(solid, frame, lines, as_divided, std::move(whole)).divided(options);
 }
 
 DividedDrawing divided_drawing(const geometry::Brep& solid, const SweepFrame& frame, SweptDrawing drawing,

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "geometry/base/error.hpp"
+#include "geometry/brep/hexahedra_quality.hpp"
 #include "geometry/brep/require_solid.hpp"
 #include "geometry/brep/without_faces.hpp"
 #include "geometry/splines/refine.hpp"
@@ -442,6 +443,26 @@ std::optional<Brep> sharp_solid(const Brep& solid, const std::vector<FaceId>& ro
   }
 }
 
+/// Once more within closer bounds where rounds leave little of a drawing's quality; the better.
+SweptCells filleted(const Brep& solid, const Brep& sharp, const SweepFrame& frame,
+                    QuadrangulationOptions options) {
+  constexpr double poor = 0.15, good = 0.25;  // scaled Jacobians
+  const auto made = [&] {
+    return FilletedStack(solid, sharp, frame, fillets(solid, frame.along).value(), options).make();
+  };
+  SweptCells first = made();
+  const double least = geometry::least_quality(first.complex);
+  if (least >= poor) return first;
+  options.smallest_jacobian = std::max(options.smallest_jacobian, good);
+  try {
+    SweptCells second = made();
+    return geometry::least_quality(second.complex) > least ? second : first;
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::internal) throw;
+    return first;
+  }
+}
+
 std::optional<SweptCells> along_direction(const Brep& solid, const Eigen::Vector3d& along,
                                           const QuadrangulationOptions& options) {
   const auto found = fillets(solid, along);
@@ -452,8 +473,7 @@ std::optional<SweptCells> along_direction(const Brep& solid, const Eigen::Vector
   if (!without) return std::nullopt;
   const Brep& sharp = *without;
   for (const SweepFrame& frame : sweep_frames(sharp))
-    if (frame.along.cross(along).norm() < 1e-6)
-      return FilletedStack(solid, sharp, frame, fillets(solid, frame.along).value(), options).make();
+    if (frame.along.cross(along).norm() < 1e-6) return filleted(solid, sharp, frame, options);
   return std::nullopt;
 }
 

@@ -45,6 +45,12 @@ bool is_turned(const geometry::Brep& solid) {
   return turned_frame(solid).has_value();
 }
 
+std::optional<Eigen::Vector3d> turned_about(const geometry::Brep& solid) {
+  std::optional<TurnedFrame> frame = turned_frame(solid);
+  if (!frame) frame = prismatic_frame(solid);
+  return frame ? std::optional(frame->along) : std::nullopt;
+}
+
 std::optional<TurnedCells> turned_cells(const geometry::Brep& solid,
                                         const std::vector<std::array<Eigen::Vector3d, 2>>& lines,
                                         const QuadrangulationOptions& options) {

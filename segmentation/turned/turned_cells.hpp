@@ -25,6 +25,10 @@ struct TurnedCells {
 /// @cost  a few evaluations of each face
 bool is_turned(const geometry::Brep& solid);
 
+/// The axis of a solid that `turned_cells` will look at, prisms about it included; nothing of others.
+/// @cost  as above
+std::optional<Eigen::Vector3d> turned_about(const geometry::Brep& solid);
+
 /// Divides a solid that is turned: each face is a surface of revolution about one axis. So are balls, tori,
 /// shafts with rounds, pulleys without holes. Or, turned by an angle, it ends in two planes through the axis:
 /// bends of pipes and bars.

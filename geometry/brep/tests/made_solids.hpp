@@ -15,8 +15,8 @@ namespace isopatch::geometry::test {
 /// of a cylinder taken off an edge), "notched" (with a step in the middle of an edge), "round_edge",
 /// "round_corner" (radius 3), "spring" (two turns; splines), "named" (a plate with a coloured and named top,
 /// and a pin). Stacks along z (made_solids/stacks.cpp): "countersunk", "drafted_pocket", "drafted_boss",
-/// "shaft" (with a cone), "bored_boss", "pocketed", "turned_off" (corners by a cone), "wavy" (a wall is a
-/// spline), "tipped_cover" (a bored disc with four blind holes, whose tips end in flats), "cusp" (a cylinder
+/// "shaft" (with a cone), "bored_boss", "pocketed", "turned_off" (corners by a cone),
+/// "bored_beside_a_pocket", "wavy" (a wall is a spline), "tipped_cover" (a bored disc with four blind holes, whose tips end in flats), "cusp" (a cylinder
 /// touches two of its sides). Of several directions (made_solids/crossed.cpp): "angle" (two plates of 8,
 /// bored), "bent_sheet" (the same, bent round), "fork" (with a pin's bore and one across it), "rod_fork" (on
 /// a rod that is wider than its slot), "bored_rod_fork" (the rod is a tube), "nozzle" (on the side of a

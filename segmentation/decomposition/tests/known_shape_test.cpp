@@ -5,6 +5,7 @@
 #include <string>
 
 #include "geometry/brep/tests/made_solids.hpp"
+#include "segmentation/decomposition/looks.hpp"
 
 namespace isopatch::segmentation {
 namespace {
@@ -38,6 +39,19 @@ TEST(KnownShape, SaysWhyOneClosedFaceIsNotDivided) {
   EXPECT_EQ(known.why_not.find(
                 "One face all around would do, but its face has an edge or a tip, or cannot be seen"),
             0U);
+}
+
+TEST(Looks, NameWhatASolidIsTakenForWithoutDividingIt) {
+  const auto seen = [](const char* name) { return looks(geometry::test::made_brep(name)); };
+  EXPECT_EQ(seen("drilled"), "swept along z");
+  EXPECT_EQ(seen("shaft"), "swept along z");
+  EXPECT_EQ(seen("sphere"), "turned about z");
+  EXPECT_EQ(seen("bossed_bar"), "turned about x with branches");
+  EXPECT_EQ(seen("filleted_boss"), "swept along z but for 1 round");
+  EXPECT_EQ(seen("port"), "swept along x with bores, slots or bosses across");
+  EXPECT_EQ(seen("spring"), "");
+  // No division of it is known, and none is looked for.
+  EXPECT_NE(seen("rounded_boss_on_fillet").find(" but for "), std::string::npos);
 }
 
 }  // namespace

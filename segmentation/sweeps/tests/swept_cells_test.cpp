@@ -61,6 +61,14 @@ TEST(SweptCells, AreOfEqualPartsOfASymmetricSolidWhereWallsAreInclined) {
   test::expect_sound(solid, swept->complex);
 }
 
+TEST(SweptCells, AreNotPoorWhereABoreIsNearToTwoLines) {
+  const Brep solid = geometry::test::made_brep("bored_beside_a_pocket");
+  const auto swept = swept_cells(solid);
+  ASSERT_TRUE(swept);
+  EXPECT_GT(geometry::least_quality(swept->complex), 0.2);  // 0.10 by the first bounds
+  test::expect_sound(solid, swept->complex);
+}
+
 TEST(SweptCells, AreNoneOfOtherSolids) {
   for (const char* name : {"sphere", "torus", "spring", "round_corner"})
     EXPECT_FALSE(swept_cells(geometry::test::made_brep(name))) << name;
