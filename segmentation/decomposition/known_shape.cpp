@@ -187,8 +187,8 @@ std::optional<KnownCells> known_cells(const geometry::Brep& solid, double second
   if (is_plain) as_turned();
   why.stopped_by = not_turned.empty() ? why.not_swept : not_turned;
   if (!best && is_one_closed_face(solid)) look([&] { return ball_cells(solid); }, best, why.stopped_by);
-  // Where it is swept, but poorly, it may do better.
-  if (!is_good()) look([&] { return branched_cells(solid); }, best, why.not_branched);
+  // Where it is swept, but poorly or around rounds, it may do better.
+  if (!is_good() || !is_plain) look([&] { return branched_cells(solid); }, best, why.not_branched);
   if (best || planes_are_divided(solid)) return best;
   // No planes part bores that meet; of others pieces are found sooner.
   const auto as_bored = [&] { look([&] { return cross_bored_cells(solid); }, best, why.not_bored); };
