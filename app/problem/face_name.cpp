@@ -114,8 +114,9 @@ Error unknown_name(const std::string& text, int patch_count, const std::vector<B
   const SideText side = side_text(text);
   if (!side.patch)
     return error_at(place,
-                    fmt::format("no boundary is named \"{}\"{}; {}; or name a face as \"0:back\"", text,
-                                did_you_mean(text, names(boundaries)), listed_boundaries(boundaries)));
+                    fmt::format("no boundary is named \"{}\"{}; {}; or name a face as \"0:back\"; isopatch "
+                                "info says where each is",
+                                text, did_you_mean(text, names(boundaries)), listed_boundaries(boundaries)));
   if (*side.patch < 0 || *side.patch >= patch_count)
     return error_at(place, fmt::format("face \"{}\" does not exist: the model has patches 0 to {}", text,
                                        patch_count - 1));

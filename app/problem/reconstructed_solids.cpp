@@ -35,9 +35,17 @@ segmentation::Reconstruction reconstructed(const std::filesystem::path& file,
                                            const segmentation::ReconstructionOptions& options,
                                            const Progress& progress) {
   progress("reading the triangles", 0);
-  const geometry::TriangleMesh mesh = triangles_in_metres(file, length_unit);
+  geometry::MeasuredTriangles read = geometry::read_triangles(file);
+  const bool is_unit_known = length_unit || read.metres;
+  const geometry::TriangleMesh mesh = in_metres(std::move(read), length_unit);
   try {
-    return segmentation::reconstruct(mesh, options, progress);
+    segmentation::Reconstruction made = segmentation::reconstruct(mesh, options, progress);
+    if (!is_unit_known)
+      made.report.remarks.push_back(fmt::format(
+          "the file states no unit of length, so one unit is taken as 1 m and the part is {:.3g} m "
+          "across; length_unit = \"mm\" (--length-unit mm) says otherwise",
+          made.brep.size()));
+    return made;
   } catch (const Error& error) {
     throw ReconstructionError(error.code(), fmt::format("{}: {}", file.string(), error.what()));
   }

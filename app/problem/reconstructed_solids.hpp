@@ -29,7 +29,9 @@ class ReconstructionError : public Error {
 };
 
 /// The solid that a file of triangles was made of; lengths are metres.
-/// @param length_unit  m of one unit of the file; without it what the file says (3MF), or 1
+/// @param length_unit  m of one unit of the file; without it what the file says (3MF), or 1, of which a
+/// remark
+///                     tells
 /// @throws Error as `geometry::read_triangles` does; ReconstructionError as `segmentation::reconstruct`, with
 /// the file's name
 segmentation::Reconstruction reconstructed(const std::filesystem::path& file,

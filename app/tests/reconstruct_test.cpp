@@ -29,6 +29,14 @@ TEST_F(ReconstructedSolids, AreWrittenWithAReport) {
   EXPECT_EQ(report["faces"][6]["kind"], "plane");
 }
 
+TEST_F(ReconstructedSolids, SayWhatAUnitIsTakenAsWhereNobodyDoes) {
+  const std::string file = stl("drilled"), folder = (folder_ / "made").string();
+  ASSERT_EQ(run({"reconstruct", file, "-o", folder}), 0) << err_;
+  EXPECT_NE(err_.find("states no unit of length, so one unit is taken as 1 m"), std::string::npos) << err_;
+  ASSERT_EQ(run({"reconstruct", file, "-o", folder, "--length-unit", "m"}), 0) << err_;
+  EXPECT_EQ(err_.find("unit of length"), std::string::npos) << err_;
+}
+
 TEST_F(ReconstructedSolids, AreCutIntoBlocks) {
   ASSERT_EQ(run({"segment", stl("drilled"), "-o", (folder_ / "blocks").string(), "--length-unit", "mm"}), 0)
       << err_;

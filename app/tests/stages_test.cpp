@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "app/problem/patch_file.hpp"
@@ -11,6 +12,7 @@
 #include "app/tests/stl_file.hpp"
 #include "geometry/base/atomic_file.hpp"
 #include "geometry/base/tests/expect_error.hpp"
+#include "geometry/io/read_triangles.hpp"
 
 namespace isopatch::app {
 namespace {
@@ -163,6 +165,31 @@ TEST_F(Stages, SolidsComeBackWithTheirTriangles) {
   ASSERT_EQ(back.read.solids.size(), 1u);
   EXPECT_EQ(back.read.solids[0].brep.volume(), found.read.solids[0].brep.volume());
   EXPECT_EQ(back.read.solids[0].brep.faces()[0].name, "plane_1");
+}
+
+/// Moves the vertices along the drilled block's bore, whose axis is along z, in and out.
+void dent_bore(const std::filesystem::path& file, const Eigen::Vector2d& axis, double by) {
+  geometry::TriangleMesh mesh = geometry::read_triangles(file).mesh;
+  for (Eigen::Index i = 0; i < mesh.vertices.cols(); ++i) {
+    const Eigen::Vector2d out = mesh.vertices.col(i).head<2>() - axis;
+    if (out.norm() > 5.01) continue;
+    mesh.vertices.col(i).head<2>() += by * std::sin(7 * std::atan2(out.y(), out.x())) * out.normalized();
+  }
+  write_file(file, geometry::to_stl(mesh));
+}
+
+// Vertices that are 3e-4 of the size off tell no more of the part than that.
+TEST_F(Stages, PatchesAreNoNearerThanTheSolidIsToItsTriangles) {
+  dent_bore(folder_ / "drilled.stl", {15, 10}, 0.01);
+  const BlocksInput loose = input("[reconstruction]\ntolerance = 1e-3\n");
+  const double off = solids_of_files(loose).triangles.at(0).deviation;
+  const auto made = staged_patches(loose, Stage::patches).made->report;
+  EXPECT_GT(off, 1.1e-4 * made.size);
+  EXPECT_NEAR(made.tolerance / off, 1, 0.02);  // of the solid's size and of its blocks'
+  BlocksInput asked = loose;
+  asked.gives_tolerance = true;
+  asked.stages.folder = folder_ / "asked";
+  EXPECT_NEAR(staged_patches(asked, Stage::patches).made->report.tolerance, 1e-4 * made.size, 1e-12);
 }
 
 TEST_F(Stages, PatchesComeBackWithTheirReport) {

@@ -15,20 +15,21 @@ Eigen::Vector3d way(const Eigen::Matrix3Xd& points, Eigen::Index i) {
   return points.col(i + 1) - points.col(i);
 }
 
-/// By which a polygon turns at an inner vertex, rad.
+/// By which a polygon turns at a vertex, rad: at its ends as at the vertices next to them, if it has such.
 double turn(const Eigen::Matrix3Xd& polygon, Eigen::Index i) {
-  const Eigen::Vector3d before = way(polygon, i - 1), after = way(polygon, i);
+  const Eigen::Index last = polygon.cols() - 1;
+  if (last < 2) return 0;
+  const Eigen::Index inner = std::clamp<Eigen::Index>(i, 1, last - 1);
+  const Eigen::Vector3d before = way(polygon, inner - 1), after = way(polygon, inner);
   return std::atan2(before.cross(after).norm(), before.dot(after));
 }
 
 /// Length of arcs over a polygon's sides, each of which turns as its ends do: by half of what these turn by
 /// each.
 double length_of_arcs(const Eigen::Matrix3Xd& polygon) {
-  const Eigen::Index sides = polygon.cols() - 1;
   double result = 0;
-  for (Eigen::Index i = 0; i < sides; ++i) {
-    const double first = i > 0 ? turn(polygon, i) : turn(polygon, std::min<Eigen::Index>(1, sides - 1)),
-                 last = i + 1 < sides ? turn(polygon, i + 1) : first, half = (first + last) / 4;
+  for (Eigen::Index i = 0; i + 1 < polygon.cols(); ++i) {
+    const double half = (turn(polygon, i) + turn(polygon, i + 1)) / 4;
     result += way(polygon, i).norm() * (half > 0 ? half / std::sin(half) : 1);
   }
   return result;

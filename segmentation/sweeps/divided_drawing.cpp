@@ -182,7 +182,7 @@ class InclinedWalls {
   bool enter(const Draft& draft, const Make& make) {
     try {
       Quadrangulation made = make();
-      if (draft.half_way) made = as_drawn(solid_, frame_, drawing_, std::move(made), half_way_);
+      if (draft.half_way) made = as_drawn(solid_, frame_, drawing_, made, half_way_);
       StandingQuads stands = standing(made);
       settle(made, stands);
       const double cost = cost_of(stands);

@@ -118,7 +118,7 @@ ProfilesAtHeights profiles_at_heights(const Brep& solid, const SweepFrame& frame
 }
 
 Quadrangulation as_drawn(const Brep& solid, const SweepFrame& frame, const SweptDrawing& drawing,
-                         Quadrangulation at_height, double height) {
+                         const Quadrangulation& at_height, double height) {
   std::set<int> outlined;
   for (const QuadEdge& edge : at_height.edges)
     if (edge.profile_edge >= 0) outlined.insert({edge.start, edge.end});

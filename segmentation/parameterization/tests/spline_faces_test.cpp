@@ -3,9 +3,11 @@
 #include <cmath>
 
 #include "geometry/base/error.hpp"
+#include "geometry/base/larger.hpp"
 #include "geometry/brep/write_brep.hpp"
 #include "geometry/measures.hpp"
 #include "geometry/splines/refine.hpp"
+#include "geometry/splines/transfer.hpp"
 #include "segmentation/parameterization/assemble_model.hpp"
 #include "segmentation/parameterization/parameterize.hpp"
 #include "segmentation/parameterization/read_blocks.hpp"
@@ -109,6 +111,30 @@ TEST(SplineFaces, WithManyMoreKnotsThanTheToleranceNeedsAreFitted) {
   ParameterizationOptions options;
   options.fit.tolerance = 1e-8;
   expect_exact(parameterize(model, options), geometry::volume(given));
+}
+
+// Twelve spans are worth it where eight are needed, but not one of a thousandth: it would go through all
+// around.
+TEST(SplineFaces, WithKnotsThatNearlyMeetAreFitted) {
+  const NurbsVolume plain = test::bent({KnotVector::uniform(3, 8), uneven(1, {}), uneven(1, {})}, wave);
+  const auto shortest_span = [](const Parameterization& made) {
+    double shortest = 1;
+    const std::vector<double> breaks = made.patches.patches[0].knots(0).breaks();
+    for (std::size_t i = 1; i < breaks.size(); ++i) shortest = smaller(shortest, breaks[i] - breaks[i - 1]);
+    return shortest;
+  };
+  for (const double beside : {0.06, 0.001}) {
+    const NurbsVolume given = geometry::refined(
+        plain, {geometry::with_knots(plain.knots(0), {0.5 + beside}), plain.knots(1), plain.knots(2)});
+    const HexModel model = hex_model({{test::solid_of(given), "block"}});
+    const Parameterization made = parameterize(model);
+    EXPECT_TRUE(made.report.usable()) << testing::PrintToString(made.report.complaints());
+    EXPECT_LE(made.report.worst_face().deviation, made.report.tolerance);
+    if (beside > 0.01)
+      expect_exact(made, geometry::volume(given));
+    else
+      EXPECT_GT(shortest_span(made), 0.01);
+  }
 }
 
 // Its speed falls to nothing at an end: such a pace would make det J zero there.

@@ -35,6 +35,13 @@ TEST(Waviness, OfAnArcIsOneHoweverFewItsVerticesAre) {
   for (const int sides : {4, 7, 40}) EXPECT_NEAR(waviness(half_circle(400), half_circle(sides)), 1, 3e-6);
 }
 
+// One side has no vertices inside at which it could turn.
+TEST(Waviness, OfALineOverOneSideIsOne) {
+  Eigen::Matrix3Xd side(3, 2);
+  side << 1, 4, 2, 6, 3, 3;
+  EXPECT_EQ(waviness(side, side), 1);
+}
+
 TEST(Waviness, OfWavesBetweenVerticesIsTheirLength) {
   // A sine wave of amplitude a and length l is longer than its line by (pi a / l)^2.
   Eigen::Matrix3Xd line(3, 801), polygon(3, 5);

@@ -27,7 +27,7 @@ ProfilesAtHeights profiles_at_heights(const geometry::Brep& solid, const SweepFr
 /// Quadrilaterals of the profile at a height as those of the drawing: vertices inside are moved to where they
 /// are drawn.
 Quadrangulation as_drawn(const geometry::Brep& solid, const SweepFrame& frame, const SweptDrawing& drawing,
-                         Quadrangulation at_height, double height);
+                         const Quadrangulation& at_height, double height);
 
 /// What stands on a divided drawing.
 struct StandingQuads {
