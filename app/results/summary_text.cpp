@@ -47,7 +47,7 @@ std::string stress_text(double value, double scale) {
 
 // "12.34 MPa +- 0.5": the uncertainty in the unit of the value.
 std::string with_uncertainty(double value, const std::optional<Eigen::Matrix3d>& stress_error, double scale) {
-  const std::string text = stress_text(value, scale);
+  std::string text = stress_text(value, scale);
   const double error = stress_error ? without_round_off(iga::von_mises(*stress_error), scale) : 0;
   if (!stress_error || (error == 0 && without_round_off(value, scale) == 0)) return text;
   return fmt::format("{} +- {:.2g}", text, error / unit_for(value, "Pa").factor);
