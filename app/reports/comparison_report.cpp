@@ -125,7 +125,8 @@ std::string non_matching_text(const NonMatchingComparison& compared) {
     return fmt::format("  faces that do not match: not compared with {}: {}\n", iga::name(compared.other),
                        compared.failure);
   return fmt::format(
-      "  faces that do not match by {} and by {}: energy {} and {}, relative difference {:.2g}\n"
+      "  faces that do not match by {} and by {}: energy with that between faces {} and {}, relative "
+      "difference {:.2g}\n"
       "  ({} twice the estimated error of the discretization, {:.2g} of the energy), in displacement "
       "{:.2g}\n",
       iga::name(compared.own), iga::name(compared.other), with_unit(compared.energy, "J"),
@@ -139,11 +140,16 @@ std::string degree_text(const std::array<int, 3>& degree) {
   return fmt::format("{},{},{}", degree[0], degree[1], degree[2]);
 }
 
+// What factorizations count are steps of refinement.
+std::string iterations_text(const solvers::SolveReport& report) {
+  return report.factor_nonzeros > 0 ? "none" : with_separators(report.iterations);
+}
+
 std::string level_row(const std::string& refine, const std::string& degree, const CouplingRun& run,
                       const std::string& difference) {
   return fmt::format("  {:>6} {:>6}  {:<11} {:>12} {:>8} {:>10} {:>10} {:>11}  {}\n", refine, degree,
                      iga::name(run.coupling), with_separators(run.size.dofs),
-                     solvers::name(run.solver.method), with_separators(run.solver.iterations),
+                     solvers::name(run.solver.method), iterations_text(run.solver),
                      bytes_text(run.solver.memory_bytes), seconds_text(run.seconds()), difference);
 }
 
@@ -180,7 +186,7 @@ std::string comparison_text(const Study& study, const CouplingComparison& compar
   text += row("  multipliers", "0", count(b.size.multipliers));
   text +=
       row("solver", std::string(solvers::name(a.solver.method)), std::string(solvers::name(b.solver.method)));
-  text += row("iterations", count(a.solver.iterations), count(b.solver.iterations));
+  text += row("iterations", iterations_text(a.solver), iterations_text(b.solver));
   text += row("matrix nonzeros", count(a.solver.matrix_nonzeros), count(b.solver.matrix_nonzeros));
   text += row("factor nonzeros", count(a.solver.factor_nonzeros), count(b.solver.factor_nonzeros));
   text += row("solver memory", bytes_text(a.solver.memory_bytes), bytes_text(b.solver.memory_bytes));

@@ -14,6 +14,7 @@
 #include "app/results/internal/parameterization_json.hpp"
 #include "app/results/internal/stages_json.hpp"
 #include "app/results/level_report.hpp"
+#include "app/results/stress_round_off.hpp"
 #include "iga/material/material.hpp"
 #include "iga/post/stress_measures.hpp"
 
@@ -214,6 +215,7 @@ Json results_json(const Study& study, const StudyRun& run, const CaseView& one) 
           {"max_von_mises_point", to_json(results.max_von_mises.place)},
           {"max_von_mises_at", at(results.max_von_mises)},
           {"max_von_mises_sampled", "at Gauss points and on faces"},
+          {"stress_round_off", stress_round_off(run.built.problem, results)},
           {"max_principal", peaks.tension.value},
           {"max_principal_point", to_json(peaks.tension.place)},
           {"max_principal_at", at(peaks.tension)},

@@ -9,6 +9,7 @@
 
 #include "app/base/engineering_units.hpp"
 #include "app/results/level_report.hpp"
+#include "app/results/stress_round_off.hpp"
 #include "iga/post/stress_measures.hpp"
 
 namespace isopatch::app {
@@ -35,11 +36,20 @@ std::string reactions_text(const StudyRun& run, const iga::ElasticityResults& re
   return text;
 }
 
+// What stresses are seen beside.
+double stress_scale(const iga::ElasticityProblem& problem, const iga::ElasticityResults& results) {
+  return std::max(results.max_von_mises.value, 1e10 * stress_round_off(problem, results));
+}
+
+std::string stress_text(double value, double scale) {
+  return with_unit(without_round_off(value, scale), "Pa");
+}
+
 // "12.34 MPa +- 0.5": the uncertainty in the unit of the value.
 std::string with_uncertainty(double value, const std::optional<Eigen::Matrix3d>& stress_error, double scale) {
-  std::string text = with_unit(without_round_off(value, scale), "Pa");
-  if (!stress_error) return text;
-  const double error = without_round_off(iga::von_mises(*stress_error), scale);
+  std::string text = stress_text(value, scale);
+  const double error = stress_error ? without_round_off(iga::von_mises(*stress_error), scale) : 0;
+  if (!stress_error || (error == 0 && without_round_off(value, scale) == 0)) return text;
   return fmt::format("{} +- {:.2g}", text, error / unit_for(value, "Pa").factor);
 }
 
@@ -52,28 +62,30 @@ std::string error_text(const std::optional<RunError>& error, const std::string& 
                      100 * error->relative, 100 * error->relative * error->relative);
 }
 
-std::string probes_text(const std::vector<ProbeValues>& probes, const iga::ElasticityResults& results) {
+/// @param scale  of stresses
+std::string probes_text(const std::vector<ProbeValues>& probes, const iga::ElasticityResults& results,
+                        double scale) {
   std::string text;
   for (const ProbeValues& probe : probes)
     text +=
-        fmt::format(
-            "  {:<17} displacement {}, von Mises {}\n", probe.name,
-            vector_with_unit(without_round_off(probe.values.displacement, results.max_displacement.value),
-                             "m"),
-            with_uncertainty(probe.values.von_mises, probe.stress_error, results.max_von_mises.value)) +
+        fmt::format("  {:<17} displacement {}, von Mises {}\n", probe.name,
+                    vector_with_unit(
+                        without_round_off(probe.values.displacement, results.max_displacement.value), "m"),
+                    with_uncertainty(probe.values.von_mises, probe.stress_error, scale)) +
         (probe.singular ? fmt::format("    grows           with refinement: it is at {}\n", *probe.singular)
                         : "");
   return text;
 }
 
 /// @param error  estimated, or none
+/// @param scale  of stresses
 std::string von_mises_text(const iga::ElasticityResults& results, const std::optional<RunError>& error,
-                           double size) {
-  std::string text = fmt::format("  max von Mises     {} at {} (of Gauss points and faces)\n",
-                                 with_uncertainty(results.max_von_mises.value,
-                                                  error ? std::optional(error->stress_at_max) : std::nullopt,
-                                                  results.max_von_mises.value),
-                                 place_with_unit(results.max_von_mises.place, size));
+                           double size, double scale) {
+  std::string text =
+      fmt::format("  max von Mises     {} at {} (of Gauss points and faces)\n",
+                  with_uncertainty(results.max_von_mises.value,
+                                   error ? std::optional(error->stress_at_max) : std::nullopt, scale),
+                  place_with_unit(results.max_von_mises.place, size));
   if (error && error->singular)
     text += fmt::format("    grows           with refinement: it is at {}\n", *error->singular);
   const iga::LeftOut& left_out = results.left_out;
@@ -87,14 +99,14 @@ std::string von_mises_text(const iga::ElasticityResults& results, const std::opt
   return text;
 }
 
-std::string principal_text(const iga::ElasticityResults& results, double size) {
+std::string principal_text(const iga::ElasticityResults& results, double size, double scale) {
   const iga::StressPeaks& peaks = results.peaks;
   if (peaks.tension.patch < 0) return "";
-  std::string text =
-      fmt::format("  principal         from {} at {} to {} at {}\n  max Tresca        {} at {}\n",
-                  with_unit(-peaks.compression.value, "Pa"), place_with_unit(peaks.compression.place, size),
-                  with_unit(peaks.tension.value, "Pa"), place_with_unit(peaks.tension.place, size),
-                  with_unit(peaks.tresca.value, "Pa"), place_with_unit(peaks.tresca.place, size));
+  std::string text = fmt::format(
+      "  principal         from {} at {} to {} at {}\n  max Tresca        {} at {}\n",
+      stress_text(-peaks.compression.value, scale), place_with_unit(peaks.compression.place, size),
+      stress_text(peaks.tension.value, scale), place_with_unit(peaks.tension.place, size),
+      stress_text(peaks.tresca.value, scale), place_with_unit(peaks.tresca.place, size));
   if (peaks.utilization.patch >= 0)
     text += fmt::format("  safety factor     {:.4g} against yield at {}\n", 1 / peaks.utilization.value,
                         place_with_unit(peaks.utilization.place, size));
@@ -166,14 +178,15 @@ std::string balance_text(const Study& study, const geometry::MultiPatch& model,
 std::string case_text(const Study& study, const StudyRun& run, const CaseView& one) {
   const iga::ElasticityResults& results = one.solution.results;
   const double size = run.built.problem.discretization.model.size();
+  const double scale = stress_scale(run.built.problem, results);
   return case_heading(one.name) +
          fmt::format("  max displacement  {} at {}\n", with_unit(results.max_displacement.value, "m"),
                      place_with_unit(results.max_displacement.place, size)) +
-         von_mises_text(results, one.error, size) + principal_text(results, size) +
+         von_mises_text(results, one.error, size, scale) + principal_text(results, size, scale) +
          fmt::format("  internal energy   {}\n", with_unit(results.internal_energy, "J")) +
          balance_text(study, run.built.problem.discretization.model, results) +
          error_text(one.error, run.error_missing) + reactions_text(run, results) +
-         moments_text(study, one, size) + probes_text(one.probes, results);
+         moments_text(study, one, size) + probes_text(one.probes, results, scale);
 }
 
 // Where the mortar method has its multipliers: face by face as far as there are few.

@@ -94,6 +94,7 @@ TEST_F(Program, CompareHalvesElementsWhateverKeyMadeThem) {
 
 TEST_F(Program, CompareEstimatesConditionsWhereItFactorizes) {
   ASSERT_EQ(run({"compare", study(), "--condition"}), 0) << err_;
+  EXPECT_THAT(out_, testing::ContainsRegex("iterations +none +none"));  // of factorizations
   EXPECT_THAT(out_, HasSubstr("condition"));
   const json direct = compared(results());
   EXPECT_GT(direct["elimination"]["condition"], 2);

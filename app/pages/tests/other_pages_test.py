@@ -194,6 +194,10 @@ class OtherPages(Pages):
                     return [style(arguments[0]).color, style(".card").backgroundColor]""", f".claims .verdict.{verdict}")
                 self.assertGreater(contrast(*colours), 4.5, (theme, verdict, colours))
 
+    def test_factorizations_have_no_iterations(self):
+        self.open("compare")
+        self.assertRegex(self.browser.run("return document.body.innerText"), r"iterations\s+none\s+none")
+
     def test_plots_of_a_comparison_fill_the_page(self):
         self.open("compare")
         widths = self.browser.run("return [...document.querySelectorAll('.plot svg')].map((x) => x.getBoundingClientRect().width)")

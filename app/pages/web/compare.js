@@ -16,11 +16,15 @@ globalThis.isopatch = globalThis.isopatch || {};
     ["max_displacement", "largest displacement", unit("m")], ["max_von_mises", "largest von Mises stress", unit("Pa")],
     ["internal_energy", "internal energy", unit("J")]];
 
+  // Of a factorization they are steps of refinement.
+  const iterationsOf = ({factor_nonzeros, iterations}) => (factor_nonzeros > 0 ? "none" : iterations);
+
   function sideBySide(summary) {
     const [a, b] = [summary.elimination || {}, summary.lagrange || {}];
     const cell = (value, format) => (value === undefined || value === null ? "" : format(value));
+    const withIterations = [a, b].map((run) => ({...run, iterations: iterationsOf(run)}));
     const rows = lines.filter(([key]) => (a[key] ?? b[key] ?? null) !== null).map(([key, name, format]) => (
-      [name, cell(a[key], format), cell(b[key], format)]));
+      [name, ...withIterations.map((run) => cell(run[key], format))]));
     return isopatch.table(["", "elimination", "Lagrange multipliers"], rows);
   }
 
@@ -59,7 +63,7 @@ globalThis.isopatch = globalThis.isopatch || {};
       const run = level[key];
       const shown = key === "elimination" ? ["", "", ""]
         : ["displacement", "internal_energy", "multipliers"].map((what) => isopatch.general(level.difference[what], 2));
-      return [String(level.refine), [...new Set(level.degree)].join(", "), name, counts(run.dofs), run.method, counts(run.iterations),
+      return [String(level.refine), [...new Set(level.degree)].join(", "), name, counts(run.dofs), run.method, counts(iterationsOf(run)),
               counts(run.matrix_nonzeros), counts(run.factor_nonzeros), isopatch.bytesText(run.memory_bytes),
               isopatch.secondsText(run.timings.total), isopatch.withUnit(run.internal_energy, "J"), ...shown];
     };

@@ -58,22 +58,24 @@ globalThis.isopatch = globalThis.isopatch || {};
     const results = summary.results;
     if (!results) return [];
     const scale = results.max_displacement;
+    const stressScale = Math.max(results.max_von_mises || 0, 1e10 * (results.stress_round_off || 0));
+    const stressText = (x) => isopatch.withUnit(isopatch.withoutRoundOff(x, stressScale), "Pa");
     const rows = [
       ["largest displacement", [isopatch.withUnit(scale, "m"), at(scene, results.max_displacement_point)]],
-      ["largest von Mises stress", [isopatch.withUnit(results.max_von_mises, "Pa"), at(scene, results.max_von_mises_point),
+      ["largest von Mises stress", [stressText(results.max_von_mises), at(scene, results.max_von_mises_point),
                                     ` (${results.max_von_mises_sampled})`]],
       ...energyRows(results, summary.non_matching_coupling === "nitsche")];
     const error = results.discretization_error;
     if (error) rows.push(["discretization error", Number.isFinite(error.energy_norm)
       ? `about ${isopatch.general(100 * error.energy_norm, 2)} % in the energy norm, ${isopatch.general(100 * error.energy_norm ** 2, 2)} % of the energy; `
-        + `largest von Mises stress \u00b1 ${isopatch.withUnit(error.max_von_mises, "Pa")}`
+        + `largest von Mises stress \u00b1 ${stressText(error.max_von_mises)}`
       : `not estimated: ${error.missing}`]);
     if (error && error.singular) rows.push(["", `the largest von Mises stress grows with refinement: it is at ${error.singular}`]);
     if (Number.isFinite(results.max_tresca))
       rows.splice(2, 0,
-        ["largest principal stress", [isopatch.withUnit(results.max_principal, "Pa"), at(scene, results.max_principal_point)]],
-        ["smallest principal stress", [isopatch.withUnit(results.min_principal, "Pa"), at(scene, results.min_principal_point)]],
-        ["largest Tresca stress", [isopatch.withUnit(results.max_tresca, "Pa"), at(scene, results.max_tresca_point)]]);
+        ["largest principal stress", [stressText(results.max_principal), at(scene, results.max_principal_point)]],
+        ["smallest principal stress", [stressText(results.min_principal), at(scene, results.min_principal_point)]],
+        ["largest Tresca stress", [stressText(results.max_tresca), at(scene, results.max_tresca_point)]]);
     if (Number.isFinite(results.min_safety_factor))
       rows.push(["safety factor against yield", [isopatch.general(results.min_safety_factor, 4), at(scene, results.min_safety_factor_point)]]);
     for (const cut of summary.sections || [])
@@ -81,9 +83,8 @@ globalThis.isopatch = globalThis.isopatch || {};
                             at(scene, cut.point), `, area ${isopatch.withUnit(cut.area, "m^2")}`]]);
     for (const probe of summary.probes || []) {
       const moved = probe.displacement.map((x) => isopatch.withoutRoundOff(x, scale));
-      const stress = isopatch.withoutRoundOff(probe.von_mises, results.max_von_mises);
-      rows.push([probe.name, [`displacement ${isopatch.vectorWithUnit(moved, "m")}, von Mises ${isopatch.withUnit(stress, "Pa")}`
-                                + (Number.isFinite(probe.von_mises_error) ? ` \u00b1 ${isopatch.withUnit(probe.von_mises_error, "Pa")}` : ""),
+      rows.push([probe.name, [`displacement ${isopatch.vectorWithUnit(moved, "m")}, von Mises ${stressText(probe.von_mises)}`
+                                + (Number.isFinite(probe.von_mises_error) ? ` \u00b1 ${stressText(probe.von_mises_error)}` : ""),
                               at(scene, probe.point)]]);
     }
     return rows;
@@ -172,7 +173,7 @@ globalThis.isopatch = globalThis.isopatch || {};
     const found = summary.solver;
     if (!found) return null;
     const rows = [["method", found.levels > 0 ? `${found.method} with ${many(found.levels, "multigrid level")}, ${found.operator.replace("_", "-")}` : found.method],
-                  ["why", found.reason], ["iterations", counts(found.iterations)],
+                  ["why", found.reason], [found.factor_nonzeros > 0 ? "steps of refinement" : "iterations", counts(found.iterations)],
                   ["relative residual", isopatch.general(found.relative_residual, 2)]];
     if (found.energy_error > 0) rows.push(["error in energy norm", isopatch.general(found.energy_error, 2)]);
     if (found.matrix_nonzeros > 0) rows.push(["non-zeros of the matrix", counts(found.matrix_nonzeros)]);
