@@ -162,6 +162,7 @@ std::vector<Warning> result_warnings(const BuiltProblem& built, const iga::Elast
   add_large_displacement(built, solution.results, warnings);
   add_large_strain(built, solution, warnings);
   add_left_out(built, solution.results, warnings);
+  if (auto warning = pressure_warning(built.problem)) warnings.push_back(*warning);
   if (error && *error < small_error) return warnings;
   if (auto warning = resolution_warning(built.problem, solution.results)) warnings.push_back(*warning);
   return warnings;

@@ -12,6 +12,13 @@ constexpr double most_share = 0.02;      // of the energy: more is worth a warni
 constexpr double wanted_share = 0.005;   // what the advice aims at
 constexpr double incompressible = 0.45;  // Poisson's ratio from which volume changes may lock
 constexpr int degree_against_locking = 4;
+constexpr double oscillating = 0.49;  // Poisson's ratio from which a stress was 39 % wrong at degree 2
+
+double highest_poisson(const iga::ElasticityProblem& problem) {
+  double result = 0;
+  for (const iga::Material& material : problem.materials) result = std::max(result, iga::poisson(material));
+  return result;
+}
 
 std::array<int, 3> lowest_degree(const iga::Discretization& discretization) {
   std::array<int, 3> degree = {10, 10, 10};
@@ -48,8 +55,7 @@ std::optional<Warning> resolution_warning(const iga::ElasticityProblem& problem,
   const auto& along = results.unresolved.along;
   const auto worst = static_cast<std::size_t>(std::max_element(along.begin(), along.end()) - along.begin());
   const int degree = degrees[worst];
-  double poisson = 0;
-  for (const iga::Material& material : problem.materials) poisson = std::max(poisson, iga::poisson(material));
+  const double poisson = highest_poisson(problem);
   const std::string figure =
       fmt::format("{:.1f} % of the energy is in the highest polynomials of the elements{}", 100 * share,
                   acts(problem) ? ", and displacements under loads are too small by about as much" : "");
@@ -69,6 +75,20 @@ std::optional<Warning> resolution_warning(const iga::ElasticityProblem& problem,
       fmt::format("the elements are large for what happens in them: {}. A refine that is higher by {} or a "
                   "discretization.degree of {} shows how much the figures still change",
                   figure, halvings(share, degree), std::min(degree + 1, 10))};
+}
+
+std::optional<Warning> pressure_warning(const iga::ElasticityProblem& problem) {
+  const double poisson = highest_poisson(problem);
+  if (!(poisson >= oscillating)) return std::nullopt;
+  const double factor = poisson / (1 - 2 * poisson);  // lambda / (2 mu)
+  return Warning{fmt::format(
+      "Poisson's ratio {:.4g}: errors of the volume's change count {:.0f} times as much as other strains in "
+      "the mean "
+      "of the normal stresses, which oscillates. Displacements, shear and von Mises stress do not; "
+      "components, "
+      "principal stresses and their +- may be wrong by many times. A higher discretization.degree and "
+      "isopatch compare --levels 3 show how much",
+      poisson, factor)};
 }
 
 }  // namespace isopatch::app

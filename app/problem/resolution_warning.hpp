@@ -18,4 +18,8 @@ double unresolved_share(const iga::ElasticityResults& results);
 std::optional<Warning> resolution_warning(const iga::ElasticityProblem& problem,
                                           const iga::ElasticityResults& results);
 
+/// A warning where the volume hardly changes, so that the mean of the normal stresses, of displacements of one
+/// degree, oscillates about what is right: components and principal stresses do so with it.
+std::optional<Warning> pressure_warning(const iga::ElasticityProblem& problem);
+
 }  // namespace isopatch::app

@@ -11,7 +11,8 @@ namespace {
 /// Files that hold a model whatever their content is.
 bool is_model_name(const std::filesystem::path& path) {
   const FileKind kind = kind_of(path);
-  return kind == FileKind::patches || kind == FileKind::blocks || holds_solids(kind);
+  return kind == FileKind::patches || kind == FileKind::blocks || kind == FileKind::triangles ||
+         holds_solids(kind);
 }
 
 }  // namespace

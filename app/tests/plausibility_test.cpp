@@ -137,6 +137,15 @@ TEST_F(Plausibility, LockingIsSaidAndItsAdviceMendsIt) {
   EXPECT_THAT(err_, Not(HasSubstr("incompressible")));
 }
 
+// At the bore the stress along the radius is -1 MPa, and that around it 1.25 MPa.
+TEST_F(Plausibility, StressesThatOscillateWithTheVolumeAreSaidTo) {
+  const json results = summary_of(replaced(thick, "0.499", "0.4999") + "degree = 2\nrefine = 2\n")["results"];
+  EXPECT_GT(results["max_principal"].get<double>(), 3e6);
+  EXPECT_THAT(err_, HasSubstr("Poisson's ratio 0.4999: errors of the volume's change count 2500 times"));
+  summary_of(replaced(thick, "0.499", "0.3") + "degree = 2\nrefine = 2\n");
+  EXPECT_THAT(err_, Not(HasSubstr("the volume's change")));
+}
+
 // A body that nothing holds grows without stress; what is computed, some 1e-4 Pa, is round-off of 210 GPa.
 TEST_F(Plausibility, StressOfRoundOffIsShownAsNone) {
   const json results = summary_of(replaced(

@@ -24,7 +24,8 @@ TEST_F(Program, WhatIsNoStudyIsNamed) {
   for (const char* command : {"run", "compare"}) {
     EXPECT_EQ(run({command, stored}), 2);
     EXPECT_THAT(err_, HasSubstr(stored + " holds results, not a study; `isopatch info " + stored + "`"));
-    for (const char* name : {"model.g2", "model.mesh", "model.xml", "part.step", "part.iges", "part.off"}) {
+    for (const char* name :
+         {"model.g2", "model.mesh", "model.xml", "part.step", "part.iges", "part.off", "part.stl"}) {
       const std::string file = (folder_ / name).string();
       write_file(file, "700 1 0 0\n");
       EXPECT_EQ(run({command, file}), 2) << name;

@@ -61,7 +61,7 @@ ElasticityMultigrid::ElasticityMultigrid(const ElasticityProblem& problem, const
                                          const std::vector<SupportFrame>& frames,
                                          const Distribution& distribution,
                                          const solvers::Processes& processes,
-                                         solvers::VectorsOperator product,
+                                         const solvers::VectorsOperator& product,
                                          const ElasticityMultigridOptions& options, const Progress& progress)
     : state_(std::make_unique<State>()) {
   const geometry::MultiPatch& model = problem.discretization.model;

@@ -36,7 +36,7 @@ class ElasticityMultigrid {
   /// @throws Error singular_system  if a level is not positive definite
   ElasticityMultigrid(const ElasticityProblem& problem, const Level& finest,
                       const std::vector<SupportFrame>& frames, const Distribution& distribution,
-                      const solvers::Processes& processes, solvers::VectorsOperator product,
+                      const solvers::Processes& processes, const solvers::VectorsOperator& product,
                       const ElasticityMultigridOptions& options, const Progress& progress);
   ~ElasticityMultigrid();
   ElasticityMultigrid(ElasticityMultigrid&&) noexcept;

@@ -208,7 +208,8 @@ Eigen::VectorXd FastDiagonalization::apply(const Eigen::VectorXd& residual) cons
     if (block.rows.size() < large) solve_component(block, static_cast<int>(task % 3), force, result);
   });
   for (const Point& point : points_)
-    result.segment<3>(3 * point.row) = point.inverse * force.segment<3>(3 * point.row);
+    result.segment<3>(Eigen::Index{3} * point.row) =
+        point.inverse * force.segment<3>(Eigen::Index{3} * point.row);
   result = level_->free.to_free(std::move(result));
   interface_.add(residual, result);
   held_.add(residual, result);
