@@ -208,6 +208,7 @@ struct ErrorEstimator::State {
         stiffness(level, raised.materials, 0, raised_terms(problem)),
         springs(support_stiffness(spaces, level.parts, without_holds(springs_of(problem)))),
         holds(support_stiffness(spaces, level.parts, held_everywhere(holds_among(springs_of(problem))))),
+        has_holds(!holds_among(springs_of(problem)).empty()),
         smoother(raised.discretization.model, level, raised.materials, stiffness.diagonal(),
                  stiffness.surfaces(), held_everywhere(holds_among(springs_of(problem)))) {}
 
@@ -235,7 +236,7 @@ struct ErrorEstimator::State {
   // What the equations count of a displacement and the part does not have: what holds do not give way, they
   // stop at their points in the solution, and jumps cost nothing where the solution has mortar multipliers.
   double uncounted(const Eigen::VectorXd& u) const {
-    if (holds.empty() && !has_mortar()) return 0;
+    if (!has_holds && !has_mortar()) return 0;
     const Eigen::Matrix3Xd of_nodes = at_nodes(level, u);
     Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, of_nodes.cols()), counted = forces;
     if (has_mortar()) {
@@ -254,6 +255,7 @@ struct ErrorEstimator::State {
   Level level;
   LevelOperator stiffness;
   NodeBlocks springs, holds;  // of what the stiffness has beside the elements'
+  bool has_holds;             // on any process
   FastDiagonalization smoother;
 };
 
