@@ -258,7 +258,7 @@ Json solid_json(const SolidReport& solid) {
 
 /// With a word where it has not converged.
 std::string measure_text(double value, double error, const char* unit) {
-  const std::string text = with_unit(value, unit);
+  std::string text = with_unit(value, unit);
   if (geometry::Measure{value, error}.converged()) return text;
   return text + fmt::format(" (known to {:.1g} of itself only)", error / std::abs(value));
 }

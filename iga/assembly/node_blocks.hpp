@@ -22,7 +22,6 @@ class NodeBlocks {
   /// Makes room for so many blocks more.
   void reserve(std::size_t more) { blocks_.reserve(blocks_.size() + more); }
   std::size_t size() const { return blocks_.size(); }
-  bool empty() const { return blocks_.empty(); }
 
   /// forces += S displacement, per node of all patches. (3, nodes)
   void add_forces(const Eigen::Matrix3Xd& displacement, Eigen::Matrix3Xd& forces) const;
