@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "geometry/base/larger.hpp"
 #include "geometry/element_outlines.hpp"
 #include "geometry/parameter_polygon.hpp"
 #include "geometry/quadrature.hpp"
