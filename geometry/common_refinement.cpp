@@ -27,6 +27,7 @@ bool lies_within(const NurbsSurface& surface, const NurbsSurface& other, double 
 constexpr double beside_outlines = 1e-3;  // of the area, where chords stand for curved outlines
 
 constexpr double much_smaller = 0.25;
+constexpr double equal_size = 0.999;  // of elements
 
 // About its area: that of the parallelogram of its tangents in the middle.
 double rough_area(const NurbsSurface& surface) {
@@ -35,16 +36,22 @@ double rough_area(const NurbsSurface& surface) {
   return range.prod() * Eigen::Vector3d(tangents.col(0)).cross(Eigen::Vector3d(tangents.col(1))).norm();
 }
 
+double elements(const DividedSurface& divided) {
+  return static_cast<double>((divided.breaks[0].size() - 1) * (divided.breaks[1].size() - 1));
+}
+
 // Whether the second is the one whose elements are taken into the other's parameters: that within the other,
-// else the second only where it is much smaller, since parameters continue beyond a face for a short way
-// only. Of faces of about one size it is always the first: all parts of one of its elements then fit
-// together.
-bool is_second_inner(const NurbsSurface& first, const NurbsSurface& second, double same_point) {
-  const bool first_within = lies_within(first, second, same_point);
-  const bool second_within = lies_within(second, first, same_point);
-  return first_within == second_within
-             ? !first_within && rough_area(second) < much_smaller * rough_area(first)
-             : second_within;
+// else one that is much smaller, since parameters continue beyond a face for a short way only. Of faces of
+// about one size it is that with the smaller elements, of which more lie within one of the other's.
+bool is_second_inner(const DividedSurface& first, const DividedSurface& second, double same_point) {
+  const bool first_within = lies_within(*first.surface, *second.surface, same_point);
+  const bool second_within = lies_within(*second.surface, *first.surface, same_point);
+  if (first_within != second_within) return second_within;
+  if (first_within) return false;
+  const double of_first = rough_area(*first.surface), of_second = rough_area(*second.surface);
+  if (of_second < much_smaller * of_first) return true;
+  if (of_first < much_smaller * of_second) return false;
+  return of_second / elements(second) < equal_size * of_first / elements(first);
 }
 
 // The elements that an interval meets, first and last, of those between breaks; none if last < first.
@@ -157,7 +164,7 @@ class Refinement {
 
 std::vector<SharedCell> common_refinement(const DividedSurface& first, const DividedSurface& second,
                                           int points, double same_point) {
-  const bool exchanged = is_second_inner(*first.surface, *second.surface, same_point);
+  const bool exchanged = is_second_inner(first, second, same_point);
   if (!exchanged) return Refinement(first, second, points, same_point).cells();
   std::vector<SharedCell> cells = Refinement(second, first, points, same_point).cells();
   for (SharedCell& cell : cells) {

@@ -24,12 +24,12 @@ struct SharedCell {
 
 /// The common refinement of two faces that are one surface where they overlap, as quadrature.
 ///
-/// Elements of the face that lies within the other, or else of the first, are taken into the other's
-/// parameters, where they are polygons (`element_outlines`), and clipped by its elements. Where all lie
-/// within one element of the other each they have Gauss's points of their own parameters. Where their edges
-/// are not straight there they get 16 to 64 segments a side: the cells still cover the overlap once, but near
-/// cut lines up to a hundredth of an element's square is counted to the neighbouring element, whose functions
-/// differ there by little.
+/// Elements of the face that lies within the other, or else of that with the smaller elements, are taken into
+/// the other's parameters, where they are polygons (`element_outlines`), and clipped by its elements. Where
+/// all lie within one element of the other each they have Gauss's points of their own parameters. Where their
+/// edges are not straight there they get 16 to 64 segments a side: the cells still cover the overlap once,
+/// but near cut lines up to a hundredth of an element's square is counted to the neighbouring element, whose
+/// functions differ there by little.
 /// @param points      Gauss points per direction of a cell that is a rectangle, or of each triangle of others
 /// @param same_point  how far the faces may be apart, model units
 /// @return  cells without area are left out

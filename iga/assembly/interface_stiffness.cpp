@@ -15,11 +15,6 @@ namespace {
 
 using geometry::Side;
 
-// Displacements that satisfy mortar constraints jump near edges that other faces share, which must not cost
-// much more than the strains beside them; patches that hardly feel each other converge slowly, too. Fewest
-// iterations for degrees 1 to 4, measured on a link, a plate and a bracket, between 0.003 and 0.1.
-constexpr double share_of_springs = 0.02;
-
 // How many sides of an element of a patch carry tractions.
 int loaded_sides(const PatchSpace& space, const std::array<int, 3>& element, const std::vector<Side>& sides) {
   return static_cast<int>(std::count_if(sides.begin(), sides.end(), [&](Side side) {
@@ -30,9 +25,8 @@ int loaded_sides(const PatchSpace& space, const std::array<int, 3>& element, con
 
 // What A is multiplied by in T on each element of the traction's side, 1/m.
 Eigen::MatrixXd penalties_of(const PatchSide& own, const SideFunctions& functions,
-                             const std::vector<Side>& traction_sides, InterfaceTerms kind) {
-  Eigen::MatrixXd result =
-      2 * (kind == InterfaceTerms::springs ? share_of_springs : 1) * trace_constants(functions);
+                             const std::vector<Side>& traction_sides) {
+  Eigen::MatrixXd result = 2 * trace_constants(functions);
   for (int j = 0; j < result.cols(); ++j)
     for (int i = 0; i < result.rows(); ++i)
       result(i, j) *= loaded_sides(functions.space(), own.element({i, j}), traction_sides);
@@ -43,7 +37,7 @@ Eigen::MatrixXd penalties_of(const PatchSide& own, const SideFunctions& function
 
 NodeBlocks interface_stiffness(const std::vector<CoupledFaces>& interfaces,
                                const std::vector<PatchSpace>& spaces, const std::vector<Material>& materials,
-                               double same_point, InterfaceTerms kind) {
+                               double same_point) {
   NodeBlocks result;
   if (interfaces.empty()) return result;
   const std::vector<int> first_node = first_nodes(spaces);
@@ -63,12 +57,12 @@ NodeBlocks interface_stiffness(const std::vector<CoupledFaces>& interfaces,
     const PatchSide other(spaces[q], faces.other.side, first_node[q]);
     const SideFunctions of_own(spaces[p], faces.traction.side, first_node[p]);
     const SideFunctions of_other(spaces[q], faces.other.side, first_node[q]);
-    const Eigen::MatrixXd penalties = penalties_of(own, of_own, traction_sides[p], kind);
+    const Eigen::MatrixXd penalties = penalties_of(own, of_own, traction_sides[p]);
     const auto grid = geometry::shared_grid(own.divided(), other.divided(),
                                             points_of_rectangle(of_own, of_other), same_point);
-    of_interfaces[i] = grid ? grid_stiffness(of_own, of_other, *grid, penalties, materials[p], kind)
-                            : cell_stiffness(own, other, penalties, materials[p], points_of_cell(own, other),
-                                             same_point, kind);
+    of_interfaces[i] =
+        grid ? grid_stiffness(of_own, of_other, *grid, penalties, materials[p])
+             : cell_stiffness(own, other, penalties, materials[p], points_of_cell(own, other), same_point);
   });
   std::size_t count = 0;
   for (const NodeBlocks& blocks : of_interfaces) count += blocks.size();

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "iga/assembly/interface_terms.hpp"
 #include "iga/assembly/node_blocks.hpp"
 #include "iga/coupling/interface_roles.hpp"
 #include "iga/material/material.hpp"
@@ -30,6 +29,6 @@ namespace isopatch::iga {
 ///          decomposition in isogeometric analysis, 2014; the constant by Warburton, Hesthaven 2003
 NodeBlocks interface_stiffness(const std::vector<CoupledFaces>& interfaces,
                                const std::vector<PatchSpace>& spaces, const std::vector<Material>& materials,
-                               double same_point, InterfaceTerms kind = InterfaceTerms::nitsche);
+                               double same_point);
 
 }  // namespace isopatch::iga

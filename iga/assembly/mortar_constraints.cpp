@@ -153,9 +153,22 @@ void append(const Matrix& matrix, int first_row, int first_column, Triplets& ent
 
 }  // namespace
 
-MortarConstraints mortar_constraints(const std::vector<MortarFace>& faces,
-                                     const std::vector<std::array<std::optional<SharedEdges>, 3>>& edges,
-                                     const std::vector<PatchSpace>& spaces, double same_point) {
+MortarTies ties_of(const MortarTies& all, const std::vector<PatchLayers>& parts) {
+  MortarTies result;
+  for (std::size_t f = 0; f < all.faces.size(); ++f) {
+    const int slave = all.faces[f].slave.patch.value;
+    if (std::none_of(parts.begin(), parts.end(),
+                     [&](const PatchLayers& part) { return part.couples && part.patch == slave; }))
+      continue;
+    result.faces.push_back(all.faces[f]);
+    result.edges.push_back(all.edges[f]);
+  }
+  return result;
+}
+
+MortarConstraints mortar_constraints(const MortarTies& ties, const std::vector<PatchSpace>& spaces,
+                                     double same_point) {
+  const std::vector<MortarFace>& faces = ties.faces;
   const std::vector<int> first_node = first_nodes(spaces);
   const auto side = [&](const geometry::PatchFace& face) {
     const auto p = static_cast<std::size_t>(face.patch.value);
@@ -166,8 +179,7 @@ MortarConstraints mortar_constraints(const std::vector<MortarFace>& faces,
     return SideFunctions(spaces[p], face.side, first_node[p]);
   };
   MortarConstraints result;
-  result.faces = faces;
-  result.edges = edges;
+  result.ties = ties;
   result.first_row = {0};
   Triplets jumps;
   for (std::size_t f = 0; f < faces.size(); ++f) {
@@ -180,13 +192,16 @@ MortarConstraints mortar_constraints(const std::vector<MortarFace>& faces,
     const SparseRows of_slave = matrix_of(integrals.of_slave(), splines, first_node.back());
     const SparseRows of_masters = matrix_of(integrals.of_masters(), splines, first_node.back());
     for (int c = 0; c < 3; ++c) {
-      const std::optional<SharedEdges>& shared = edges[f][static_cast<std::size_t>(c)];
+      const std::optional<SharedEdges>& shared = ties.edges[f][static_cast<std::size_t>(c)];
       if (!shared) continue;
       const Sparse coefficients = products(multiplier_coefficients(slave.knots(0), (*shared)[0]),
                                            multiplier_coefficients(slave.knots(1), (*shared)[1]));
       const SparseRows own = coefficients.transpose() * of_slave;
       Eigen::VectorXd inverse(coefficients.cols());
-      for (Index i = 0; i < inverse.size(); ++i) inverse[i] = 1 / own.row(i).cwiseAbs().sum();
+      for (Index i = 0; i < inverse.size(); ++i) {
+        result.size.push_back(own.row(i).cwiseAbs().sum());
+        inverse[i] = 1 / result.size.back();
+      }
       const SparseRows both = own + SparseRows(coefficients.transpose() * of_masters);
       const auto next = static_cast<int>(result.component.size());
       append(SparseRows(inverse.asDiagonal() * both), next, 0, jumps);
@@ -238,8 +253,8 @@ std::vector<Eigen::Vector3d> forces_on_slaves(const MortarConstraints& constrain
                                               const Eigen::VectorXd& multipliers) {
   const std::vector<int> first_node = first_nodes(spaces);
   std::vector<Eigen::Vector3d> result;
-  for (std::size_t f = 0; f < constraints.faces.size(); ++f) {
-    const auto p = static_cast<std::size_t>(constraints.faces[f].slave.patch.value);
+  for (std::size_t f = 0; f < constraints.ties.faces.size(); ++f) {
+    const auto p = static_cast<std::size_t>(constraints.ties.faces[f].slave.patch.value);
     const int first = first_node[p], end = first_node[p + 1];
     Eigen::Vector3d force = Eigen::Vector3d::Zero();
     for (int i = constraints.first_row[f]; i < constraints.first_row[f + 1]; ++i)

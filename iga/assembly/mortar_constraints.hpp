@@ -14,6 +14,16 @@
 
 namespace isopatch::iga {
 
+/// The faces with multipliers.
+struct MortarTies {
+  std::vector<MortarFace> faces;
+  std::vector<std::array<std::optional<SharedEdges>, 3>>
+      edges;  ///< of each slave, per component; nothing where supports hold all of it
+};
+
+/// Those whose slaves a process integrates.
+MortarTies ties_of(const MortarTies& all, const std::vector<PatchLayers>& parts);
+
 /// What the mortar method asks of displacements: for every multiplier function m of a slave face and the
 /// component that it is for
 ///
@@ -23,28 +33,24 @@ namespace isopatch::iga {
 /// whose displacements are not the face's alone (`multiplier_coefficients`), polynomial where its
 /// displacements are rational. So there are as many as components of nodes on none of these edges.
 struct MortarConstraints {
-  std::vector<MortarFace> faces;
-  std::vector<std::array<std::optional<SharedEdges>, 3>>
-      edges;                   ///< of each slave, per component; nothing where it has no rows
+  MortarTies ties;
   std::vector<int> first_row;  ///< of each face, and the number of rows at the end
   std::vector<int> component;  ///< of each row
-  /// (rows, nodes of all patches), of the row's component; s, in m^2, is the sum of the slave's entries'
-  /// sizes.
+  std::vector<double> size;    ///< s of each row, m^2: the sum of the sizes of the slave's entries
+  /// (rows, nodes of all patches), of the row's component.
   Eigen::SparseMatrix<double, Eigen::RowMajor> jumps;
 
   int rows() const { return first_row.empty() ? 0 : first_row.back(); }
   bool empty() const { return rows() == 0; }
 };
 
-/// @param edges       of each face's slave, per component
 /// @param spaces      of all patches
 /// @param same_point  how far faces may be apart, m
 /// @cost    as that of `interface_stiffness`, less by half
 /// @source  Bernardi, Maday, Patera 1994; for splines Brivadis, Buffa, Wohlmuth, Wunderlich, Isogeometric
 ///          mortar methods, 2015
-MortarConstraints mortar_constraints(const std::vector<MortarFace>& faces,
-                                     const std::vector<std::array<std::optional<SharedEdges>, 3>>& edges,
-                                     const std::vector<PatchSpace>& spaces, double same_point);
+MortarConstraints mortar_constraints(const MortarTies& ties, const std::vector<PatchSpace>& spaces,
+                                     double same_point);
 
 /// B of the constraints for the unknowns x of block rows, u = prescribed + axes * x. (rows, 3 block rows)
 /// @param frame_of_row  one per block row of the numbering

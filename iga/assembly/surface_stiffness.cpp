@@ -3,20 +3,25 @@
 #include <algorithm>
 #include <iterator>
 
+#include "iga/assembly/mortar_stiffness.hpp"
 #include "iga/assembly/support_stiffness.hpp"
 
 namespace isopatch::iga {
 
 SurfaceTerms surface_terms(const ElasticityProblem& problem) {
   const Discretization& d = problem.discretization;
-  return {springs_of(problem), coupled_faces(d, problem.materials), problem.materials,
-          d.model.tolerance().same_point * d.model.size()};
+  return {springs_of(problem),
+          coupled_faces(d, problem.materials),
+          problem.materials,
+          d.model.tolerance().same_point * d.model.size(),
+          {}};
 }
 
 NodeBlocks surface_stiffness(const std::vector<PatchSpace>& spaces, const std::vector<PatchLayers>& parts,
                              const SurfaceTerms& terms) {
   NodeBlocks result = support_stiffness(spaces, parts, terms.springs);
   result.add(interface_stiffness(spaces, parts, terms));
+  result.add(mortar_stiffness(ties_of(terms.mortar, parts), spaces, terms.materials, terms.same_point));
   return result;
 }
 
@@ -33,8 +38,7 @@ std::vector<CoupledFaces> interfaces_of(const SurfaceTerms& terms, const std::ve
 
 NodeBlocks interface_stiffness(const std::vector<PatchSpace>& spaces, const std::vector<PatchLayers>& parts,
                                const SurfaceTerms& terms) {
-  return interface_stiffness(interfaces_of(terms, parts), spaces, terms.materials, terms.same_point,
-                             terms.kind);
+  return interface_stiffness(interfaces_of(terms, parts), spaces, terms.materials, terms.same_point);
 }
 
 }  // namespace isopatch::iga

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "iga/assembly/interface_stiffness.hpp"
+#include "iga/assembly/mortar_constraints.hpp"
 #include "iga/assembly/node_blocks.hpp"
 #include "iga/problem/springs.hpp"
 
@@ -14,7 +15,7 @@ struct SurfaceTerms {
   std::vector<CoupledFaces> interfaces;  ///< that do not match
   std::vector<Material> materials;       ///< one per patch
   double same_point = 0;                 ///< m
-  InterfaceTerms kind = InterfaceTerms::nitsche;
+  MortarTies mortar;                     ///< tied by `mortar_stiffness`, in preconditioners
 };
 SurfaceTerms surface_terms(const ElasticityProblem& problem);
 

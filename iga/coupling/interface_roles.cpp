@@ -37,6 +37,27 @@ Compliance compliance(const Discretization& discretization, const std::vector<Ma
   return {young(materials[p]), area_of_function(discretization.patches[p], face.side)};
 }
 
+// In proportion to what a side's traction needs as penalty, Pa/m: stiffness by (degree + 1)^2 / thickness of
+// the element in the middle of the face.
+double penalty(const Discretization& discretization, const std::vector<Material>& materials,
+               const PatchFace& face) {
+  const auto p = static_cast<std::size_t>(face.patch.value);
+  const geometry::NurbsVolume& patch = discretization.patches[p];
+  const int across = geometry::direction(face.side);
+  const std::vector<double> breaks = patch.knots(across).breaks();
+  geometry::Parameter<2> middle;
+  for (std::size_t d = 0; d < 2; ++d) {
+    const std::vector<double> along = patch.knots(geometry::tangents(face.side)[d]).breaks();
+    middle[d] = (along.front() + along.back()) / 2;
+  }
+  geometry::Parameter<3> behind = geometry::on_side(patch, face.side, middle);
+  const Eigen::Vector3d on_face = patch.point(behind);
+  behind[static_cast<std::size_t>(across)] =
+      geometry::is_high(face.side) ? breaks[breaks.size() - 2] : breaks[1];
+  const int degree = patch.knots(across).degree();
+  return young(materials[p]) * (degree + 1) * (degree + 1) / (patch.point(behind) - on_face).norm();
+}
+
 // Faces that meet directly or through others, by the side of the surface on which their patches lie.
 using TwoSides = std::array<std::vector<PatchFace>, 2>;
 
@@ -130,8 +151,9 @@ std::vector<CoupledFaces> coupled_faces(const Discretization& discretization,
                                         const std::vector<Material>& materials) {
   std::vector<CoupledFaces> result;
   for (const geometry::NonMatchingInterface& interface : discretization.model.non_matching()) {
-    const bool is_first = is_before(compliance(discretization, materials, interface.first),
-                                    compliance(discretization, materials, interface.second));
+    // Equal but for round-off: the first.
+    const bool is_first = penalty(discretization, materials, interface.first) <=
+                          penalty(discretization, materials, interface.second) * (1 + 1e-9);
     result.push_back(is_first ? CoupledFaces{interface.first, interface.second}
                               : CoupledFaces{interface.second, interface.first});
   }

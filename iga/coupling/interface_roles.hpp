@@ -9,9 +9,11 @@
 
 namespace isopatch::iga {
 
-/// A non-matching interface with its roles in Nitsche's method: the traction there is that of one side.
+/// A non-matching interface with its roles in Nitsche's method: the traction there is that of one side, the
+/// one that needs the smaller penalty. A penalty that is larger than it need be ties functions that differ as
+/// if they had to be equal: a patch of degree 4 beside one of degree 2 is then no better than degree 2.
 struct CoupledFaces {
-  geometry::PatchFace traction;  ///< the side whose stresses are taken: the softer, of equal ones the finer
+  geometry::PatchFace traction;  ///< the side whose stresses are taken: softer, or of larger elements
   geometry::PatchFace other;
 };
 

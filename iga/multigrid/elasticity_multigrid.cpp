@@ -89,7 +89,10 @@ ElasticityMultigrid::ElasticityMultigrid(const ElasticityProblem& problem, const
   // On coarser levels holds are integrated: seen from there the points of the finest level are everywhere,
   // and points of their own would let coarse functions do what the finest level forbids.
   SurfaceTerms of_finest = surface_terms(problem);
-  of_finest.kind = options.interfaces;
+  if (!options.mortar.faces.empty()) {
+    of_finest.interfaces.clear();
+    of_finest.mortar = options.mortar;
+  }
   SurfaceTerms of_coarser = of_finest;
   of_coarser.springs = held_everywhere(std::move(of_coarser.springs));
   const Springs holds = holds_among(of_finest.springs), coarser_holds = held_everywhere(holds);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/base/progress.hpp"
-#include "iga/assembly/interface_stiffness.hpp"
+#include "iga/assembly/mortar_constraints.hpp"
 #include "iga/multigrid/level.hpp"
 #include "iga/problem/problem.hpp"
 #include "solvers/multigrid.hpp"
@@ -18,7 +18,8 @@ struct ElasticityMultigridOptions {
   int points = 0;                   ///< Gauss points per element and direction; 0: degree + 1
   int coarsest_dofs = 2000;         ///< coarsen until there are no more than these, if that can be
   int coarsest_curved_dofs = 5000;  ///< the same for one element of degree 2 a patch
-  InterfaceTerms interfaces = InterfaceTerms::nitsche;  ///< that do not match
+  /// Faces that do not match and have multipliers; empty where Nitsche's method couples them.
+  MortarTies mortar = {};
 };
 
 /// The multigrid preconditioner of an elasticity problem coupled by elimination.

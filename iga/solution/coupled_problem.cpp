@@ -28,13 +28,12 @@ CoupledProblem without_loads(const ElasticityProblem& problem, const CouplingOpt
 MortarConstraints constraints_of(const CoupledProblem& coupled, const CouplingOptions& options) {
   const Discretization& d = coupled.discretization();
   if (options.non_matching != NonMatchingCoupling::mortar || d.model.non_matching().empty()) return {};
-  const std::vector<MortarFace> faces = mortar_faces(d, coupled.problem->materials, options.mortar_side);
+  MortarTies ties{mortar_faces(d, coupled.problem->materials, options.mortar_side), {}};
   std::vector<geometry::PatchFace> slaves;
-  for (const MortarFace& face : faces) slaves.push_back(face.slave);
-  std::vector<std::array<std::optional<SharedEdges>, 3>> edges;
-  for (const MortarFace& face : faces)
-    edges.push_back(shared_edges(face.slave, slaves, d, coupled.global, coupled.frames));
-  return mortar_constraints(faces, edges, coupled.spaces, d.model.tolerance().same_point * d.model.size());
+  for (const MortarFace& face : ties.faces) slaves.push_back(face.slave);
+  for (const MortarFace& face : ties.faces)
+    ties.edges.push_back(shared_edges(face.slave, slaves, d, coupled.global, coupled.frames));
+  return mortar_constraints(ties, coupled.spaces, d.model.tolerance().same_point * d.model.size());
 }
 
 void sum_over(const solvers::Processes& processes, Eigen::Matrix3Xd& of_nodes) {

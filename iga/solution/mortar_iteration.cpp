@@ -23,8 +23,7 @@ struct MortarSystem {
         level(finest_level(of.spaces, of.global, of.frames, of.distribution, of.processes)),
         stiffness(level, of.problem->materials, of.points, of.surfaces()),
         multigrid(*of.problem, level, of.frames, of.distribution, of.processes, {},
-                  {.smoothing = smoothing, .points = of.points, .interfaces = InterfaceTerms::springs},
-                  progress),
+                  {.smoothing = smoothing, .points = of.points, .mortar = of.mortar.ties}, progress),
         frames(level.free.frames(level.rows.local_rows())),
         share(mortar_share(of.mortar, level.parts)) {
     for (const SupportFrame& frame : frames) frame_of_row.push_back(&frame);

@@ -4,21 +4,19 @@
 
 namespace isopatch::iga {
 MortarShare mortar_share(const MortarConstraints& all, const std::vector<PatchLayers>& parts) {
-  const auto is_here = [&](const MortarFace& face) {
-    return std::any_of(parts.begin(), parts.end(), [&](const PatchLayers& part) {
-      return part.couples && part.patch == face.slave.patch.value;
-    });
-  };
   MortarShare result;
   MortarConstraints& own = result.constraints;
+  own.ties = ties_of(all.ties, parts);
   own.first_row.push_back(0);
-  for (std::size_t f = 0; f < all.faces.size(); ++f) {
-    if (!is_here(all.faces[f])) continue;
-    own.faces.push_back(all.faces[f]);
-    own.edges.push_back(all.edges[f]);
+  for (const MortarFace& face : own.ties.faces) {
+    const auto f = static_cast<std::size_t>(
+        std::find_if(all.ties.faces.begin(), all.ties.faces.end(),
+                     [&](const MortarFace& other) { return other.slave == face.slave; }) -
+        all.ties.faces.begin());
     for (int row = all.first_row[f]; row < all.first_row[f + 1]; ++row) {
       result.rows.push_back(row);
       own.component.push_back(all.component[static_cast<std::size_t>(row)]);
+      own.size.push_back(all.size[static_cast<std::size_t>(row)]);
     }
     own.first_row.push_back(static_cast<int>(result.rows.size()));
   }
@@ -32,10 +30,10 @@ MortarShare mortar_share(const MortarConstraints& all, const std::vector<PatchLa
 
 std::vector<int> processes_of_mortar(const MortarConstraints& all, const Distribution& distribution) {
   std::vector<int> result(static_cast<std::size_t>(all.rows()), 0);
-  for (std::size_t f = 0; f < all.faces.size(); ++f)
+  for (std::size_t f = 0; f < all.ties.faces.size(); ++f)
     for (std::size_t process = 0; process < distribution.size(); ++process)
       for (const PatchShare& share : distribution[process])
-        if (share.couples && share.patch == all.faces[f].slave.patch.value)
+        if (share.couples && share.patch == all.ties.faces[f].slave.patch.value)
           std::fill(result.begin() + all.first_row[f], result.begin() + all.first_row[f + 1],
                     static_cast<int>(process));
   return result;

@@ -103,8 +103,8 @@ std::vector<MortarTie> mortar_ties(const CoupledProblem& coupled, const Eigen::V
   const MortarConstraints& mortar = coupled.mortar;
   const std::vector<Eigen::Vector3d> forces = forces_on_slaves(mortar, coupled.spaces, multipliers);
   std::vector<MortarTie> result;
-  for (std::size_t f = 0; f < mortar.faces.size(); ++f)
-    result.push_back({mortar.faces[f], mortar.first_row[f + 1] - mortar.first_row[f], forces[f]});
+  for (std::size_t f = 0; f < mortar.ties.faces.size(); ++f)
+    result.push_back({mortar.ties.faces[f], mortar.first_row[f + 1] - mortar.first_row[f], forces[f]});
   return result;
 }
 

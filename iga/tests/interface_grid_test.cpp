@@ -55,8 +55,7 @@ struct BothWays {
   }
 
   // The largest difference of nodes' forces, as a share of the largest force.
-  double difference(const geometry::PatchFace& first, const geometry::PatchFace& second, int points,
-                    InterfaceTerms kind) const {
+  double difference(const geometry::PatchFace& first, const geometry::PatchFace& second, int points) const {
     const auto own = side<PatchSide>(first), other = side<PatchSide>(second);
     const auto of_own = side<SideFunctions>(first), of_other = side<SideFunctions>(second);
     const Eigen::MatrixXd penalties = 3 * trace_constants(of_own);
@@ -64,24 +63,23 @@ struct BothWays {
     if (!grid) return std::numeric_limits<double>::infinity();
     const int nodes = first_node.back();
     const Eigen::Matrix3Xd fast =
-        forces(grid_stiffness(of_own, of_other, *grid, penalties, first_material, kind), nodes);
+        forces(grid_stiffness(of_own, of_other, *grid, penalties, first_material), nodes);
     const Eigen::Matrix3Xd plain =
-        forces(cell_stiffness(own, other, penalties, first_material, points, same_point, kind), nodes);
+        forces(cell_stiffness(own, other, penalties, first_material, points, same_point), nodes);
     return (fast - plain).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() /
            plain.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
   }
 };
 
-// Both kinds of terms, all interfaces of a model, either side's tractions.
+// All interfaces of a model, either side's tractions.
 double largest_difference(const Discretization& d, int points) {
   const BothWays ways(d);
   double result = 0;
   EXPECT_FALSE(d.model.non_matching().empty());
-  for (const geometry::NonMatchingInterface& interface : d.model.non_matching())
-    for (const InterfaceTerms kind : {InterfaceTerms::nitsche, InterfaceTerms::springs}) {
-      result = isopatch::larger(result, ways.difference(interface.first, interface.second, points, kind));
-      result = isopatch::larger(result, ways.difference(interface.second, interface.first, points, kind));
-    }
+  for (const geometry::NonMatchingInterface& interface : d.model.non_matching()) {
+    result = isopatch::larger(result, ways.difference(interface.first, interface.second, points));
+    result = isopatch::larger(result, ways.difference(interface.second, interface.first, points));
+  }
   return result;
 }
 
@@ -140,8 +138,7 @@ TEST(InterfaceGrid, ServesNodesThatAreOnBothSides) {
   // All nodes of both patches numbered alike, so that nodes of the two sides coincide.
   ways.first_node[1] = 0;
   ways.first_node.back() = std::max(ways.spaces[0].size(), ways.spaces[1].size());
-  EXPECT_LT(ways.difference({PatchId(0), Side::east}, {PatchId(1), Side::west}, 4, InterfaceTerms::nitsche),
-            1e-12);
+  EXPECT_LT(ways.difference({PatchId(0), Side::east}, {PatchId(1), Side::west}, 4), 1e-12);
 }
 
 // The place itself is a field that both sides have, and 1 is another.

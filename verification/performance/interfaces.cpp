@@ -99,12 +99,10 @@ void nitsche(benchmark::State& state, const LinkApart& link, int threads) {
 
 void mortar(benchmark::State& state, const LinkApart& link, int threads) {
   omp_set_num_threads(threads);
-  const std::vector<iga::MortarFace> faces = iga::mortar_faces(link.discretization, link.materials);
-  const std::vector<std::array<std::optional<iga::SharedEdges>, 3>> edges(
-      faces.size(), {iga::SharedEdges{}, iga::SharedEdges{}, iga::SharedEdges{}});
+  iga::MortarTies ties{iga::mortar_faces(link.discretization, link.materials), {}};
+  ties.edges.assign(ties.faces.size(), {iga::SharedEdges{}, iga::SharedEdges{}, iga::SharedEdges{}});
   for ([[maybe_unused]] auto _ : state) {
-    const iga::MortarConstraints constraints =
-        iga::mortar_constraints(faces, edges, link.spaces, link.same_point);
+    const iga::MortarConstraints constraints = iga::mortar_constraints(ties, link.spaces, link.same_point);
     benchmark::DoNotOptimize(&constraints);
   }
   count(state, link, threads);

@@ -30,8 +30,8 @@ class CellBlocks {
     }
   }
 
-  void add_to(BlockSums& blocks, const Material& material, double penalty, InterfaceTerms kind) const {
-    if (kind == InterfaceTerms::nitsche) add_tractions(blocks, material);
+  void add_to(BlockSums& blocks, const Material& material, double penalty) const {
+    add_tractions(blocks, material);
     add_penalty(blocks, material, penalty);
   }
 
@@ -113,11 +113,11 @@ class CellBlocks {
 }  // namespace
 
 NodeBlocks cell_stiffness(const PatchSide& own, const PatchSide& other, const Eigen::MatrixXd& penalties,
-                          const Material& material, int points, double same_point, InterfaceTerms kind) {
+                          const Material& material, int points, double same_point) {
   BlockSums sums;
   for (const geometry::SharedCell& cell :
        geometry::common_refinement(own.divided(), other.divided(), points, same_point))
-    CellBlocks(own, other, cell).add_to(sums, material, penalties(cell.first[0], cell.first[1]), kind);
+    CellBlocks(own, other, cell).add_to(sums, material, penalties(cell.first[0], cell.first[1]));
   return sums.blocks();
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "iga/assembly/interface_terms.hpp"
 #include "iga/assembly/internal/patch_side.hpp"
 #include "iga/assembly/node_blocks.hpp"
 #include "iga/material/material.hpp"
@@ -14,6 +13,6 @@ namespace isopatch::iga {
 /// @param points     Gauss points of a cell per direction
 /// @cost    (degree + 1)^5 per quadrature point
 NodeBlocks cell_stiffness(const PatchSide& own, const PatchSide& other, const Eigen::MatrixXd& penalties,
-                          const Material& material, int points, double same_point, InterfaceTerms kind);
+                          const Material& material, int points, double same_point);
 
 }  // namespace isopatch::iga

@@ -90,8 +90,8 @@ class NormalFields {
 class GridInterface {
  public:
   GridInterface(const SideFunctions& own, const SideFunctions& other, const geometry::SharedGrid& grid,
-                const Eigen::MatrixXd& penalties, const Material& material, InterfaceTerms kind)
-      : own_(own), other_(other), grid_(grid), penalties_(penalties), material_(material), kind_(kind) {
+                const Eigen::MatrixXd& penalties, const Material& material)
+      : own_(own), other_(other), grid_(grid), penalties_(penalties), material_(material) {
     const auto& [u, v] = grid.lines;
     const std::array<std::vector<double>, 2> parameters = {u.first, v.first};
     const auto across = static_cast<std::size_t>(geometry::direction(own.side()));
@@ -236,15 +236,11 @@ class GridInterface {
         const int a = own_.node(i, j, 0), b = own_.node(k, l, 0);
         const double of_b = own_.weight(k, l, 0), both = own_.weight(i, j, 0) * of_b;
         if (a <= b) {
-          Matrix3d value = both * blocks.penalty(of_0, of_1);
-          if (kind_ == InterfaceTerms::nitsche)
-            value -= both * (blocks.traction(of_0, of_1) +
-                             blocks.traction(pairs[0].find(k, i), pairs[1].find(l, j)).transpose());
-          result.add(a, b, value);
+          const Matrix3d tractions = blocks.traction(of_0, of_1) +
+                                     blocks.traction(pairs[0].find(k, i), pairs[1].find(l, j)).transpose();
+          result.add(a, b, both * (blocks.penalty(of_0, of_1) - tractions));
         }
-        if (kind_ == InterfaceTerms::nitsche)
-          result.add(own_.node(i, j, 1), b,
-                     -own_.weight(i, j, 1) * of_b * blocks.traction_behind(of_0, of_1));
+        result.add(own_.node(i, j, 1), b, -own_.weight(i, j, 1) * of_b * blocks.traction_behind(of_0, of_1));
       }
   }
 
@@ -269,11 +265,8 @@ class GridInterface {
         const int b = other_node(k, l);
         const double of_b = other_weight(k, l), both = own_.weight(i, j, 0) * of_b;
         const auto of_0 = static_cast<Index>(p), of_1 = static_cast<Index>(q);
-        Matrix3d value = -both * blocks.penalty(of_0, of_1);
-        if (kind_ == InterfaceTerms::nitsche) value += both * blocks.traction(of_0, of_1);
-        add(own_.node(i, j, 0), b, value);
-        if (kind_ == InterfaceTerms::nitsche)
-          add(own_.node(i, j, 1), b, own_.weight(i, j, 1) * of_b * blocks.traction_behind(of_0, of_1));
+        add(own_.node(i, j, 0), b, both * (blocks.traction(of_0, of_1) - blocks.penalty(of_0, of_1)));
+        add(own_.node(i, j, 1), b, own_.weight(i, j, 1) * of_b * blocks.traction_behind(of_0, of_1));
       }
   }
 
@@ -314,7 +307,6 @@ class GridInterface {
   const geometry::SharedGrid& grid_;
   const Eigen::MatrixXd& penalties_;
   const Material& material_;
-  InterfaceTerms kind_;
   std::vector<PlaceOnSide> places_;
   Eigen::MatrixXd own_weights_;    // W and its derivatives; empty: 1
   Eigen::MatrixXd other_weights_;  // W
@@ -325,8 +317,8 @@ class GridInterface {
 
 NodeBlocks grid_stiffness(const SideFunctions& own, const SideFunctions& other,
                           const geometry::SharedGrid& grid, const Eigen::MatrixXd& penalties,
-                          const Material& material, InterfaceTerms kind) {
-  return GridInterface(own, other, grid, penalties, material, kind).blocks();
+                          const Material& material) {
+  return GridInterface(own, other, grid, penalties, material).blocks();
 }
 
 }  // namespace isopatch::iga
