@@ -46,7 +46,8 @@ std::vector<Interval> merged(std::vector<Interval> intervals) {
   return result;
 }
 
-/// Between intervals of which one at least is of a bore across, and at the ends.
+/// Coordinates of the planes that separate bores along an axis: between neighbouring intervals of which at
+/// least one is of a bore across, and beside the first and the last.
 std::vector<double> separators(const std::vector<Interval>& merged, double low, double high) {
   std::vector<double> result;
   const auto at_end = [&](const Interval& last, double free, double sign, double from) {

@@ -163,7 +163,7 @@ class RoomFinder {
     return nullptr;
   }
 
-  /// Between the inner edge of a bore's side and the shortest line from its end to the bore, rad.
+  /// The angle between the inner edge of a bore's side and the shortest line from its end to the bore, rad.
   double angle_at_arc(const Branch& branch) const {
     const double inner = ends(branch)[0], middle = (branch.low + branch.high) / 2;
     const double half = std::numbers::pi / made_.request.sectors;

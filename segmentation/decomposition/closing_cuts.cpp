@@ -69,7 +69,7 @@ class ClosingCell {
     return attempt.cut.has_value();
   }
 
-  /// Of a hexahedron, through four opposite edges, two of which the ends of a chord divide.
+  /// Cuts a hexahedron in two across four parallel edges; the ends of a chord say where on two of them.
   bool add_sheet(const Chord& chord) {
     const auto base = base_solid(sides_.graph);
     const auto from = place_of(complex_, sides_, chord.from), to = place_of(complex_, sides_, chord.to);

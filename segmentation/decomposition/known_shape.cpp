@@ -190,7 +190,7 @@ std::optional<KnownCells> known_cells(const geometry::Brep& solid, double second
   // Where it is swept, but poorly or around rounds, it may do better.
   if (!is_good() || !is_plain) look([&] { return branched_cells(solid); }, best, why.not_branched);
   if (best || planes_are_divided(solid)) return best;
-  // No planes part bores that meet; of others pieces are found sooner.
+  // Bores that meet cannot be separated by planes; other solids are divided into pieces sooner.
   const auto as_bored = [&] { look([&] { return cross_bored_cells(solid); }, best, why.not_bored); };
   const bool meet = bores_meet(solid);
   if (meet) as_bored();

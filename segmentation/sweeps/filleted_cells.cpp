@@ -345,9 +345,9 @@ class FilletedStack {
     }
   }
 
-  /// On a rim the section of a round is a quarter of a disc: three hexahedra around a line inside of it. So
-  /// the one that has the sharp edge is left out, and its sides on the left and below become one, which leads
-  /// from that line to the middle of the round.
+  /// Divides the hexahedra along a rounded rim: in cross-section a quarter of a disc, which takes three of
+  /// them around one line inside. The fourth, which has the sharp edge, is left out, and its left and lower
+  /// sides become one face from that line to the middle of the round.
   void round_rim(const FilletOver& over, Layers& layers) {
     const Fillet& fillet = *over.fillet;
     const FilletRings::Halves& halves = rings_.halves.at(over.edge);
