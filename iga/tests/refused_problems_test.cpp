@@ -51,6 +51,14 @@ TEST(RefusedLoads, NeedWhatTheyActOn) {
                ErrorCode::invalid_argument, "'arm': a remote force needs faces with an area to act on");
 }
 
+TEST(RefusedLoads, NeedTheirPatch) {
+  ElasticityProblem p = cube();
+  p.volume_loads = {
+      {"weight", {PatchId(3)}, [](const Eigen::Vector3d&) { return Eigen::Vector3d(0, 0, -1); }}};
+  EXPECT_ERROR(solve_elasticity(p), ErrorCode::invalid_argument,
+               "'weight': there is no patch 3; the model has 1");
+}
+
 TEST(Temperature, NeedsItsPatch) {
   ElasticityProblem p = cube();
   p.temperatures = {{"sun", {PatchId(3)}, {20}}};
