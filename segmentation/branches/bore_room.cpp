@@ -181,7 +181,7 @@ class BoreRoomFinder {
       if (bore.branch.view.along.cross(direction).norm() < 1e-7) draw_ends_of_opening(bore, across, strips);
   }
 
-  /// Where the plane that a bore opens in ends before the next plane beside it.
+  /// Draws the lines at which the plane that a bore opens in ends, where they come before the next plane.
   void draw_ends_of_opening(const CrossBore& bore, const Eigen::Vector3d& across,
                             const std::vector<Line>& strips) {
     if (!bore.opening) return;
@@ -302,7 +302,7 @@ class BoreRoomFinder {
       made_.lines.push_back({middle + beside[0] * view.y, middle + beside[1] * view.y});
   }
 
-  /// Through all of the drawing.
+  /// Draws a line through the whole drawing, unless it is there already.
   void draw(const Eigen::Vector3d& through, const Eigen::Vector3d& direction) {
     const Eigen::Vector2d from = frame_.flat(through);
     if (std::any_of(made_.lines.begin(), made_.lines.end(), [&](const Line& line) {

@@ -96,7 +96,7 @@ class ClosingCell {
     return add(loop, options);
   }
 
-  /// By the planes of the cuts that made the edge, and one across the side.
+  /// Plane sections through a chord: by the planes of the cuts that made it, and by one across its side.
   std::vector<SpacedLoop> sections_through(const Chord& chord) const {
     const Eigen::Vector3d middle = shapes_.point(chord.first, 0.5),
                           along = complex_.vertex(chord.to) - complex_.vertex(chord.from);

@@ -243,7 +243,7 @@ std::optional<KnownCells> known_or_mirrored(const geometry::Brep& solid, double 
   return best;
 }
 
-/// With the cuts given; nothing else will do.
+/// The pieces that the cuts a user gives lead to, or an error; no other way is tried.
 KnownCells as_given(const geometry::Brep& solid, const std::vector<geometry::PlaneSurface>& cuts,
                     double seconds, TJoints t_joints) {
   WhyNot why;

@@ -223,7 +223,7 @@ class ColumnComplex {
                   origin);
   }
 
-  /// Of curves that are in one; its x runs along the first.
+  /// The plane of four curves, x along the first; nothing where they lie in none.
   std::optional<PlaneSurface> plane_through(const std::array<NurbsCurve, 4>& sides) const {
     const Eigen::Vector3d a = sides[0].control_points().col(0);
     const Eigen::Vector3d x = (sides[1].control_points().col(0) - a).normalized();

@@ -280,7 +280,7 @@ class FilletedStack {
     return area;
   }
 
-  /// Along the section at an end of the edge.
+  /// The curve of a round's cross-section at one end of its edge.
   static NurbsCurve section_at(const NurbsSurface& surface, bool at_end) {
     const Eigen::Index n = surface.size(0), column = at_end ? n - 1 : 0;
     const Eigen::Matrix4Xd net = surface.homogeneous();
@@ -419,7 +419,8 @@ class FilletedStack {
   }
 
   static constexpr double probes[] = {0.1, 0.5, 0.9};
-  /// Of a radius, from both ends of a round on a rim: where the line inside of it is.
+  /// Distance of the line inside of a round on a rim from both ends of its cross-section, as a share of the
+  /// radius.
   static constexpr double mitre = 0.6;
   const Brep& solid_;
   const Brep& sharp_;
