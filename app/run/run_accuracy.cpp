@@ -20,7 +20,7 @@ constexpr double most_growth = 4;
 // Errors of what is yet unresolved shrink less than the estimate promises.
 constexpr double aim = 0.9;
 
-// Of the largest stress of a part: smaller ones elsewhere count as so large.
+// Errors of stresses are relative to the stress there, or to this share of the largest one if that is more.
 constexpr double least_stress = 0.01;
 // Errors that two refinements leave at this share do not become smaller.
 constexpr double no_less = 0.97;

@@ -256,7 +256,7 @@ Json solid_json(const SolidReport& solid) {
           {"vertices", vertices}};
 }
 
-/// With a word where it has not converged.
+/// A measure with its unit, and a remark where its integral has not converged.
 std::string measure_text(double value, double error, const char* unit) {
   std::string text = with_unit(value, unit);
   if (geometry::Measure{value, error}.converged()) return text;

@@ -137,6 +137,24 @@ TEST(CommonRefinement, KeepsToWhereBentElementsCrossARectangle) {
   }
 }
 
+// Whatever their outline on the other surface is: here arcs, which chords would only be near to.
+TEST(CommonRefinement, GivesElementsWithinOneOfTheOtherGaussPointsOfTheirOwn) {
+  const NurbsSurface fan = face_surface(test::ring_sector(1, 2, 0, 1.2, 1), Side::front);
+  const NurbsSurface wide = rectangle({-1, -1, 0}, {3, 3, 0}, {1, 1});
+  const std::vector<double> halves = {0, 0.5, 1};
+  const DividedSurface of_fan = {&fan, {halves, halves}};
+  for (const bool exchanged : {false, true}) {
+    const auto cells = exchanged ? common_refinement(divided(wide), of_fan, 8, 1e-9)
+                                 : common_refinement(of_fan, divided(wide), 8, 1e-9);
+    ASSERT_EQ(cells.size(), 4u);
+    for (const SharedCell& cell : cells) EXPECT_EQ(cell.points.size(), 64u);
+    const auto [sum, apart] =
+        integral(cells, exchanged ? wide : fan, exchanged ? fan : wide, [](const Vector3d&) { return 1.0; });
+    EXPECT_NEAR(sum, 1.2 * 1.5, 1e-10);  // Gauss's rule on rational functions
+    EXPECT_LT(apart, 1e-12);
+  }
+}
+
 // A quarter of a cylinder as one arc and as an arc of a third of it: other rational parameters.
 TEST(CommonRefinement, FindsTheSamePointsOfArcsWithOtherParameters) {
   constexpr double quarter = std::numbers::pi / 2;

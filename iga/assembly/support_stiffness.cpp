@@ -51,7 +51,7 @@ bool has_layer_of(const PatchLayers& part, const PatchSpace& space, double param
   return has_layer_of(part, space.knots[2], space.knots[2].breaks(), parameter);
 }
 
-// Those of a table's elements that have a point in the layers of a part.
+// Keeps the elements of a table that have a point in the layers of a process's part.
 void keep_layers(DirectionTable& table, const geometry::KnotVector& knots, const PatchLayers& part) {
   const std::vector<double> breaks = knots.breaks();
   std::erase_if(table.elements,

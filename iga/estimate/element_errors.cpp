@@ -24,7 +24,7 @@ Eigen::VectorXd oscillation(int degree, const geometry::QuadratureRule& rule) {
   return result;
 }
 
-// What the map is at a point, whatever errs there.
+// The geometry at a quadrature point: the same for all error components.
 struct PointMap {
   Eigen::Matrix3d inverse;  // of the derivatives
   double measure = 0;       // weight times det J, m^3
@@ -108,7 +108,7 @@ class ErrorsOnElements {
     out.along.col(element) = energy * shares(scratch);
   }
 
-  // Of the three directions, which add up to 1.
+  // Shares of the error energy along the three directions, which add up to 1.
   Eigen::Vector3d shares(const ElementScratch& at) const {
     Eigen::Vector3d result;
     std::size_t inner = 1;

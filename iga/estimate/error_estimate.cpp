@@ -270,7 +270,7 @@ ErrorEstimator::ErrorEstimator(const ElasticityProblem& problem, const Elasticit
 ErrorEstimator::~ErrorEstimator() = default;
 ErrorEstimator::ErrorEstimator(ErrorEstimator&&) noexcept = default;
 
-// Those of temperatures included; every process has all.
+// The load vector in the raised space, thermal loads included; every process has all of it.
 Eigen::Matrix3Xd ErrorEstimator::loads(const ElasticityProblem& problem) const {
   const ElasticityProblem& raised = state_->raised;
   const solvers::Processes& processes = state_->options.processes;

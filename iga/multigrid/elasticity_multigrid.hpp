@@ -44,7 +44,7 @@ class ElasticityMultigrid {
 
   /// One V-cycle on consistent local vectors of unknowns. (3 rows)
   Eigen::VectorXd apply(const Eigen::VectorXd& residual) const;
-  /// The same for several, a column each, for about 0.8 of what they cost one after the other.
+  /// One V-cycle for each column; about 0.8 of the cost of one after the other.
   Eigen::MatrixXd apply_each(const Eigen::MatrixXd& residuals) const;
 
   int levels() const;

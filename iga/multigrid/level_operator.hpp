@@ -37,7 +37,7 @@ class LevelOperator {
   Eigen::MatrixXd forces_each(const Eigen::MatrixXd& displacements) const;
   /// The diagonal blocks of the local rows in coordinate axes, summed over processes.
   std::vector<Eigen::Matrix3d> diagonal() const;
-  /// What is added to the stiffness of the elements.
+  /// Stiffness of supports and of interfaces that do not match, which is added to that of the elements.
   const NodeBlocks& surfaces() const { return surfaces_; }
 
  private:

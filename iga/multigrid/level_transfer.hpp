@@ -18,7 +18,7 @@ class LevelTransfer {
 
   /// Coefficients in the finer level. Takes and gives consistent local vectors. (3 rows)
   Eigen::VectorXd to_finer(const Eigen::VectorXd& x) const;
-  /// The transpose. (3 rows)
+  /// The transpose of `to_finer`: nodal forces of the finer level as those of the coarser. (3 rows)
   Eigen::VectorXd from_finer(const Eigen::VectorXd& force) const;
 
  private:

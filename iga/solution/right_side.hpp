@@ -22,7 +22,7 @@ struct RightSide {
   Eigen::Matrix3Xd thermal_ties = {};       ///< the same through Nitsche's terms, not in `thermal_load`
 };
 
-/// That of a problem's own loads and supports, without what temperatures cause.
+/// The right side of a problem's loads and supports, without thermal loads.
 /// @param frames  `support_frames` of the problem
 RightSide right_side(const ElasticityProblem& problem, const GlobalNodes& global,
                      const std::vector<SupportFrame>& frames, int points);

@@ -22,7 +22,7 @@ struct FirstDerivatives {
   Eigen::Matrix3d jacobian = Eigen::Matrix3d::Zero();
 };
 
-// Of place and displacement, from one evaluation of the basis.
+// First derivatives of place and displacement, from one evaluation of the basis.
 std::array<FirstDerivatives, 2> first_derivatives(const NurbsVolume& patch,
                                                   const Eigen::Matrix3Xd& displacement,
                                                   const Parameter<3>& parameter) {

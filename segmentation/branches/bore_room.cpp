@@ -46,7 +46,8 @@ std::vector<Interval> merged(std::vector<Interval> intervals) {
   return result;
 }
 
-/// Between intervals of which one at least is of a bore across, and at the ends.
+/// Coordinates of the planes that separate bores along an axis: between neighbouring intervals of which at
+/// least one is of a bore across, and beside the first and the last.
 std::vector<double> separators(const std::vector<Interval>& merged, double low, double high) {
   std::vector<double> result;
   const auto at_end = [&](const Interval& last, double free, double sign, double from) {
@@ -180,7 +181,7 @@ class BoreRoomFinder {
       if (bore.branch.view.along.cross(direction).norm() < 1e-7) draw_ends_of_opening(bore, across, strips);
   }
 
-  /// Where the plane that a bore opens in ends before the next plane beside it.
+  /// Draws the lines at which the plane that a bore opens in ends, where they come before the next plane.
   void draw_ends_of_opening(const CrossBore& bore, const Eigen::Vector3d& across,
                             const std::vector<Line>& strips) {
     if (!bore.opening) return;
@@ -301,7 +302,7 @@ class BoreRoomFinder {
       made_.lines.push_back({middle + beside[0] * view.y, middle + beside[1] * view.y});
   }
 
-  /// Through all of the drawing.
+  /// Draws a line through the whole drawing, unless it is there already.
   void draw(const Eigen::Vector3d& through, const Eigen::Vector3d& direction) {
     const Eigen::Vector2d from = frame_.flat(through);
     if (std::any_of(made_.lines.begin(), made_.lines.end(), [&](const Line& line) {

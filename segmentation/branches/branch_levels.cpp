@@ -16,7 +16,8 @@ namespace {
 using geometry::NurbsCurve;
 using geometry::Parameter;
 
-/// Of a layer's half width, beside what is as it is drawn: less would fold hexahedra.
+/// Least room beside a branch for what is squeezed or stretched, as a share of half its layer's width: less
+/// would fold hexahedra.
 constexpr double least_left = 0.02;
 
 std::size_t number(int i) {
@@ -40,7 +41,7 @@ Eigen::Vector2d half_width(const Outline& outline, const Eigen::Vector2d& middle
   return result;
 }
 
-/// Along an axis, on the low and the high side of the middle.
+/// Half the width of a quadrilateral along an axis, on the low and the high side of its middle.
 std::array<double, 2> half_widths(const std::array<Eigen::Vector2d, 4>& corners,
                                   const Eigen::Vector2d& middle, Eigen::Index axis) {
   std::array<double, 2> sum = {0, 0};

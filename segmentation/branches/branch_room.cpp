@@ -163,7 +163,7 @@ class RoomFinder {
     return nullptr;
   }
 
-  /// Between the inner edge of a bore's side and the shortest line from its end to the bore, rad.
+  /// The angle between the inner edge of a bore's side and the shortest line from its end to the bore, rad.
   double angle_at_arc(const Branch& branch) const {
     const double inner = ends(branch)[0], middle = (branch.low + branch.high) / 2;
     const double half = std::numbers::pi / made_.request.sectors;
@@ -207,7 +207,7 @@ class RoomFinder {
     return result;
   }
 
-  /// From where to where the body's cylinders go that a branch meets.
+  /// The range along the axis in which all cylinders of the body that a branch meets are.
   std::array<double, 2> room(const Branch& branch) const {
     std::array<double, 2> result = {-1e300, 1e300};
     for (const FaceId face : branch.neighbours) {
@@ -257,7 +257,7 @@ class RoomFinder {
     return result;
   }
 
-  /// At a place of its x on the surface where it begins, turned about the axis.
+  /// A point of the surface where a branch begins: at a distance along the branch's x, turned about the axis.
   Eigen::Vector3d on_surface(const Branch& branch, double at, double angle) const {
     if (!branch.along_axis) return on_body(branch, at, branch.surface, angle);
     return body_.origin + branch.surface * body_.axis +

@@ -111,7 +111,7 @@ class BoredStack {
                                                       describe(solid_, bore.faces.front()), 1e3 * free));
   }
 
-  /// By the solid's faces instead of the blank's.
+  /// Replaces the blank's faces as origins of the complex's by the solid's.
   void name_faces(CellComplex& complex) const {
     std::set<FaceId> bored;
     for (const CrossBore& bore : bores_) bored.insert(bore.faces.begin(), bore.faces.end());
@@ -174,7 +174,7 @@ struct BoredWay {
   std::vector<CrossBore> bores;
 };
 
-/// Those with the fewest across first.
+/// The directions along which the solid is a stack but for bores across, those with the fewest bores first.
 /// @param refusal  gets why one that looks so is none
 std::vector<BoredWay> bored_ways(const Brep& solid, std::optional<Error>& refusal) {
   std::vector<BoredWay> result;

@@ -117,8 +117,8 @@ class CrossBoreFinder {
     return result;
   }
 
-  /// With all that hangs together with it and is turned about its axis; nothing if it stands on no plane
-  /// across it.
+  /// The boss that a face belongs to, with all faces that are joined to it and turned about its axis; nothing
+  /// if it stands on no plane across the axis.
   std::optional<CrossBore> boss_about(FaceId first) const {
     const Carrier axis = carrier(first);
     CrossBore boss;

@@ -69,7 +69,7 @@ class ClosingCell {
     return attempt.cut.has_value();
   }
 
-  /// Of a hexahedron, through four opposite edges, two of which the ends of a chord divide.
+  /// Cuts a hexahedron in two across four parallel edges; the ends of a chord say where on two of them.
   bool add_sheet(const Chord& chord) {
     const auto base = base_solid(sides_.graph);
     const auto from = place_of(complex_, sides_, chord.from), to = place_of(complex_, sides_, chord.to);
@@ -96,7 +96,7 @@ class ClosingCell {
     return add(loop, options);
   }
 
-  /// By the planes of the cuts that made the edge, and one across the side.
+  /// Plane sections through a chord: by the planes of the cuts that made it, and by one across its side.
   std::vector<SpacedLoop> sections_through(const Chord& chord) const {
     const Eigen::Vector3d middle = shapes_.point(chord.first, 0.5),
                           along = complex_.vertex(chord.to) - complex_.vertex(chord.from);

@@ -190,7 +190,7 @@ std::optional<KnownCells> known_cells(const geometry::Brep& solid, double second
   // Where it is swept, but poorly or around rounds, it may do better.
   if (!is_good() || !is_plain) look([&] { return branched_cells(solid); }, best, why.not_branched);
   if (best || planes_are_divided(solid)) return best;
-  // No planes part bores that meet; of others pieces are found sooner.
+  // Bores that meet cannot be separated by planes; other solids are divided into pieces sooner.
   const auto as_bored = [&] { look([&] { return cross_bored_cells(solid); }, best, why.not_bored); };
   const bool meet = bores_meet(solid);
   if (meet) as_bored();
@@ -243,7 +243,7 @@ std::optional<KnownCells> known_or_mirrored(const geometry::Brep& solid, double 
   return best;
 }
 
-/// With the cuts given; nothing else will do.
+/// The pieces that the cuts a user gives lead to, or an error; no other way is tried.
 KnownCells as_given(const geometry::Brep& solid, const std::vector<geometry::PlaneSurface>& cuts,
                     double seconds, TJoints t_joints) {
   WhyNot why;

@@ -18,8 +18,10 @@ struct KnownShape {
   std::string why_not;
 };
 
-/// Nothing where only cuts are asked for. Where T-joints are kept, layers of a stack and pieces between
-/// planes are divided each by itself. What a user asks for by hand is known or refused.
+/// Recognizes solids whose hexahedra follow from their shape: swept, turned, with branches, in pieces.
+///
+/// @return  nothing where only cuts are asked for. Where T-joints are kept, layers of a stack and pieces
+///          between planes are divided each by itself
 /// @throws Error invalid_argument  cuts or a symmetry that the solid does not have
 /// @throws Error unsupported  given cuts of which no pieces come that can be swept
 KnownShape known_shape(const geometry::Brep& solid, const DecompositionOptions& options);

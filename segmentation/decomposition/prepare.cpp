@@ -140,7 +140,7 @@ std::vector<std::vector<FaceId>> groups_of_faces(const Brep& source) {
   return result;
 }
 
-/// With the faces of some groups merged.
+/// The solid as one cell in which the faces of each group are one face.
 CellComplex merged(const Brep& source, const std::vector<std::vector<FaceId>>& groups) {
   CellComplex complex = geometry::one_cell(source);
   std::map<int, std::vector<FaceId>> members;

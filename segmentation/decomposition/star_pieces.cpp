@@ -164,7 +164,7 @@ std::vector<StarPiece> cut_in_two(const StarPiece& piece) {
   return {};
 }
 
-/// With planes and lines of its own.
+/// The tetrahedra of a piece around a point, as cells with plane sides and straight edges.
 ComplexOfPiece tetrahedra(const StarPiece& piece, const Eigen::Vector3d& centre) {
   CellComplex whole = geometry::one_cell(piece.brep);
   for (geometry::CellEdge& edge : whole.edges)

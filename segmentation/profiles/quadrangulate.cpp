@@ -26,7 +26,7 @@ QuadEdge edge_of(const planar::CellMesh& mesh, const std::vector<planar::Curve>&
   return result;
 }
 
-/// Without unused nodes, sides as edges.
+/// The mesh as quadrilaterals with shared edges; nodes that none uses are left out.
 Quadrangulation result_of(const std::vector<planar::Curve>& curves, const planar::CellMesh& mesh) {
   Quadrangulation result;
   std::vector<int> numbers(mesh.nodes.size(), -1);

@@ -28,7 +28,7 @@ constexpr double farthest_move = 0.02;
 // Weight of the bending energy for each unit of the points' weights, where lengths are shares of the domain's
 // diagonal. Arcs over a tenth of it come out to 1e-6 of their radius.
 constexpr double most_bending = 1e-5, least_bending = 1e-11, less_bending = 0.1;
-// An error that falls to this share of itself was worth the round; so many that are not end the search.
+// A round of the fit counts as progress if the error falls to this share; after so many without, it ends.
 constexpr double helpful = 0.7;
 constexpr int most_in_vain = 3;
 // Knots are halved across a direction in which a surface bends at least this share of what it does across the

@@ -19,10 +19,11 @@
 namespace isopatch::segmentation {
 namespace {
 
-// Of an edge as long as vertices inside are apart, beside that of one of them: two faces share edges.
+// Weight in the fit of an edge as long as the distance between inner vertices; an inner vertex has 1. Edges
+// count for more since two faces share them.
 constexpr double edge_weight = 4;
-// Of the chord error: what surfaces come nearer to the vertices by says nothing of the solid; and of the
-// size.
+// How far a fitted surface may be off the vertices: this share of the chord error (being nearer says nothing
+// of the solid), and at most this share of the size.
 constexpr double chord_share = 0.02, most_off = 1e-4;
 // Edges are off their faces by this share of the size at most.
 constexpr double widest_edge_gap = 1e-3;

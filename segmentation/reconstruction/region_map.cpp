@@ -90,8 +90,9 @@ class RegionMapper {
     return std::atan2(a.cross(b).norm(), a.dot(b));
   }
 
-  /// What the outer loop turns by in each of its vertices, to the left: in corners as it does, between fewer
-  /// than four evenly; nothing where it turns to the right; a whole turn in all.
+  /// The exterior angles of a convex polygon for the outer loop, one for each of its vertices, 2 pi in all.
+  /// Corners keep their angle, or get 0 where they turn to the right. Sides between four corners or more are
+  /// straight; between fewer they turn evenly.
   std::vector<double> convex_turns(const std::vector<int>& corners) const {
     const std::vector<double> angles = inner_angles();
     const std::vector<int>& loop = loops_[0];
@@ -121,7 +122,8 @@ class RegionMapper {
     return result;
   }
 
-  /// On a convex polygon that turns as the outer loop does, its sides as near to the loop's as closes it.
+  /// Places the outer loop's vertices on a closed convex polygon with the loop's exterior angles, and with
+  /// sides as near to the loop's in length as closes it.
   std::optional<Eigen::Matrix2Xd> to_polygon(const std::vector<int>& corners) const {
     const std::vector<int>& loop = loops_[0];
     const std::size_t n = loop.size();
@@ -134,7 +136,8 @@ class RegionMapper {
       ways.col(static_cast<Eigen::Index>(i)) =
           length * Eigen::Vector2d(std::cos(direction), std::sin(direction));
     }
-    // Each side changes by a share that is linear in it, as least squares of the shares have it.
+    // Least squares: the sides are scaled by factors as near to 1 as closes the polygon; the change of each
+    // factor is then linear in the side's vector.
     const Eigen::Vector2d share = (ways * ways.transpose()).eval().inverse() * ways.rowwise().sum();
     const Eigen::RowVectorXd kept = (1 - (share.transpose() * ways).array()).matrix();
     if (!(kept.minCoeff() > shortest_side)) return std::nullopt;

@@ -93,7 +93,9 @@ class Regulariser {
     return std::min(largest_turn, direction_steps * tolerance_ / std::max(s.spread, 1e-300));
   }
 
-  /// Fitted again with a new carrier to begin with, if vertices allow it.
+  /// Fits the surface again, starting from another carrier, and keeps the result if the vertices are within
+  /// the tolerance of it.
+  /// @return  whether it was kept
   bool accept(Surface& s, const Carrier& start, const FitFreedom& free) {
     const auto found = refit_carrier(start, few(s.points), free);
     if (!found) return false;

@@ -223,7 +223,7 @@ class ColumnComplex {
                   origin);
   }
 
-  /// Of curves that are in one; its x runs along the first.
+  /// The plane of four curves, x along the first; nothing where they lie in none.
   std::optional<PlaneSurface> plane_through(const std::array<NurbsCurve, 4>& sides) const {
     const Eigen::Vector3d a = sides[0].control_points().col(0);
     const Eigen::Vector3d x = (sides[1].control_points().col(0) - a).normalized();
@@ -268,7 +268,7 @@ class ColumnComplex {
     const auto add = [&](FaceId face, bool reversed) {
       cell.faces.push_back({face, reversed, static_cast<int>(cell.faces.size())});
     };
-    // Between two cells the one below makes the face that both look at.
+    // Two cells, one above the other, share a face: it is the lower cell's top and looks up.
     add(level_face(quad, layer.low, layer.bottom, !layer.bottom), !layer.bottom);
     add(level_face(quad, layer.high, layer.top, true), false);
     for (const EdgeUse& side : quads_.quads[static_cast<std::size_t>(quad)].sides) {

@@ -145,7 +145,7 @@ class InclinedWalls {
     return result;
   }
 
-  /// Likewise.
+  /// Finishes drafts side by side, since each takes seconds, and keeps the best.
   /// @return  whether all of them are good
   bool consider_all(const std::vector<Draft>& drafts) {
     std::vector<std::future<Quadrangulation>> finished;

@@ -52,7 +52,7 @@ std::vector<double> heights_of(const SweptDrawing& drawing) {
   return {result.begin(), result.end()};
 }
 
-/// Where a divided drawing is at a height.
+/// The quadrilaterals of a divided drawing at a height, where inclined walls have moved it.
 Quadrangulation moved_to(const MovingDrawing& moving, const SweepFrame& frame, Quadrangulation quads,
                          double height) {
   for (std::size_t v = 0; v < quads.vertices.size(); ++v)

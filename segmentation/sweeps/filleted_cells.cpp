@@ -280,7 +280,7 @@ class FilletedStack {
     return area;
   }
 
-  /// Along the section at an end of the edge.
+  /// The curve of a round's cross-section at one end of its edge.
   static NurbsCurve section_at(const NurbsSurface& surface, bool at_end) {
     const Eigen::Index n = surface.size(0), column = at_end ? n - 1 : 0;
     const Eigen::Matrix4Xd net = surface.homogeneous();
@@ -345,9 +345,9 @@ class FilletedStack {
     }
   }
 
-  /// On a rim the section of a round is a quarter of a disc: three hexahedra around a line inside of it. So
-  /// the one that has the sharp edge is left out, and its sides on the left and below become one, which leads
-  /// from that line to the middle of the round.
+  /// Divides the hexahedra along a rounded rim: in cross-section a quarter of a disc, which takes three of
+  /// them around one line inside. The fourth, which has the sharp edge, is left out, and its left and lower
+  /// sides become one face from that line to the middle of the round.
   void round_rim(const FilletOver& over, Layers& layers) {
     const Fillet& fillet = *over.fillet;
     const FilletRings::Halves& halves = rings_.halves.at(over.edge);
@@ -419,7 +419,8 @@ class FilletedStack {
   }
 
   static constexpr double probes[] = {0.1, 0.5, 0.9};
-  /// Of a radius, from both ends of a round on a rim: where the line inside of it is.
+  /// Distance of the line inside of a round on a rim from both ends of its cross-section, as a share of the
+  /// radius.
   static constexpr double mitre = 0.6;
   const Brep& solid_;
   const Brep& sharp_;

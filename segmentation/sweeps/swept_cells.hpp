@@ -26,8 +26,8 @@ namespace isopatch::segmentation {
 std::optional<SweptCells> swept_cells(const geometry::Brep& solid,
                                       const QuadrangulationOptions& options = {.thorough = true});
 
-/// The same along one direction, for those that go on with it: what would be a stack if cones did not cut off
-/// its walls among them, rounds not.
+/// Divides a stack along one given direction, for callers that go on with the cells. Cones may cut off its
+/// walls; rounds are not taken.
 /// @param lines    on its floors; they become sides of hexahedra
 /// @param heights  all columns are divided at, as the frame measures, m
 /// @param kept_free  ranges of heights that levels bend away from where they are no floors, m; not of those

@@ -101,7 +101,8 @@ class HalfProfileMaker {
     return on.distance < tolerance_ && solid_.contains(face, on.uv);
   }
 
-  /// From the lowest to the highest angle of its edges, or to the poles that it has.
+  /// Adds the arc of a sphere, from the lowest to the highest angle of its edges, or to the poles that it
+  /// has.
   void add_sphere(FaceId face, const geometry::Carrier& sphere) {
     const double height = frame_.flat(sphere.origin)[1], radius = sphere.radius;
     double from = std::numbers::pi, to = 0;

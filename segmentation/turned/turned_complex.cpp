@@ -105,7 +105,7 @@ class TurnedComplex {
     return face;
   }
 
-  /// Of a quadrilateral.
+  /// The face between two sectors: a quadrilateral of the drawing at a meridian.
   FaceId section(int quad, int meridian) {
     const auto known = sections_.find({quad, meridian});
     if (known != sections_.end()) return known->second;

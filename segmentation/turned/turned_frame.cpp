@@ -105,7 +105,7 @@ Part part_of(const Brep& solid, FaceId face, const Axis& axis) {
   }
 }
 
-/// Where it begins and how far it goes, by its ends.
+/// Finds the angles at which a solid that is turned by less than a whole turn begins and ends.
 /// @return  false unless these are at two angles
 bool find_ends(const Brep& solid, TurnedFrame& frame, const std::vector<FaceId>& ends) {
   std::optional<double> first, last;

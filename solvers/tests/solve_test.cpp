@@ -411,6 +411,12 @@ TEST(Solve, RefusesOptionsOutOfRange) {
     EXPECT_EQ(code, ErrorCode::invalid_argument);
     EXPECT_THAT(message, AllOf(HasSubstr("max_iterations"), HasSubstr("10000000")));
   }
+  const auto why = [&](const SolverOptions& options) { return failure(system, options).second; };
+  EXPECT_THAT(why({.memory_limit = -1}), HasSubstr("memory_limit is -1 bytes; it must be positive"));
+  EXPECT_THAT(why({.multigrid = {.smoothing_degree = 0}}),
+              HasSubstr("smoothing_degree is 0; it must lie in 1 .. 20"));
+  EXPECT_THAT(why({.multigrid = {.smoothing_range = 1}}),
+              HasSubstr("smoothing_range is 1; it must lie in [1.1, 1000]"));
 }
 
 TEST(Solve, RefusesToChooseWhatItCannotForecast) {

@@ -49,11 +49,11 @@ struct FoundModes {
                    const Tolerance& converged = {1e-6, "what the iteration stops at"}) const {
     double residual = 0;
     for (const iga::NaturalMode& mode : found.modes) residual = isopatch::larger(residual, mode.residual);
-    claim("rigid motions named, " + of, rigid, found.rigid_motions, 1e-12, "six motions of a free body", "");
+    claim("rigid motions named, " + of, rigid, found.rigid_motions, 0, "six motions of a free body", "");
     claim("modes that are rigid, " + of, rigid,
           static_cast<double>(std::count_if(found.modes.begin(), found.modes.end(),
                                             [](const auto& mode) { return mode.is_rigid; })),
-          1e-12, "six motions of a free body", "");
+          0, "six motions of a free body", "");
     claim("largest residual, " + of, 0, residual, converged, "K x = lambda M x", "");
     claim("worst orthogonality, " + of, 0, found.worst_orthogonality, {1e-9, "round-off"}, "x.M y = 0", "");
   }
@@ -82,16 +82,19 @@ TEST(NaturalModes, OfABeam) {
   const Tolerance slender = {1e-3, "shear and rotary inertia, which a thin beam has not: 3e-4"};
   clamped.claim("first mode of a clamped beam", bending(1.8751040687), clamped.frequencies[0], slender,
                 "Euler, Bernoulli");
-  clamped.claim("its copy across", clamped.frequencies[0], clamped.frequencies[1], 1e-8,
+  const Tolerance copies = {1e-8,
+                            "what the iteration stops at; some copies are equal to round-off by chance"};
+  clamped.claim("its copy across", clamped.frequencies[0], clamped.frequencies[1], copies,
                 "symmetry of a square");
-  clamped.claim("copies of the second mode", clamped.frequencies[2], clamped.frequencies[3], 1e-8,
+  clamped.claim("copies of the second mode", clamped.frequencies[2], clamped.frequencies[3], copies,
                 "symmetry of a square");
   clamped.claim_sound("clamped beam", 0);
   const FoundModes free("modes_beam", {"modes.free=true"});
   const Tolerance shorter = {3e-3, "shear and rotary inertia, of a mode that bends more: 2e-3"};
   free.claim("first mode of a free beam", bending(4.7300407449), free.frequencies[0], shorter,
              "Euler, Bernoulli");
-  free.claim("its copy across, free", free.frequencies[0], free.frequencies[1], 1e-8, "symmetry of a square");
+  free.claim("its copy across, free", free.frequencies[0], free.frequencies[1], copies,
+             "symmetry of a square");
   free.claim_sound("free beam", 6,
                    {1e-5, "round-off of a stiffness whose largest eigenvalue is 1e9 times the first mode's"});
 }

@@ -227,6 +227,8 @@ TEST(GismoXml, ErrorsNameFileLineAndCause) {
   for (const Broken& broken : cases)
     EXPECT_THAT(error_of([&] { read_gismo_xml_text(replaced(one_cube, broken.from, broken.to)); }),
                 HasSubstr(broken.says));
+  EXPECT_THAT(error_of([] { read_gismo_xml_text("<mesh/>"); }),
+              HasSubstr("the root element is <mesh>; G+Smo files have <xml>"));
 }
 
 // Bytes as base64, by the letters of the alphabet.

@@ -135,6 +135,16 @@ TEST(MfemNcPatchMesh, FacesHaveTheCoefficientsOfThoseThatDivideThem) {
   EXPECT_EQ(model.bodies().size(), 1u);
 }
 
+// The same divided face by its corners in another order: its lines run along the other direction.
+TEST(MfemNcPatchMesh, DividedFacesMayBeStatedAlongEitherDirection) {
+  const std::string turned = replaced(replaced(numbered(), "8 1 0 1 2 6 5", "8 0 1 1 5 6 2"),  //
+                                      "9 1 1 1 2 6 5", "9 1 1 1 5 6 2");
+  const PatchSet expected = read_mfem_mesh(numbered(), "a.mesh"), found = read_mfem_mesh(turned, "a.mesh");
+  ASSERT_EQ(found.patches.size(), expected.patches.size());
+  for (std::size_t p = 0; p < found.patches.size(); ++p)
+    EXPECT_TRUE(same_bits(found.patches[p], expected.patches[p])) << p;
+}
+
 TEST(MfemNcPatchMesh, ErrorsNameFileLineAndCause) {
   ASSERT_EQ(error_of([] { read_mfem_mesh(numbered(), "a.mesh"); }), "no error");
   const std::vector<std::array<std::string, 3>> cases = {
@@ -145,6 +155,13 @@ TEST(MfemNcPatchMesh, ErrorsNameFileLineAndCause) {
       {"9 1 1 1 2 6 5", "9 1 0 1 2 6 5", "vertex 9 lies where another one does"},
       {"9 1 1 1 2 6 5", "9 2 1 1 2 6 5", "that are no grid"},
       {"8 1 0 1 2 6 5", "8 1 0 1 6 2 5", "that are no grid"},
+      {"8 1 0 1 2 6 5", "8 1 0 0 2 6 5", "the edge 0 2 of a divided face is not listed"},
+      {"9 1 1 1 2 6 5", "15 1 1 1 2 6 5",
+       "a divided face meets no face of a patch with the vertices 1, 8, 5 and 15"},
+      {"8 11 12 2  9 14 15 6", "8 11 12 2  14 9 15 6",
+       "vertices of a face in another order than its neighbour"},
+      {"0 1 2 3  4 5 6 7", "8 11 3 0  9 14 7 4", "patch 2 has a face that two other patches share"},
+      {"coordinates\n16\n3", "coordinates\n16\n2", "vertices must have three coordinates"},
       {"coordinates\n", "vertex_parents\n", "divided after they had been made"},
       {"2 3  0 0 0 1 1 1\n\nspacing", "2 4  0 0 0 0.5 1 1 1\n\nspacing",
        "has a side with other numbers of coefficients"}};

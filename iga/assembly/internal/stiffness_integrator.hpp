@@ -19,7 +19,7 @@ struct PointData {
   int points_w = 0;  ///< from the part's first layer on
   int components = 9;
 
-  /// Points of one block along w, of the point `v`.
+  /// The values at the points along w of one block along u, for the point `v`: [point of w][component].
   const double* block(int v, int block, int w) const;
 };
 

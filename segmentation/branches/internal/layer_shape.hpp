@@ -18,9 +18,9 @@ class LayerShape {
   double height(const Eigen::Vector2d& plan) const;
   /// What lies over a curve of the plan (z = 0): exact over lines, else a spline, to 1e-9 of its length.
   geometry::NurbsCurve lifted(const geometry::NurbsCurve& plan) const;
-  /// Of a layer that is not flat: all of it, x along the second parameter. Looks up.
+  /// The whole surface of a layer that is not flat, x along the second parameter, its normal up.
   geometry::NurbsSurface surface() const;
-  /// A curve on it in its domain, at the same pace.
+  /// A curve on the layer as a curve in its domain, with the same parameter.
   geometry::NurbsCurve trace(const geometry::NurbsCurve& curve) const;
   /// Distance of a layer that is round about the view's x from it; nothing of others.
   std::optional<double> radius() const;

@@ -16,8 +16,8 @@ std::vector<LoopPlace> neighbours(const CellGraph& graph, const CellIncidence& i
   return result;
 }
 
-// Through the vertex and two of its neighbours that are not next to each other around it but share a face, if
-// there are such; else around it.
+// A valid loop near a vertex: through it and two of its neighbours that share a face without being next to
+// each other around it, or, where there are no such two, through all its neighbours.
 CuttingLoop loop_at(const CellGraph& graph, const CellIncidence& incidence, VertexId vertex) {
   const std::vector<LoopPlace> near = neighbours(graph, incidence, vertex);
   const int degree = static_cast<int>(near.size());

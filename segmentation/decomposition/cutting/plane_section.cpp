@@ -40,7 +40,8 @@ class Section {
                       LoopStep::along(edge)});
   }
 
-  /// The same to the left of the stretch across a side that a point lies on, walked along a direction.
+  /// The loop around the part of the plane to the left of the line across a side that a point lies on, where
+  /// the line is walked along a direction.
   std::optional<SpacedLoop> loop_at(FaceId side, const Eigen::Vector3d& point,
                                     const Eigen::Vector3d& along) const {
     for (const auto& [place, pieces] : from_)

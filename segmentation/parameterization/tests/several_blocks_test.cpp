@@ -170,6 +170,23 @@ TEST_F(SeveralBlocks, WrongPairListsAreRefusedByName) {
               test::ThrowsError(ErrorCode::invalid_argument, {"has no face 6"}));
 }
 
+TEST_F(SeveralBlocks, AreRefusedWithWhatDoesNotFitThem) {
+  const std::vector<geometry::BrepFile> blocks = found().solids;
+  EXPECT_THAT(
+      [&] {
+        hex_model(blocks, pairs_, std::vector<int>{0, 0, 1}, {});
+      },
+      test::ThrowsError(ErrorCode::invalid_argument, {"4 solids come with the groups of 3"}));
+  EXPECT_THAT([&] { hex_model(blocks, pairs_, AssemblyOptions{.same_point = 0.05}); },
+              test::ThrowsError(ErrorCode::invalid_argument, {"same_point is 0.05"}));
+  HexModel model = found();
+  model.bodies.pop_back();
+  EXPECT_THAT([&] { validate(model); }, test::ThrowsError(ErrorCode::invalid_argument,
+                                                          {"4 blocks comes with 4 solids", "bodies of 3"}));
+  EXPECT_THAT([&] { validate(HexModel{}); },
+              test::ThrowsError(ErrorCode::invalid_argument, {"at least one hexahedron"}));
+}
+
 TEST_F(SeveralBlocks, ListsThatCannotBeReadAreRefusedWithTheLine) {
   std::vector<std::string> blocks;
   for (const geometry::BrepFile& solid : found().solids) blocks.push_back(solid.name);

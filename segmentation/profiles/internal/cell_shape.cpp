@@ -218,7 +218,7 @@ class MapSamples {
   Row share_;
 };
 
-/// Of all samples.
+/// The least Jacobian determinant of all samples, and their sum.
 struct Determinants {
   double least = refused, sum = 0;
   void enter(const Row& row) {

@@ -6,10 +6,11 @@
 
 namespace isopatch::segmentation {
 
-/// Facets with what is a flaw of a larger plane beside them joined to it: those within `tolerance` of it that
-/// turn away by a small share of what lies behind them turns by, as the first strip of a round does not; and
-/// those around one vertex that is off the plane, where all others are on it.
+/// Joins small facets that are flaws of a large plane facet to it.
 ///
+/// A flaw lies within `tolerance` of the plane, and turns away from it by a small share of the angle by which
+/// what lies behind it does (the first strip of a round turns by as much as the next); or it lies around a
+/// single vertex that is off the plane.
 /// @param tolerance  m
 /// @cost  O(T log T)
 Facets without_dents(const geometry::TriangleMesh& mesh, const geometry::MeshNeighbours& neighbours,

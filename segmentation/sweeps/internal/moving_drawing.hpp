@@ -21,7 +21,7 @@ class MovingDrawing {
                 const Quadrangulation& quads, const std::map<int, double>& offsets = {});
 
   Eigen::Vector3d place(int vertex, double height) const;
-  /// Where a vertex inside is drawn that the drawing has where it is at a height.
+  /// Where a vertex inside has to be drawn so that it is, at a height, where the drawing has it.
   Eigen::Vector2d drawn_place(int vertex, double height) const;
   /// Exact, over [0, 1] from start to end, in space.
   geometry::NurbsCurve curve(int edge, double height) const;
@@ -29,7 +29,7 @@ class MovingDrawing {
   Eigen::Vector2d outline_place(int edge, double share, double height) const;
   /// Heights where walls beside an edge of the drawing begin, end or change their slope.
   std::vector<double> kinks(int edge) const;
-  /// Likewise where a vertex moves.
+  /// Heights where the way of a vertex changes its slope.
   std::vector<double> kinks_at(int vertex) const;
 
  private:

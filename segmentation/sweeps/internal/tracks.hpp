@@ -46,10 +46,10 @@ struct Tracks {
 /// naming it
 Tracks tracks(const geometry::Brep& solid, const SweepFrame& frame);
 
-/// By which a ring is larger than drawn.
+/// The radius of a ring at a height over the one that it is drawn with.
 double growth(const RingTrack& track, double height);
 
-/// Between the heights known on straight lines, above and below as the nearest.
+/// Where a vertex is at a height: linear between the heights at which it is known, constant beyond them.
 Eigen::Vector2d place(const VertexTrack& track, double height);
 
 }  // namespace isopatch::segmentation

@@ -18,16 +18,16 @@ class TurnedEdges {
   /// Both must outlive it.
   TurnedEdges(const TurnedFrame& frame, const TurnedDrawing& drawing, int sectors);
 
-  /// Of the drawing, at a meridian.
+  /// An edge of the drawing at a meridian.
   EdgeId meridian(int edge, int meridian);
-  /// From a vertex at one meridian to that at the next: an arc, a chord beside the column and on prisms, a
-  /// great circle where the column ends on a sphere.
+  /// The edge from a vertex at one meridian to that at the next: an arc, a chord beside the column and on
+  /// prisms, a great circle where the column ends on a sphere.
   EdgeId around(int vertex, int sector);
-  /// From the axis to a vertex beside the column.
+  /// The edge from the axis to a vertex beside the column.
   EdgeId radial(int vertex, int meridian);
-  /// Beside an edge of the column's side, upwards.
+  /// The piece of the axis beside an edge of the column's side, upwards.
   EdgeId axis(int edge);
-  /// Through the column of a whole turn, between its corners at two meridians.
+  /// The edge across the column of a whole turn, between its corners at two meridians.
   EdgeId rung(int vertex, int from, int to);
 
   /// Whether a vertex is beside the column.

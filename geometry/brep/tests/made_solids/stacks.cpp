@@ -103,11 +103,10 @@ std::map<std::string, TopoDS_Shape> stacks() {
       {"drafted_boss", fused(block, drafted(9, 7, 10, 12, 6))},
       {"shaft", shaft},
       {"bored_boss", cut(boss, cylinder(15, 10, -1, 3, 17))},
-      // A bore in the strip between a pocket and the edge, near to both, and one at each end.
+      // A bore in the strip between a pocket and the edge, near to both, and one at the pocket's end.
       {"bored_beside_a_pocket",
-       cut(cut(cut(cut(box(0, 0, 0, 120, 40, 10), box(10, 26, 7, 100, 4, 4)), cylinder(60, 35, -1, 3.5, 12)),
-               cylinder(8, 34, -1, 2.7, 12)),
-           cylinder(112, 34, -1, 2.7, 12))},
+       cut(cut(cut(box(0, 0, 0, 80, 40, 10), box(10, 26, 7, 70, 4, 4)), cylinder(60, 35, -1, 3.5, 12)),
+           cylinder(8, 34, -1, 2.7, 12))},
       {"pocketed", cut(block, box(5, 5, 6, 20, 10, 5))},
       {"turned_off", turned_off()},
       {"wavy", cut(wavy(), cylinder(16, 6, -1, 3, 8))},
