@@ -72,6 +72,15 @@ std::string with_unit(double value, std::string_view unit) {
   return fmt::format("{:.4g} {}{}", value / prefix.factor, prefix.symbol, unit);
 }
 
+std::string with_uncertainty(double value, double uncertainty, std::string_view unit) {
+  const ScaledUnit scaled = unit_for(std::max(std::abs(value), uncertainty), unit);
+  const double error = uncertainty / scaled.factor;
+  const double last_digit = error > 0 ? std::pow(10, std::floor(std::log10(error)) - 1) : 1;
+  const int decimals = last_digit < 1 ? static_cast<int>(std::lround(-std::log10(last_digit))) : 0;
+  return fmt::format("{:.4g} +- {:.{}f} {}", value / scaled.factor,
+                     std::round(error / last_digit) * last_digit, decimals, scaled.symbol);
+}
+
 ScaledUnit unit_for(double value, std::string_view unit) {
   if (unit.empty()) return {};
   const Prefix prefix = suitable(value, unit);

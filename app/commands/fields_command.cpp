@@ -32,7 +32,9 @@ ExitCode fields_command(const FieldsCommand& command, const Console& console) {
                    face_groups(model, read_summary(result.summary, result.case_name).value_or(RunSummary{})),
                    {.pieces = command.pieces}, command.output, display.progress());
   display.clear();
-  if (const auto warning = borrowed_warning(written.borrowed, model.size())) console.warn(warning->text);
+  for (const auto& warning :
+       {borrowed_warning(written.borrowed, model.size()), fit_warning(written.fit, model.size())})
+    if (warning) console.warn(warning->text);
   if (!console.quiet)
     console.out << fmt::format("{} files in {}; open results.vtm in ParaView\n", written.files,
                                command.output.string());
@@ -51,7 +53,8 @@ void add_fields_command(CLI::App& app, CommandLine& line) {
   add_case(fields, command->case_name);
   fields
       .add_option("--pieces", command->pieces,
-                  "Straight hexahedra per element and direction (default: 4, fewer in large models)")
+                  "Straight hexahedra per element and direction (default: 4, fewer in large models, more "
+                  "where von Mises stress needs them)")
       ->check(CLI::Range(1, 32))
       ->type_name("N");
 }

@@ -27,7 +27,7 @@ std::vector<std::string> write_run_fields(const Study& study, StudyRun& run,
                                           const std::filesystem::path& folder, const Progress& progress) {
   const geometry::MultiPatch& model = run.built.problem.discretization.model;
   std::vector<std::string> written;
-  std::vector<Warning> warnings;
+  WrittenFields worst;
   for (const CaseView& one : cases_of(run)) {
     const WrittenFields fields =
         write_fields(one.solution.field, model, face_groups(model, summarized(study, run, one)),
@@ -36,10 +36,12 @@ std::vector<std::string> write_run_fields(const Study& study, StudyRun& run,
       written.push_back((folder_of(one) / fields.collections.front()).string());
     else
       written = fields.collections;
-    const auto warning = borrowed_warning(fields.borrowed, model.size());
-    if (warning && warnings.empty()) warnings.push_back(*warning);  // the same points in all cases
+    if (worst.borrowed.count == 0) worst.borrowed = fields.borrowed;  // the same points in all cases
+    if (!worst.fit || (fields.fit && fields.fit->off > worst.fit->off)) worst.fit = fields.fit;
   }
-  run.built.warnings.insert(run.built.warnings.end(), warnings.begin(), warnings.end());
+  for (const auto& warning :
+       {borrowed_warning(worst.borrowed, model.size()), fit_warning(worst.fit, model.size())})
+    if (warning) run.built.warnings.push_back(*warning);
   return written;
 }
 

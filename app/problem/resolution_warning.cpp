@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "iga/problem/springs.hpp"
+
 namespace isopatch::app {
 namespace {
 
@@ -33,8 +35,11 @@ int halvings(double share, int degree) {
   return std::clamp(static_cast<int>(std::ceil(std::log2(share / wanted_share) / (2 * degree))), 1, 5);
 }
 
-// Whether forces act: those of temperatures and prescribed displacements may err to either side.
-bool acts(const iga::ElasticityProblem& problem) {
+// Whether displacements are rather too small: forces act, for those of temperatures and prescribed
+// displacements may err to either side; and no springs stand for holds, for these hold at points only, and a
+// coarse part gives way between them.
+bool is_too_stiff(const iga::ElasticityProblem& problem) {
+  if (!iga::holds_among(iga::springs_of(problem)).empty()) return false;
   return !problem.surface_loads.empty() || !problem.volume_loads.empty() || !problem.point_loads.empty();
 }
 
@@ -56,9 +61,9 @@ std::optional<Warning> resolution_warning(const iga::ElasticityProblem& problem,
   const auto worst = static_cast<std::size_t>(std::max_element(along.begin(), along.end()) - along.begin());
   const int degree = degrees[worst];
   const double poisson = highest_poisson(problem);
-  const std::string figure =
-      fmt::format("{:.1f} % of the energy is in the highest polynomials of the elements{}", 100 * share,
-                  acts(problem) ? ", and displacements under loads are too small by about as much" : "");
+  const std::string figure = fmt::format(
+      "{:.1f} % of the energy is in the highest polynomials of the elements{}", 100 * share,
+      is_too_stiff(problem) ? ", and displacements under loads are too small by about as much" : "");
   const int lowest = *std::min_element(degrees.begin(), degrees.end());
   if (poisson >= incompressible && results.unresolved.volumetric > 0.5 * results.unresolved.total())
     return Warning{fmt::format(

@@ -45,12 +45,11 @@ std::string stress_text(double value, double scale) {
   return with_unit(without_round_off(value, scale), "Pa");
 }
 
-// "12.34 MPa +- 0.5": the uncertainty in the unit of the value.
-std::string with_uncertainty(double value, const std::optional<Eigen::Matrix3d>& stress_error, double scale) {
-  std::string text = stress_text(value, scale);
+// "12.34 +- 0.5 MPa"; the value alone where nothing is known of its error, or both are round-off.
+std::string estimated_text(double value, const std::optional<Eigen::Matrix3d>& stress_error, double scale) {
   const double error = stress_error ? without_round_off(iga::von_mises(*stress_error), scale) : 0;
-  if (!stress_error || (error == 0 && without_round_off(value, scale) == 0)) return text;
-  return fmt::format("{} +- {:.2g}", text, error / unit_for(value, "Pa").factor);
+  if (!stress_error || (error == 0 && without_round_off(value, scale) == 0)) return stress_text(value, scale);
+  return with_uncertainty(without_round_off(value, scale), error, "Pa");
 }
 
 std::string error_text(const std::optional<RunError>& error, const std::string& missing) {
@@ -71,7 +70,7 @@ std::string probes_text(const std::vector<ProbeValues>& probes, const iga::Elast
         fmt::format("  {:<17} displacement {}, von Mises {}\n", probe.name,
                     vector_with_unit(
                         without_round_off(probe.values.displacement, results.max_displacement.value), "m"),
-                    with_uncertainty(probe.values.von_mises, probe.stress_error, scale)) +
+                    estimated_text(probe.values.von_mises, probe.stress_error, scale)) +
         (probe.singular ? fmt::format("    grows           with refinement: it is at {}\n", *probe.singular)
                         : "");
   return text;
@@ -83,8 +82,8 @@ std::string von_mises_text(const iga::ElasticityResults& results, const std::opt
                            double size, double scale) {
   std::string text =
       fmt::format("  max von Mises     {} at {} (of Gauss points and faces)\n",
-                  with_uncertainty(results.max_von_mises.value,
-                                   error ? std::optional(error->stress_at_max) : std::nullopt, scale),
+                  estimated_text(results.max_von_mises.value,
+                                 error ? std::optional(error->stress_at_max) : std::nullopt, scale),
                   place_with_unit(results.max_von_mises.place, size));
   if (error && error->singular)
     text += fmt::format("    grows           with refinement: it is at {}\n", *error->singular);

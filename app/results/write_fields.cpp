@@ -118,8 +118,10 @@ WrittenFields write_fields(const iga::ElasticField& field, const geometry::Multi
     }
   };
 
-  const iga::HexahedraOutput output(field, model,
-                                    options.pieces > 0 ? options.pieces : automatic_pieces(field));
+  const iga::HexahedraOutput output =
+      options.pieces > 0 ? iga::HexahedraOutput(field, model, options.pieces)
+                         : iga::HexahedraOutput(field, model, automatic_pieces(field), iga::FitOptions{});
+  written.fit = output.fit();
   for_each_block("writing the fields", [&](const Block& block) {
     write("fields/" + block.file, [&](const geometry::PlacedByteSink& sink) {
       written.borrowed.add(output.write(block.patches, sink));
@@ -160,6 +162,17 @@ std::optional<Warning> borrowed_warning(const iga::BorrowedStress& borrowed, dou
           with_separators(borrowed.count), with_separators(borrowed.of), borrowed.patch,
           place_with_unit(borrowed.place, model_size), borrowed.scaled_jacobian),
       borrowed.patch, borrowed.place};
+}
+
+std::optional<Warning> fit_warning(const std::optional<iga::FitReport>& fit, double model_size) {
+  if (!fit || !(fit->off > iga::FitOptions{}.tolerance)) return std::nullopt;
+  return Warning{
+      fmt::format(
+          "between the nodes of results.vtm von Mises stress is off by up to {:.2g} % of the largest, in "
+          "patch {} at {}; its nodes are right. Finer elements there or a larger output.pieces mend it, "
+          "unless the patch is nearly folded there",
+          100 * fit->off, fit->patch, place_with_unit(fit->place, model_size)),
+      fit->patch, fit->place};
 }
 
 }  // namespace isopatch::app

@@ -9,6 +9,7 @@
 #include "app/results/run_summary.hpp"
 #include "app/study/study.hpp"
 #include "geometry/base/progress.hpp"
+#include "iga/output/fitted_grids.hpp"
 #include "iga/output/plane_fields.hpp"
 
 namespace isopatch::app {
@@ -28,6 +29,7 @@ struct WrittenFields {
   std::vector<std::string> collections;  ///< results.vtm and others beside it, the one to open first
   int files = 0;                         ///< with these
   iga::BorrowedStress borrowed;          ///< points whose stress means nothing
+  std::optional<iga::FitReport> fit;     ///< of the hexahedra, where their number is chosen
 };
 
 /// Writes the fields for ParaView, each file as it is computed, into fields/, and collections of them:
@@ -43,5 +45,8 @@ WrittenFields write_fields(const iga::ElasticField& field, const geometry::Multi
 
 /// Says how many points have no stress of their own, and where the worst is; nothing if there are none.
 std::optional<Warning> borrowed_warning(const iga::BorrowedStress& borrowed, double model_size);
+
+/// Says how far von Mises stress is off between the nodes, and where; nothing if it is within the tolerance.
+std::optional<Warning> fit_warning(const std::optional<iga::FitReport>& fit, double model_size);
 
 }  // namespace isopatch::app

@@ -126,6 +126,18 @@ point = [3, 0, 0.5]
 [discretization]
 )";
 
+// What is held about an axis is held at points, between which a coarse part gives way: 18 % too much where
+// eight elements go around.
+TEST_F(Plausibility, NothingIsSaidOfDisplacementsWhereSupportsHoldAtPoints) {
+  const std::string held =
+      replaced(replaced(thick, "[[probe]]",
+                        "[[support]]\nfaces = [\"outer\"]\ncylindrical = { radial = \"fixed\" }\n[[probe]]"),
+               "0.499", "0.3");
+  summary_of(held + "degree = 1\nrefine = 0\n");
+  EXPECT_THAT(err_, HasSubstr("% of the energy is in the highest polynomials of the elements. "));
+  EXPECT_THAT(err_, Not(HasSubstr("too small")));
+}
+
 TEST_F(Plausibility, LockingIsSaidAndItsAdviceMendsIt) {
   const auto at_bore = [](const json& summary) {
     return summary["probes"][0]["displacement"][0].get<double>() / exact_at_bore(0.499);
@@ -171,7 +183,7 @@ TEST_F(Plausibility, TheLargestStressIsOneFigureWhereverItIsSaid) {
   const auto at = out_.find("max von Mises ") + 14;
   const std::string figure = out_.substr(at, out_.find(',', at) - at);
   ASSERT_EQ(run({"run", study()}), 0);
-  EXPECT_THAT(out_, HasSubstr("max von Mises     " + figure));
+  EXPECT_THAT(out_, HasSubstr("max von Mises     " + figure.substr(0, figure.find(' ')) + " +- "));
   if (run({"render", file, (folder_ / "picture.png").string(), "--field", "von_mises"}) == 0) {
     EXPECT_THAT(out_, HasSubstr("max " + figure));
   }

@@ -82,6 +82,16 @@ TEST(Units, AreListedOnceEach) {
   EXPECT_THAT(unit_refusal("20 furlong"), HasSubstr(known_units()));
 }
 
+TEST(Units, UncertaintiesHaveTheUnitOfTheirValueAndNoPowersOfTen) {
+  EXPECT_EQ(with_uncertainty(290e3, 110e3, "Pa"), "290 +- 110 kPa");
+  EXPECT_EQ(with_uncertainty(375.83e6, 7.93e6, "Pa"), "375.8 +- 7.9 MPa");
+  EXPECT_EQ(with_uncertainty(1.469e9, 873e6, "Pa"), "1.469 +- 0.87 GPa");
+  EXPECT_EQ(with_uncertainty(12.34e6, 96, "Pa"), "12.34 +- 0.000096 MPa");
+  EXPECT_EQ(with_uncertainty(12.34e6, 995e3, "Pa"), "12.34 +- 1.00 MPa") << "two digits, rounded up to three";
+  EXPECT_EQ(with_uncertainty(290e3, 2e6, "Pa"), "0.29 +- 2.0 MPa");
+  EXPECT_EQ(with_uncertainty(5e6, 0, "Pa"), "5 +- 0 MPa");
+}
+
 TEST(Units, ArePrintedWithThePrefixesThatAreRead) {
   for (const double value : {2e-9, 3e-6, 4e-3, 5.0, 6e3, 7e6, 8e9}) {
     const std::string text = with_unit(value, "Pa");

@@ -83,10 +83,12 @@ std::vector<int> material_numbers(const ElasticField& field) {
   return result;
 }
 
-HexahedraOutput::HexahedraOutput(const ElasticField& field, const geometry::MultiPatch& model, int least)
+HexahedraOutput::HexahedraOutput(const ElasticField& field, const geometry::MultiPatch& model, int least,
+                                 const std::optional<FitOptions>& fit)
     : field_(field),
       materials_(material_numbers(field)),
       grids_(grids_of(field, model, least)),
+      fit_(fit ? std::optional(fit_grids(field, model, *fit, grids_)) : std::nullopt),
       surface_(model, field.patches, grids_) {}
 
 BorrowedStress HexahedraOutput::write(const std::vector<int>& patches,

@@ -145,7 +145,7 @@ struct PlaneFields::State {
     out.von_mises[at] = von_mises(stress);
     out.principal.col(at) = principal_values(stress);
     out.tresca[at] = out.principal(0, at) - out.principal(2, at);
-    borrowed[static_cast<std::size_t>(at)] = node.usable == 0 && !node.collapsed;
+    out.is_borrowed[static_cast<std::size_t>(at)] = node.usable == 0 && !node.collapsed;
   }
 
   void row(int j, int k, GridSums::Row& buffer, std::vector<NodeSums>& nodes) {
@@ -171,8 +171,8 @@ struct PlaneFields::State {
 
   void sum_up_borrowed() {
     out.borrowed = {};
-    for (std::size_t i = 0; i < borrowed.size(); ++i) {
-      BorrowedStress point{borrowed[i] ? 1 : 0, 1, patch, out.points.col(static_cast<Eigen::Index>(i)),
+    for (std::size_t i = 0; i < out.is_borrowed.size(); ++i) {
+      BorrowedStress point{out.is_borrowed[i] ? 1 : 0, 1, patch, out.points.col(static_cast<Eigen::Index>(i)),
                            out.scaled_jacobian[static_cast<Eigen::Index>(i)]};
       out.borrowed.add(point);
     }
@@ -192,7 +192,6 @@ struct PlaneFields::State {
   double typical;
   std::vector<Scratch> rows;
   std::array<GridSums::Plane, 2> planes;
-  std::vector<char> borrowed;
   FieldPlane out;
 };
 
@@ -209,7 +208,7 @@ FieldPlane& PlaneFields::plane(int k) {
   State& s = *state_;
   const auto [m, n, o] = s.sums.sizes();
   s.resize(static_cast<Eigen::Index>(m) * n);
-  s.borrowed.assign(static_cast<std::size_t>(m) * static_cast<std::size_t>(n), 0);
+  s.out.is_borrowed.assign(static_cast<std::size_t>(m) * static_cast<std::size_t>(n), 0);
   const std::vector<int>& begin = s.sums.line(2).begin;
   const int first = begin[static_cast<std::size_t>(k)];
   for (int c = first; c < begin[static_cast<std::size_t>(k) + 1]; ++c)

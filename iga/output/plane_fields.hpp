@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "geometry/patch_face.hpp"
 #include "geometry/splines/grid.hpp"
@@ -34,7 +35,8 @@ struct FieldPlane {
   Eigen::RowVectorXd tresca;           ///< the first of these minus the last, Pa
   Eigen::RowVectorXd scaled_jacobian;  ///< det J over the product of its columns' lengths, -1 .. 1
   Eigen::RowVectorXd weights;          ///< the denominator of rational functions
-  BorrowedStress borrowed;
+  std::vector<char> is_borrowed;       ///< whether the point's stress means nothing, and is that of another
+  BorrowedStress borrowed;             ///< these points
 };
 
 /// The fields of one patch on a grid of parameters, evaluated from the coefficients, a plane of direction 3
