@@ -21,6 +21,12 @@ using geometry::SurfaceKind;
 /// and up to where it ends at a corner instead.
 constexpr double wanted_room = 1, least_room_of_column = 0.1, nearest_corner = 3;
 
+/// Of a wall, along the view's y.
+struct Corner {
+  double y;         ///< m
+  bool is_upright;  ///< an edge along the stack ends there
+};
+
 /// Where a line meets a wall of the stack first.
 struct Hit {
   FaceId wall;
@@ -52,7 +58,7 @@ class ColumnFinder {
     const Eigen::Vector3d start = view.point({0, (column.low + column.high) / 2}, bore.branch.surface);
     const std::optional<Hit> end = next_wall(start, -view.along);
     if (!end) return refuse(bore, 0);
-    const std::vector<double> corners = corners_near(bore, *end);
+    const std::vector<Corner> corners = corners_near(bore, *end);
     std::array<Line, 2> sides;
     for (const int side : {0, 1}) {
       const double y = end_beside(bore, column, side == 0 ? -1 : 1, corners);
@@ -140,17 +146,19 @@ class ColumnFinder {
     return result;
   }
 
-  /// Corners of the walls at both ends, along the view's y, m.
-  std::vector<double> corners_near(const CrossBore& bore, const Hit& end) const {
-    std::vector<double> result;
+  /// Corners of the walls at both ends.
+  std::vector<Corner> corners_near(const CrossBore& bore, const Hit& end) const {
+    std::vector<Corner> result;
     const PlanView& view = bore.branch.view;
     const auto add = [&](const Brep& solid, FaceId face) {
       for (const auto& loop : solid.face(face).loops)
         for (const geometry::EdgeUse& use : loop) {
           const geometry::BrepEdge& edge = solid.edge(use.edge);
-          if (edge.start != edge.end)
-            for (const VertexId vertex : {edge.start, edge.end})
-              result.push_back(view.flat(solid.vertex(vertex)).y());
+          if (edge.start == edge.end) continue;
+          const Eigen::Vector3d way = solid.vertex(edge.end) - solid.vertex(edge.start);
+          const bool is_upright = way.cross(frame_.along).norm() < tolerance_;
+          for (const VertexId vertex : {edge.start, edge.end})
+            result.push_back({view.flat(solid.vertex(vertex)).y(), is_upright});
         }
     };
     if (bore.opening) add(solid_, *bore.opening);
@@ -160,17 +168,19 @@ class ColumnFinder {
 
   /// @param side  -1 or 1, along the view's y
   double end_beside(const CrossBore& bore, const Column& column, double side,
-                    const std::vector<double>& corners) {
+                    const std::vector<Corner>& corners) {
     const double edge = side < 0 ? -column.low : column.high;
     const double most = side < 0 ? -column.most_low : column.most_high;
     const double from = edge + least_room_of_column * bore.radius, to = edge + nearest_corner * column.radius;
     double nearest = 1e300, result = std::min(edge + wanted_room * column.radius, most);
-    for (const double corner : corners) {
-      const double at = side * corner;
+    bool is_upright = false;
+    for (const Corner& corner : corners) {
+      const double at = side * corner.y;
       if (at < from || at > std::min(to, most) || at > nearest) continue;
+      is_upright = corner.is_upright || (is_upright && nearest - at < tolerance_);
       result = nearest = at;
     }
-    if (nearest > to) made_.end_at_corners = false;
+    if (!is_upright) made_.end_at_corners = false;
     if (result < from) refuse(bore, result - edge);
     return side * result;
   }

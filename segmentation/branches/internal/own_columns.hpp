@@ -9,8 +9,9 @@ namespace isopatch::segmentation {
 
 /// Lines of a stack's drawing that bound a column for each bore across.
 struct OwnColumns {
-  std::vector<Line> lines;     ///< m; spokes of bores that end in one along the stack among them
-  bool end_at_corners = true;  ///< of walls, on both sides of every bore
+  std::vector<Line> lines;  ///< m; spokes of bores that end in one along the stack among them
+  bool end_at_corners =
+      true;  ///< of walls, where these have edges along the stack, on both sides of every bore
 };
 
 /// Columns from the wall that a bore opens in to the next, and no further; where a corner of one of these

@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "geometry/base/error.hpp"
@@ -182,10 +183,24 @@ class RegionSearches {
         break;  // large drawings have no time for more
       consider(static_cast<unsigned>(s), 60);
     }
+    if (std::optional<Search> rings = best_ring(part); rings && rings->cost() < best->cost())
+      best = std::move(rings);
     for (unsigned again = 0; again < 3 && !best->is_valid() && !as_it_is.valid; ++again)
       consider(10 + again, 150);
     if (as_it_is.valid && as_it_is.cost <= best->cost()) return as_it_is;
     return {best->mesh(), best->cost(), best->is_valid()};
+  }
+
+  /// Of rings around quadrilaterals the best that is valid.
+  std::optional<Search> best_ring(const CellMesh& part) const {
+    std::optional<Search> best;
+    for (CellMesh& ring : rings_around_quads(input_.curves, part, input_.shared)) {
+      Search next(input_, std::move(ring), options_.seed);
+      next.polish();
+      if (next.is_valid() && (!best || next.cost() < best->cost())) best = std::move(next);
+    }
+    if (best) best->improve(windows(*best));
+    return best;
   }
 
   const SearchInput& input_;
@@ -218,6 +233,52 @@ void mend(RegionSearches::Whole& whole, const SearchInput& input, const Quadrang
   if (search.is_valid()) whole = {search.mesh(), search.cost(), {}};
 }
 
+/// The wanted region with most cuts of the edges that it shares around its holes, circles but for; none where
+/// there are no such cuts.
+std::optional<int> surrounding_region(const SearchInput& input, const Profile& profile,
+                                      const CutPlaces& places) {
+  std::optional<int> result;
+  std::size_t most = 0;
+  for (std::size_t r = 0; r < profile.regions.size(); ++r) {
+    const ProfileRegion& region = profile.regions[r];
+    if (!region.wanted) continue;
+    std::size_t count = 0;
+    for (std::size_t l = 1; l < region.loops.size(); ++l)
+      for (const geometry::EdgeUse& use : region.loops[l]) {
+        const auto e = static_cast<std::size_t>(use.edge.value);
+        if (input.shared[e] && !input.curves[e].closed()) count += places[e].size();
+      }
+    if (count <= most) continue;
+    most = count;
+    result = static_cast<int>(r);
+  }
+  return result;
+}
+
+/// Cuts of shared edges as one region would have them that need not agree with the others; nothing where it
+/// cannot be divided.
+std::optional<CutPlaces> places_of_one(const SearchInput& input, Profile profile,
+                                       const QuadrangulationOptions& options, int region) {
+  SearchInput alone = input;
+  alone.shared.assign(input.shared.size(), false);
+  for (std::size_t r = 0; r < profile.regions.size(); ++r)
+    profile.regions[r].wanted = static_cast<int>(r) == region;
+  const RegionSearches::Whole whole =
+      RegionSearches(alone, profile, options, 4).divide(CutPlaces(input.curves.size()));
+  if (!whole.open.empty()) return std::nullopt;
+  CutPlaces result(input.curves.size());
+  std::set<int> used;
+  for (const Cell& cell : whole.mesh.cells)
+    for (int k = 0; k < cell.count; ++k) used.insert(cell.sides[k].from);
+  for (const int number : used) {
+    const Node& node = whole.mesh.nodes[static_cast<std::size_t>(number)];
+    if (node.is_cut() && input.shared[static_cast<std::size_t>(node.curve)])
+      result[static_cast<std::size_t>(node.curve)].push_back(node.at);
+  }
+  for (std::vector<double>& places : result) std::sort(places.begin(), places.end());
+  return result;
+}
+
 bool any_is_shared(const SearchInput& input) {
   return std::any_of(input.shared.begin(), input.shared.end(), [](bool shared) { return shared; });
 }
@@ -229,8 +290,7 @@ DraftedMesh drafted_mesh(const SearchInput& input, const Profile& profile,
   const bool any_shared = any_is_shared(input);
   RegionSearches searches(input, profile, options, any_shared ? 3 : 4);
   std::optional<RegionSearches::Whole> best;
-  const auto consider = [&](const SharedCuts& way) {
-    CutPlaces places = shared_places(profile, input.curves, way);
+  const auto consider = [&](CutPlaces places) {
     for (int round = 0; round < 10; ++round) {
       RegionSearches::Whole whole = searches.divide(places);
       RegionSearches::Whole as_they_are = options.thorough ? searches.divide_as_they_are(places) : whole;
@@ -245,10 +305,15 @@ DraftedMesh drafted_mesh(const SearchInput& input, const Profile& profile,
       if (done) break;
     }
   };
-  consider({});
-  const SharedCuts diagonal{true};
-  if (shared_places(profile, input.curves, diagonal) != shared_places(profile, input.curves, {}))
-    consider(diagonal);
+  const CutPlaces places = shared_places(profile, input.curves, {}),
+                  diagonal = shared_places(profile, input.curves, {true});
+  consider(places);
+  if (diagonal != places) consider(diagonal);
+  const std::optional<int> around =
+      options.thorough ? surrounding_region(input, profile, places) : std::nullopt;
+  if (around)
+    if (std::optional<CutPlaces> own = places_of_one(input, profile, options, *around))
+      consider(made_even(profile, input.curves, *std::move(own)));
   Search last(input, std::move(best->mesh), options.seed, true);
   last.polish();
   if (any_shared) {

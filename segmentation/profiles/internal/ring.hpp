@@ -25,4 +25,9 @@ double room_along(const Eigen::Vector2d& corner, const Eigen::Vector2d& way, dou
 std::optional<CellMesh> ring_start(const std::vector<Curve>& curves, const CellMesh& region,
                                    const std::vector<bool>& shared);
 
+/// Likewise around quadrilaterals, for outlines of 4 to 8 corners: all ways to divide what the ring leaves,
+/// twice, with rings of two widths.
+std::vector<CellMesh> rings_around_quads(const std::vector<Curve>& curves, const CellMesh& region,
+                                         const std::vector<bool>& shared);
+
 }  // namespace isopatch::segmentation::planar
