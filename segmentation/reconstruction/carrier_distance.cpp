@@ -23,9 +23,9 @@ AxisView seen_from_axis(const Carrier& carrier, const Eigen::Vector3d& point) {
   return {height, distance, distance > 0 ? Eigen::Vector3d(across / distance) : any_normal(carrier.axis)};
 }
 
-CarrierDistance cone_distance(const Carrier& carrier, const Eigen::Vector3d& point) {
+CarrierDistance cone_distance(const Carrier& carrier, double cosine, double sine,
+                              const Eigen::Vector3d& point) {
   const AxisView view = seen_from_axis(carrier, point);
-  const double angle = carrier.half_angle.radians(), cosine = std::cos(angle), sine = std::sin(angle);
   const double off = view.distance - carrier.radius;
   CarrierDistance result;
   result.value = off * cosine - view.height * sine;
@@ -50,24 +50,33 @@ CarrierDistance torus_distance(const Carrier& carrier, const Eigen::Vector3d& po
 
 }  // namespace
 
-CarrierDistance carrier_distance(const Carrier& carrier, const Eigen::Vector3d& point) {
-  switch (carrier.kind) {
+CarrierDistances::CarrierDistances(const Carrier& carrier)
+    : carrier_(carrier),
+      cosine_(std::cos(carrier.half_angle.radians())),
+      sine_(std::sin(carrier.half_angle.radians())) {}
+
+CarrierDistance CarrierDistances::at(const Eigen::Vector3d& point) const {
+  switch (carrier_.kind) {
     case SurfaceKind::cylinder: {
-      const AxisView view = seen_from_axis(carrier, point);
-      return {view.distance - carrier.radius, view.outward, -1, 0};
+      const AxisView view = seen_from_axis(carrier_, point);
+      return {view.distance - carrier_.radius, view.outward, -1, 0};
     }
     case SurfaceKind::cone:
-      return cone_distance(carrier, point);
+      return cone_distance(carrier_, cosine_, sine_, point);
     case SurfaceKind::sphere: {
-      const Eigen::Vector3d way = point - carrier.origin;
+      const Eigen::Vector3d way = point - carrier_.origin;
       const double length = way.norm();
-      return {length - carrier.radius, length > 0 ? Eigen::Vector3d(way / length) : carrier.axis, -1, 0};
+      return {length - carrier_.radius, length > 0 ? Eigen::Vector3d(way / length) : carrier_.axis, -1, 0};
     }
     case SurfaceKind::torus:
-      return torus_distance(carrier, point);
+      return torus_distance(carrier_, point);
     default:
-      return {carrier.axis.dot(point - carrier.origin), carrier.axis, 0, 0};
+      return {carrier_.axis.dot(point - carrier_.origin), carrier_.axis, 0, 0};
   }
+}
+
+CarrierDistance carrier_distance(const Carrier& carrier, const Eigen::Vector3d& point) {
+  return CarrierDistances(carrier).at(point);
 }
 
 int freedoms(SurfaceKind kind) {

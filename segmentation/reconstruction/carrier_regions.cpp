@@ -178,7 +178,7 @@ class CarrierGrower {
       for (const SurfaceKind kind : curved_kinds) {
         if (patch.size() == 3 && (kind == SurfaceKind::sphere || kind == SurfaceKind::torus)) continue;
         if (points.points.cols() <= freedoms(kind)) continue;
-        const auto fit = fit_carrier(kind, points);
+        const auto fit = fit_carrier(kind, points, tolerance_);
         if (!fit || !(fit->largest <= tolerance_)) continue;
         auto grown = grow(fit->carrier, patch);
         if (grown && kind == SurfaceKind::torus && !has_rings(*grown, grown->carrier)) grown.reset();
@@ -304,7 +304,7 @@ class CarrierGrower {
     const SurfaceSample points = sample(some);
     for (const SurfaceKind kind : {SurfaceKind::sphere, SurfaceKind::torus}) {
       const auto fit = kind == SurfaceKind::torus ? fit_torus(found_[a].carrier, points.points)
-                                                  : fit_carrier(kind, points);
+                                                  : fit_carrier(kind, points, tolerance_);
       if (!fit || !(fit->largest <= tolerance_)) continue;
       auto grown = grow(fit->carrier, both);
       if (grown && grown->facets.size() >= both.size() && has_rings(*grown, found_[a].carrier)) return grown;

@@ -324,8 +324,9 @@ class OnCarriers {
     const bool seam = other < static_cast<std::ptrdiff_t>(loop.size());
     if (seam && other < static_cast<std::ptrdiff_t>(i)) return;
     TopoDS_Edge& made = edge(loop[i].edge);
-    double first = 0, last = 0;
-    BRep_Tool::Range(made, first, last);
+    // A pole has no range before it has a curve.
+    double first = traces[i].t[0], last = traces[i].t[traces[i].t.size() - 1];
+    if (!BRep_Tool::Degenerated(made)) BRep_Tool::Range(made, first, last);
     const auto curve = [&](const Trace& trace) {
       const double size = (trace.points.rowwise().maxCoeff() - trace.points.rowwise().minCoeff()).norm();
       return domain_curve(trace.t, trace.points, 1e-9 * size);

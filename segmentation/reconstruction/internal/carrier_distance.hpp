@@ -17,6 +17,17 @@ struct CarrierDistance {
 
 CarrierDistance carrier_distance(const geometry::Carrier& carrier, const Eigen::Vector3d& point);
 
+/// The same at many points, for each of which a cone needs no sine and cosine of its angle.
+class CarrierDistances {
+ public:
+  explicit CarrierDistances(const geometry::Carrier& carrier);
+  CarrierDistance at(const Eigen::Vector3d& point) const;
+
+ private:
+  geometry::Carrier carrier_;
+  double cosine_, sine_;  ///< of a cone's half angle
+};
+
 /// Number of parameters of a carrier in space: 3 of a plane, 7 of a torus.
 int freedoms(geometry::SurfaceKind kind);
 

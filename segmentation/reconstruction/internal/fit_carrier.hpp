@@ -21,9 +21,11 @@ struct CarrierFit {
 
 /// A carrier of one kind by least squares of the distances; where to begin, the facets' normals say.
 ///
+/// @param near  m; where points stay farther from it than this, it is given up early; 0: never
 /// @return nothing where the facets say nothing or the points do not determine it
 /// @cost  O(points), some ten steps
-std::optional<CarrierFit> fit_carrier(geometry::SurfaceKind kind, const SurfaceSample& sample);
+std::optional<CarrierFit> fit_carrier(geometry::SurfaceKind kind, const SurfaceSample& sample,
+                                      double near = 0);
 
 /// A torus through points, from the axis of a carrier of revolution that has some of them.
 std::optional<CarrierFit> fit_torus(const geometry::Carrier& about, const Eigen::Matrix3Xd& points);

@@ -78,6 +78,29 @@ TEST(FitCarrier, FindsWhatPointsLieOn) {
   }
 }
 
+TEST(FitCarrier, FindsTheSameWhereItMayGiveUp) {
+  for (const Case& one : cases) {
+    SCOPED_TRACE(one.name);
+    const SurfaceSample sample = grid_on(one.carrier, one.low, one.high, one.steps);
+    const auto found = fit_carrier(one.carrier.kind, sample, 1e-6);
+    ASSERT_TRUE(found);
+    EXPECT_LT(found->largest, 1e-11);
+  }
+}
+
+TEST(FitCarrier, GivesUpWherePointsStayFarther) {
+  // A torus is no cylinder, cone or sphere within a thousandth of its tube's radius: the arcs there are of a
+  // radian, so that half their height over a chord is an eighth of it.
+  const SurfaceSample sample = grid_on(made(SurfaceKind::torus, 0.7, 0.2, 0), {0, 0.1}, {0.6, 1}, 4);
+  for (const SurfaceKind kind : {SurfaceKind::cylinder, SurfaceKind::cone, SurfaceKind::sphere}) {
+    SCOPED_TRACE(static_cast<int>(kind));
+    EXPECT_FALSE(fit_carrier(kind, sample, 2e-4));
+    const auto to_the_end = fit_carrier(kind, sample);
+    ASSERT_TRUE(to_the_end);
+    EXPECT_GT(to_the_end->largest, 2e-4);
+  }
+}
+
 TEST(FitCarrier, DistancesHaveTheirDerivatives) {
   for (const Case& one : cases) {
     SCOPED_TRACE(one.name);

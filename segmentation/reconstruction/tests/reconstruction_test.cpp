@@ -12,8 +12,11 @@
 #include <string>
 #include <vector>
 
+#include "geometry/base/temporary_folder.hpp"
 #include "geometry/base/tests/expect_error.hpp"
 #include "geometry/brep/check_brep.hpp"
+#include "geometry/brep/read_brep.hpp"
+#include "geometry/brep/write_brep.hpp"
 
 #include "geometry/brep/tests/made_solids.hpp"
 #include "geometry/mesh/mend.hpp"
@@ -59,6 +62,18 @@ TEST_P(MadeSolid, ComesBackFromItsTriangles) {
 
 INSTANTIATE_TEST_SUITE_P(Reconstruction, MadeSolid, testing::ValuesIn(on_carriers),
                          [](const auto& test) { return test.param; });
+
+/// Poles are edges without length, of which a CAD kernel wants a range.
+TEST(Reconstruction, SolidsWithPolesAreWrittenAndReadAgain) {
+  for (const char* name : {"sphere", "cone"}) {
+    SCOPED_TRACE(name);
+    const TemporaryFolder folder;
+    const Reconstruction made = reconstruct(test::triangulated(made_brep(name), 1e-3, 12).mesh);
+    geometry::write_brep(folder.path() / "made.step", made.brep);
+    const geometry::Brep again = geometry::read_brep(folder.path() / "made.step").brep;
+    EXPECT_NEAR(again.volume() / made.brep.volume(), 1, 1e-9);
+  }
+}
 
 TEST(Reconstruction, IsExactWhereCoordinatesAre) {
   const geometry::Brep given = made_brep("drilled");
