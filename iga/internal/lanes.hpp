@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <type_traits>
 
 namespace isopatch::iga {
 
@@ -30,12 +31,12 @@ struct Strided {
 };
 
 /// From functions to points, out[q][v] = sum_a table(q, a) in[a][v], or with Transposed from points to
-/// functions, out[a][v] += sum_q table(q, a) in[q][v], for v below `count`. Size > 0: as many points as
-/// functions, Size.
-template <int Size, bool Transposed>
+/// functions, out[a][v] += sum_q table(q, a) in[q][v], for v below `count`. Points, Functions > 0: so many.
+template <int Points, int Functions, bool Transposed>
 void contract_sized(const FunctionTable& m, Strided<const Lanes> in, Strided<Lanes> out, int count) {
-  const int points = Size > 0 ? Size : m.points;
-  const int functions = Size > 0 ? Size : m.functions;
+  constexpr int Inner = Transposed ? Points : Functions;
+  const int points = Points > 0 ? Points : m.points;
+  const int functions = Functions > 0 ? Functions : m.functions;
   const int outer = Transposed ? functions : points;
   const int inner = Transposed ? points : functions;
   const auto entry = [&](int o, int i) {
@@ -44,13 +45,13 @@ void contract_sized(const FunctionTable& m, Strided<const Lanes> in, Strided<Lan
   for (int v = 0; v < count; ++v) {
     const Lanes* const from = in.data + v;
     Lanes* const __restrict to = out.data + v;
-    Lanes x[Size > 0 ? Size : 1];
-    for (int i = 0; i < Size; ++i) x[i] = from[i * in.step];
+    Lanes x[Inner > 0 ? Inner : 1];
+    for (int i = 0; i < Inner; ++i) x[i] = from[i * in.step];
 #pragma GCC unroll 8
     for (int o = 0; o < outer; ++o) {
       Lanes total = entry(o, 0) * from[0];
       for (int i = 1; i < inner; ++i) {
-        if constexpr (Size > 0)
+        if constexpr (Inner > 0)
           total += entry(o, i) * x[i];
         else
           total += entry(o, i) * from[i * in.step];
@@ -63,23 +64,30 @@ void contract_sized(const FunctionTable& m, Strided<const Lanes> in, Strided<Lan
   }
 }
 
-/// contract_sized for the table at hand.
+/// contract_sized for the table at hand: as many points as functions, or one less or more.
 template <bool Transposed>
 void contract(const FunctionTable& m, Strided<const Lanes> in, Strided<Lanes> out, int count) {
-  if (m.points != m.functions) return contract_sized<0, Transposed>(m, in, out, count);
-  switch (m.points) {
+  const auto sized = [&]<int Functions>(std::integral_constant<int, Functions>) {
+    if (m.points == Functions) return contract_sized<Functions, Functions, Transposed>(m, in, out, count);
+    if (m.points == Functions - 1)
+      return contract_sized<Functions - 1, Functions, Transposed>(m, in, out, count);
+    if (m.points == Functions + 1)
+      return contract_sized<Functions + 1, Functions, Transposed>(m, in, out, count);
+    contract_sized<0, 0, Transposed>(m, in, out, count);
+  };
+  switch (m.functions) {
     case 2:
-      return contract_sized<2, Transposed>(m, in, out, count);
+      return sized(std::integral_constant<int, 2>());
     case 3:
-      return contract_sized<3, Transposed>(m, in, out, count);
+      return sized(std::integral_constant<int, 3>());
     case 4:
-      return contract_sized<4, Transposed>(m, in, out, count);
+      return sized(std::integral_constant<int, 4>());
     case 5:
-      return contract_sized<5, Transposed>(m, in, out, count);
+      return sized(std::integral_constant<int, 5>());
     case 6:
-      return contract_sized<6, Transposed>(m, in, out, count);
+      return sized(std::integral_constant<int, 6>());
     default:
-      return contract_sized<0, Transposed>(m, in, out, count);
+      return contract_sized<0, 0, Transposed>(m, in, out, count);
   }
 }
 

@@ -9,6 +9,7 @@
 #include "iga/multigrid/fast_diagonalization.hpp"
 #include "iga/multigrid/level_operator.hpp"
 #include "iga/multigrid/level_transfer.hpp"
+#include "iga/multigrid/smoothing_points.hpp"
 #include "solvers/cholmod_solver.hpp"
 
 namespace isopatch::iga {
@@ -28,9 +29,10 @@ bool has_one_element_of_degree(const Level& level, int highest) {
   return true;
 }
 
-// The same functions with degree + 1 Gauss points.
+// The same functions with the Gauss points that smoothing needs.
 std::vector<PatchSpace> with_fewest_points(std::vector<PatchSpace> spaces) {
-  for (PatchSpace& space : spaces) space.points = {0, 0, 0};
+  for (PatchSpace& space : spaces)
+    for (std::size_t d = 0; d < 3; ++d) space.points[d] = smoothing_points(space.knots[d]);
   return spaces;
 }
 
@@ -49,7 +51,7 @@ solvers::VectorsOperator coarse_inverse(const Level& level, const std::vector<Ma
 
 // Levels, operators and transfers refer to each other, so they stay where they are.
 struct ElasticityMultigrid::State {
-  std::vector<PatchSpace> smoothed_spaces;  // of the finest level
+  std::deque<std::vector<PatchSpace>> smoothed_spaces;  // of the levels
   std::deque<Level> coarser;
   std::deque<LevelOperator> operators;
   std::deque<FastDiagonalization> smoothers;
@@ -107,9 +109,10 @@ ElasticityMultigrid::ElasticityMultigrid(const ElasticityProblem& problem, const
       made.from_finer = [&transfer](const Eigen::VectorXd& f) { return transfer.from_finer(f); };
     }
     if (l + 1 == levels.size()) break;
-    if (l == 0 && !product) state_->smoothed_spaces = with_fewest_points(level.spaces);
+    const bool own = l > 0 || !product;
+    if (own) state_->smoothed_spaces.push_back(with_fewest_points(level.spaces));
     const LevelOperator& stiffness =
-        state_->operators.emplace_back(level, l == 0 && !product ? state_->smoothed_spaces : level.spaces,
+        state_->operators.emplace_back(level, own ? state_->smoothed_spaces.back() : level.spaces,
                                        problem.materials, options.points, l == 0 ? of_finest : of_coarser);
     const FastDiagonalization& smoother =
         state_->smoothers.emplace_back(model, level, problem.materials, stiffness.diagonal(),

@@ -15,7 +15,7 @@ namespace isopatch::iga {
 
 struct ElasticityMultigridOptions {
   solvers::MultigridOptions smoothing = {};
-  int points = 0;                   ///< Gauss points per element and direction; 0: degree + 1
+  int points = 0;                   ///< Gauss points per element and direction; 0: `smoothing_points`
   int coarsest_dofs = 2000;         ///< coarsen until there are no more than these, if that can be
   int coarsest_curved_dofs = 5000;  ///< the same for one element of degree 2 a patch
   /// Faces that do not match and have multipliers; empty where Nitsche's method couples them.
@@ -32,7 +32,7 @@ class ElasticityMultigrid {
   /// @param finest   the solution space; must outlive the multigrid, as must `problem`
   /// @param frames   of the finest level's global nodes
   /// @param product  of the finest level if a matrix is at hand. Empty: an operator, which for smoothing has
-  ///                 degree + 1 Gauss points even where the map of a patch asks for more, unless
+  ///                 `smoothing_points` even where the map of a patch asks for more, unless
   ///                 `options.points` says how many: of the products of an iteration all but one smooth
   /// @throws Error singular_system  if a level is not positive definite
   ElasticityMultigrid(const ElasticityProblem& problem, const Level& finest,
