@@ -67,7 +67,7 @@ Brep mushroom() {
 }
 
 // Searched by cuts alone, which end at once; that no stack is found takes much longer.
-constexpr DecompositionOptions quickly = {.method = Method::cuts};
+const DecompositionOptions quickly = {.method = Method::cuts};
 
 double volume_of_tetrahedra(const geometry::CellComplex& complex) {
   double result = 0;
