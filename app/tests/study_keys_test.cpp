@@ -358,7 +358,7 @@ std::vector<ShownSection> sections_of_the_problem() {
         {"max_iterations", "max_iterations = 77", "iterations 77"},
         {"preconditioner", "preconditioner = \"block_jacobi\"", "preconditioner block_jacobi"},
         {"operator", "operator = \"matrix_free\"", "operator matrix_free"},
-        {"smoothing_degree", "smoothing_degree = 7", "smoothing 7"},
+        {"smoothing_degree", "smoothing_degree = 8", "smoothing 8 over 160"},
         {"memory_limit", "memory_limit = \"2 GB\"", "memory 2e+09"}}},
       {"probe",
        "[[probe]]\n",

@@ -246,8 +246,9 @@ std::string words_of(const iga::ElasticityOptions& o) {
              o.quadrature_points, iga::name(o.coupling), iga::name(o.non_matching),
              o.mortar_side == iga::MortarSide::other ? "\nmortar on the other side" : "", name(s.method),
              s.tolerance, s.max_iterations) +
-         fmt::format("preconditioner {}\noperator {}\nsmoothing {}\nmemory {:g}\n", name(s.preconditioner),
-                     name(s.form), s.multigrid.smoothing_degree, s.memory_limit);
+         fmt::format("preconditioner {}\noperator {}\nsmoothing {} over {:g}\nmemory {:g}\n",
+                     name(s.preconditioner), name(s.form), s.multigrid.smoothing_degree,
+                     s.multigrid.smoothing_range, s.memory_limit);
 }
 
 std::string words_of(const OutputInput& o) {

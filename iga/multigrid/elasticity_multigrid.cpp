@@ -31,8 +31,7 @@ bool has_one_element_of_degree(const Level& level, int highest) {
 
 // The same functions with the Gauss points that smoothing needs.
 std::vector<PatchSpace> with_fewest_points(std::vector<PatchSpace> spaces) {
-  for (PatchSpace& space : spaces)
-    for (std::size_t d = 0; d < 3; ++d) space.points[d] = smoothing_points(space.knots[d]);
+  for (PatchSpace& space : spaces) space.points = smoothing_points(space);
   return spaces;
 }
 

@@ -5,6 +5,7 @@
 #include "geometry/base/dense_matrices.hpp"
 #include "geometry/quadrature.hpp"
 #include "iga/spaces/element_tables.hpp"
+#include "iga/tests/small_models.hpp"
 
 namespace isopatch::iga {
 namespace {
@@ -57,6 +58,18 @@ TEST(SmoothingPoints, AreOneMoreWhereFewerWouldLeaveSomeFunctionsLittle) {
   EXPECT_EQ(smoothing_points(line(4, 4, 4)), 5);
   EXPECT_EQ(smoothing_points(line(3, 1, 1)), 4);
   EXPECT_EQ(smoothing_points(line(4, 4, 2)), 4);
+}
+
+// Elements of 1:60 and of 1:300.
+TEST(SmoothingPoints, AreOneMoreInSheets) {
+  for (const double thickness : {1.0 / 60, 1.0 / 300}) {
+    const ElasticityProblem p =
+        testing::problem(geometry::connect(geometry::box_model({.size = {2, 2, 2 * thickness}})),
+                         {.degree = {3, 3, 3}, .elements_per_direction = {2, 2, 2}}, testing::steel);
+    const PatchSpace space = isoparametric_spaces(p.discretization).front();
+    const int expected = thickness > 1.0 / 100 ? 3 : 4;
+    EXPECT_EQ(smoothing_points(space), (GaussPoints{expected, expected, expected}));
+  }
 }
 
 }  // namespace
