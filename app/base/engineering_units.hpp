@@ -19,8 +19,8 @@ DisplayUnit model_length_unit(double model_size);
 /// @param unit  m, Pa, J, N or g and the like; powers of m ("m^2", "m^3") get prefixes of the length
 std::string with_unit(double value, std::string_view unit);
 
-/// A value with its uncertainty, both in the unit that suits the larger one: "290 +- 110 kPa", two digits of the
-/// uncertainty and never a power of ten.
+/// A value with its uncertainty, both in the unit that suits the larger one: "290 +- 110 kPa", two digits of
+/// the uncertainty and never a power of ten.
 std::string with_uncertainty(double value, double uncertainty, std::string_view unit);
 
 /// A unit with the prefix that suits a size: {1e6, "MPa"}; powers of m as above, no unit for pure numbers.

@@ -19,14 +19,16 @@ std::string figures_of(const Region& region) {
   if (region.spline)
     return fmt::format("spline of {} x {} control points", region.spline->size(0), region.spline->size(1));
   const geometry::Carrier& c = *region.carrier;
+  const ScaledUnit unit = unit_for(c.radius, "m");
   switch (c.kind) {
     case SurfaceKind::cylinder:
     case SurfaceKind::sphere:
-      return fmt::format("radius {:.6g} m", c.radius);
+      return fmt::format("radius {:.6g} {}", c.radius / unit.factor, unit.symbol);
     case SurfaceKind::cone:
       return fmt::format("half angle {:.6g} deg", std::abs(c.half_angle.degrees()));
     case SurfaceKind::torus:
-      return fmt::format("radii {:.6g} and {:.6g} m", c.radius, c.second_radius);
+      return fmt::format("radii {:.6g} and {:.6g} {}", c.radius / unit.factor, c.second_radius / unit.factor,
+                         unit.symbol);
     default:
       return fmt::format("normal ({:.4g}, {:.4g}, {:.4g})", c.axis.x() + 0.0, c.axis.y() + 0.0,
                          c.axis.z() + 0.0);

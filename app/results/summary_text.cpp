@@ -207,6 +207,13 @@ std::string coupling_text(const Study& study, const geometry::MultiPatch& model)
                          : " and Nitsche's method");
 }
 
+// A key that does nothing here; T-joints can be kept with it alone, so it is theirs as well.
+std::string nothing_to_couple_text(const Study& study, const geometry::MultiPatch& model) {
+  if (!study.model.tolerance.keep_non_matching || !model.non_matching().empty()) return "";
+  return fmt::format("  not matching      nothing: {}, and coupling.non_matching has nothing to couple\n",
+                     model.patch_count() == 1 ? "there is one patch" : "all patches meet side to side");
+}
+
 // A table for each case.
 std::string levels_text(const StudyRun& run) {
   if (!run.has_cases() || run.levels.empty()) return run_levels_text(run.levels);
@@ -239,7 +246,7 @@ std::string summary_text(const Study& study, const StudyRun& run) {
   std::string text = study.title.empty() ? "" : study.title + "\n";
   text += fmt::format("  model             {}, volume {}\n", contents_text(model, run.built.report),
                       with_unit(run.built.report.volume, "m^3"));
-  text += non_matching_text(run.built.report);
+  text += non_matching_text(run.built.report) + nothing_to_couple_text(study, model);
   if (!run.built.stages.empty())
     text += fmt::format("  stages            {}\n", stages_text(run.built.stages));
   if (run.built.mass)

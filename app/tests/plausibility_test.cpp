@@ -1,3 +1,4 @@
+#include "app/results/write_fields.hpp"
 #include "app/tests/program_fixture.hpp"
 
 namespace isopatch::app {
@@ -77,6 +78,25 @@ TEST_F(Plausibility, LargeElementsMakeDisplacementsUnderLoadsTooSmallAndNotThose
              coarse);
   EXPECT_THAT(err_, HasSubstr("% of the energy is in the highest polynomials of the elements. "));
   EXPECT_THAT(err_, Not(HasSubstr("under loads")));
+}
+
+TEST_F(Plausibility, ACouplingWithNothingToCoupleIsSaid) {
+  const std::string coupled = "[coupling]\nnon_matching = \"nitsche\"\n";
+  summary_of(block + coupled);
+  EXPECT_THAT(out_,
+              HasSubstr("nothing: there is one patch, and coupling.non_matching has nothing to couple"));
+  summary_of(replaced(block, "\"box\"", "\"box\"\npatches = [2, 1, 1]") + coupled);
+  EXPECT_THAT(out_, HasSubstr("not matching      nothing: all patches meet side to side"));
+  summary_of(block);
+  EXPECT_THAT(out_, Not(HasSubstr("not matching")));
+}
+
+TEST_F(Plausibility, StressThatHexahedraDoNotFollowIsSaidWithItsPlace) {
+  EXPECT_FALSE(fit_warning({}, 1)) << "of given pieces nothing is known";
+  EXPECT_FALSE(fit_warning(iga::FitReport{.off = 0.0099, .patch = 3}, 1));
+  const auto warning = fit_warning(iga::FitReport{.off = 0.27, .patch = 3, .place = {0.1, 0.02, 0}}, 0.2);
+  ASSERT_TRUE(warning);
+  EXPECT_THAT(warning->text, HasSubstr("is off by up to 27 % of the largest, in patch 3 at (100, 20, 0) mm"));
 }
 
 // Of a series of studies one may have no load.

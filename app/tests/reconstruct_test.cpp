@@ -20,7 +20,7 @@ TEST_F(ReconstructedSolids, AreWrittenWithAReport) {
   const std::string file = stl("drilled"), folder = (folder_ / "made").string();
   ASSERT_EQ(run({"reconstruct", file, "-o", folder, "--length-unit", "mm"}), 0) << err_;
   EXPECT_NE(out_.find("7 faces (6 planes, 1 cylinder)"), std::string::npos) << out_;
-  EXPECT_NE(out_.find("radius 0.005 m"), std::string::npos) << out_;
+  EXPECT_NE(out_.find("radius 5 mm"), std::string::npos) << out_;
   const geometry::BrepFile made = geometry::read_brep(folder_ / "made" / "drilled.step");
   EXPECT_NEAR(made.brep.volume() / geometry::test::made_brep("drilled").volume(), 1, 2e-6);
   const json report = json::parse(read_file(folder_ / "made" / "reconstruction.json"));

@@ -57,7 +57,7 @@ class Fit {
       if (!changed_[p]) return;
       const double before = errors_[p].largest_error;
       errors_[p] = layer_errors(field_, static_cast<int>(i), grids_[p]);
-      hopeless_[p] = hopeless_[p] || (before > 0 && errors_[p].largest_error > no_help * before);
+      if (before > 0 && errors_[p].largest_error > no_help * before) hopeless_[p] = 1;
     });
   }
 
@@ -95,7 +95,7 @@ class Fit {
     auto next = halved_layers(grids_, layers, limit);
     while (count_cells(next) > options.most_cells && limit < largest_error)
       next = halved_layers(grids_, layers, limit *= 1.25);
-    for (std::size_t p = 0; p < grids_.size(); ++p) changed_[p] = next[p] != grids_[p];
+    for (std::size_t p = 0; p < grids_.size(); ++p) changed_[p] = next[p] != grids_[p] ? 1 : 0;
     grids_ = std::move(next);
     return std::find(changed_.begin(), changed_.end(), 1) != changed_.end();
   }

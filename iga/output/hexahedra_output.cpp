@@ -37,9 +37,9 @@ class PatchSurface {
       faces_[static_cast<std::size_t>(side)] = surface.face(patch, side);
   }
   // Puts them in their places of plane k of direction 3.
-  void put(int k, Points& plane) const {
-    const auto [m, n, o] = sizes_;
-    for (int j = 0; j < n; ++j) {
+  void put(Eigen::Index k, Points& plane) const {
+    const Eigen::Index m = sizes_[0], n = sizes_[1], o = sizes_[2];
+    for (Eigen::Index j = 0; j < n; ++j) {
       plane.col(m * j) = of(Side::west).col(j + n * k);
       plane.col(m * j + m - 1) = of(Side::east).col(j + n * k);
     }

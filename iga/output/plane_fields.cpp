@@ -145,7 +145,7 @@ struct PlaneFields::State {
     out.von_mises[at] = von_mises(stress);
     out.principal.col(at) = principal_values(stress);
     out.tresca[at] = out.principal(0, at) - out.principal(2, at);
-    out.is_borrowed[static_cast<std::size_t>(at)] = node.usable == 0 && !node.collapsed;
+    out.is_borrowed[static_cast<std::size_t>(at)] = node.usable == 0 && !node.collapsed ? 1 : 0;
   }
 
   void row(int j, int k, GridSums::Row& buffer, std::vector<NodeSums>& nodes) {

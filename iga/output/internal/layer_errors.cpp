@@ -40,8 +40,8 @@ DeviatorPlane deviator_plane(const FieldPlane& fields) {
 struct NodeLine {
   NodeLine(const geometry::KnotVector& knots, const std::vector<double>& parameters) : nodes(parameters) {
     const std::vector<double> breaks = knots.breaks();
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      inside.push_back(!std::binary_search(breaks.begin(), breaks.end(), nodes[i]));
+    for (const double node : nodes)
+      inside.push_back(std::binary_search(breaks.begin(), breaks.end(), node) ? 0 : 1);
   }
   double step(std::size_t i) const { return nodes[i + 1] - nodes[i]; }
   // Second derivative at node i of values at i - 1, i and i + 1.
@@ -121,7 +121,8 @@ class LayerEstimate {
   }
 
   void add(const FieldPlane& fields) {
-    result_.largest_stress = isopatch::larger(result_.largest_stress, fields.von_mises.maxCoeff<Eigen::PropagateNaN>());
+    result_.largest_stress =
+        isopatch::larger(result_.largest_stress, fields.von_mises.maxCoeff<Eigen::PropagateNaN>());
     planes_.push_back(deviator_plane(fields));
     curve_within(planes_.back());
     ++seen_;
