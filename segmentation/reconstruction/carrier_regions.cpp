@@ -31,6 +31,8 @@ constexpr std::size_t few_in_freeform = 20;
 constexpr double leaf_area = 0.03;
 // Neighbouring surfaces that are held against one torus or sphere.
 constexpr int most_joins = 3000;
+// Slivers that hang together amid one carrier; more are a face of their own.
+constexpr std::size_t most_slivers = 8;
 // A set of small facets that no carrier explains is a freeform surface from this number on, and plane faces
 // below.
 constexpr std::size_t least_freeform = 12;
@@ -82,6 +84,22 @@ class CarrierGrower {
           break;
         }
       }
+    }
+  }
+
+  /// Slivers may lean anywhere: small facets amid one curved carrier that have their vertices on it are its.
+  void take_slivers() {
+    std::vector<bool> done(facets_.size(), false);
+    for (std::size_t f = 0; f < facets_.size(); ++f) {
+      if (owner_[f] >= 0 || done[f]) continue;
+      const Pocket pocket = pocket_around(static_cast<int>(f), done);
+      if (pocket.owner < 0 || pocket.facets.size() > most_slivers) continue;
+      Grown& grown = found_[static_cast<std::size_t>(pocket.owner)];
+      if (!std::all_of(pocket.facets.begin(), pocket.facets.end(),
+                       [&](int one) { return is_sliver_on(grown.carrier, one); }))
+        continue;
+      for (const int one : pocket.facets) owner(one) = pocket.owner;
+      grown.facets.insert(grown.facets.end(), pocket.facets.begin(), pocket.facets.end());
     }
   }
 
@@ -332,6 +350,41 @@ class CarrierGrower {
     found_[r].facets.clear();
   }
 
+  /// Facets without a carrier that hang together, and the only carrier around; -1: none or several.
+  struct Pocket {
+    std::vector<int> facets;
+    int owner = -1;
+  };
+
+  Pocket pocket_around(int start, std::vector<bool>& done) const {
+    Pocket result{{start}};
+    bool several = false;
+    done[static_cast<std::size_t>(start)] = true;
+    for (std::size_t next = 0; next < result.facets.size(); ++next)
+      for (const FacetLink& link : facet(result.facets[next]).links) {
+        const auto other = static_cast<std::size_t>(link.other);
+        if (owner_[other] >= 0) {
+          several = several || (result.owner >= 0 && result.owner != owner_[other]);
+          result.owner = owner_[other];
+        } else if (!done[other]) {
+          done[other] = true;
+          result.facets.push_back(link.other);
+        }
+      }
+    if (several) result.owner = -1;
+    return result;
+  }
+
+  /// Whether a facet of one or two triangles has its vertices on a carrier.
+  bool is_sliver_on(const Carrier& carrier, int f) const {
+    const Facet& it = facet(f);
+    if (plane_[static_cast<std::size_t>(f)]) return false;
+    const CarrierDistances distances(carrier);
+    for (const int v : it.vertices)
+      if (!(std::abs(distances.at(mesh_.vertices.col(v)).value) <= tolerance_)) return false;
+    return true;
+  }
+
   /// Facets without a carrier that hang together smoothly.
   std::vector<int> left_around(int start, std::vector<bool>& done) const {
     std::vector<int> result{start};
@@ -408,6 +461,7 @@ Regions carrier_regions(const geometry::TriangleMesh& mesh, const Facets& facets
   CarrierGrower grower(mesh, facets, tolerance, options);
   grower.search(progress);
   grower.join_rings(progress);
+  grower.take_slivers();
   grower.drop_leaves();
   return grower.regions(static_cast<std::size_t>(mesh.triangles.cols()));
 }

@@ -75,6 +75,14 @@ TEST(Reconstruction, SolidsWithPolesAreWrittenAndReadAgain) {
   }
 }
 
+/// Of this density the triangulation of a sphere has slivers that lean 30 degrees from it.
+TEST(Reconstruction, SliversBelongToTheSurfaceAround) {
+  const test::Triangulated truth = test::triangulated(made_brep("sphere"), 1e-2, 20);
+  const Reconstruction made = reconstruct(truth.mesh);
+  ASSERT_EQ(made.regions.regions.size(), 1u);
+  EXPECT_NEAR(made.brep.volume() / made_brep("sphere").volume(), 1, 2e-6);
+}
+
 TEST(Reconstruction, IsExactWhereCoordinatesAre) {
   const geometry::Brep given = made_brep("drilled");
   const Reconstruction made = reconstruct(test::triangulated(given, 1e-2, 20, false).mesh);
