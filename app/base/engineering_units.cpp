@@ -134,8 +134,9 @@ std::string counted(std::int64_t count, std::string_view singular, std::string_v
 
 std::string bytes_text(std::int64_t bytes) {
   const auto value = static_cast<double>(bytes);
-  if (value >= 1e9) return fmt::format("{:.3g} GB", value / 1e9);
-  if (value >= 1e6) return fmt::format("{:.3g} MB", value / 1e6);
+  // What would be rounded to 1,000 of a unit is one of the next.
+  if (value >= 999.5e6) return fmt::format("{:.3g} GB", value / 1e9);
+  if (value >= 999.5e3) return fmt::format("{:.3g} MB", value / 1e6);
   return fmt::format("{:.3g} kB", value / 1e3);
 }
 

@@ -134,5 +134,11 @@ TEST(EngineeringUnits, CountInTheSingularAndThePlural) {
   EXPECT_EQ(counted(2, "patch", "patches"), "2 patches");
 }
 
+TEST(Units, BytesThatRoundToAThousandAreOneOfTheNextUnit) {
+  EXPECT_EQ(bytes_text(999'400'000), "999 MB");
+  EXPECT_EQ(bytes_text(999'900'000), "1 GB");
+  EXPECT_EQ(bytes_text(999'900), "1 MB");
+}
+
 }  // namespace
 }  // namespace isopatch::app
