@@ -369,20 +369,29 @@ TEST(NonMatching, Orders) {
 
 TEST(FullNonMatching, Orders) {
   for (const NonMatchingCoupling way : both_ways) {
-    // With quadratic multipliers some come from above slowly: 3.2 where 3 is the order in the end, at sixteen
-    // elements a side for three patches on two and for arcs. These are left to p = 3.
     const bool is_mortar = way == NonMatchingCoupling::mortar;
     for (const NonMatchingModel& m : models()) {
       if (is_curved(m)) continue;
       if (!is_mortar || m.name != "3 patches on 2") expect_orders_of(m, {2, {6, 8, 10, 12}}, way);
       expect_orders_of(m, {3, {4, 6, 8, 10}}, way);
     }
+    expect_orders_of(small_arcs(), {1, {6, 8, 12, 16}}, way);
     if (!is_mortar) expect_orders_of(small_arcs(), {2, {6, 8, 10, 12}}, way);
     expect_orders_of(small_arcs(), {3, {4, 6, 8, 10}}, way);
+    expect_orders_of(small_arcs(), {4, {5, 6, 7, 8}}, way);
   }
 }
 
-// The distorted T-joint comes from above: 5.16 for 5 between ten and twelve elements a side with six at first.
+// With quadratic multipliers they come from above slowly: 3.2 where 3 is the order in the end, at sixteen
+// elements a side.
+TEST(FullNonMatching, OrdersOfQuadraticMultipliers) {
+  const auto mortar = NonMatchingCoupling::mortar;
+  expect_orders_of(models()[2], {.degree = 2, .elements = {20, 22, 24, 26}, .iterate = true}, mortar);
+  expect_orders_of(small_arcs(), {.degree = 2, .elements = {26, 28, 30, 32}, .iterate = true}, mortar);
+}
+
+// The distorted T-joint comes from above: 5.16 for 5 between ten and twelve elements a side with six at
+// first.
 TEST(FullNonMatching, OrdersOfDegree4) {
   for (const NonMatchingCoupling way : both_ways) {
     expect_orders_of(models()[2], {4, {6, 8, 10, 12}}, way);
