@@ -12,8 +12,8 @@ namespace isopatch::iga {
 
 /// How exact straight cells shall be.
 struct FitOptions {
-  double tolerance = 0.01;              ///< of von Mises stress between nodes, of the largest, above 0
-  std::int64_t most_cells = 1'000'000;  ///< of all patches; grids that have more stay as they are
+  double tolerance = 0.01;            ///< of von Mises stress between nodes, of the largest, above 0
+  std::int64_t most_cells = 400'000;  ///< of all patches, some 80 MB; grids that have more stay as they are
 };
 
 /// What came of it.
