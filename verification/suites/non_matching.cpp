@@ -378,7 +378,7 @@ TEST(FullNonMatching, Orders) {
     expect_orders_of(small_arcs(), {1, {6, 8, 12, 16}}, way);
     if (!is_mortar) expect_orders_of(small_arcs(), {2, {6, 8, 10, 12}}, way);
     expect_orders_of(small_arcs(), {3, {4, 6, 8, 10}}, way);
-    expect_orders_of(small_arcs(), {4, {5, 6, 7, 8}}, way);
+    expect_orders_of(small_arcs(), {4, {6, 8, 10, 12}}, way);
   }
 }
 
