@@ -51,7 +51,7 @@ CurveForm form_of_points(const Eigen::Matrix3Xd& points, double tolerance) {
   multiplicities.Init(1);
   multiplicities(1) = multiplicities(CarrierSolid::points_of_edge) = 2;
   for (int i = 0; i < CarrierSolid::points_of_edge; ++i) {
-    poles(i + 1) = to_point(points.col(i * step));
+    poles(i + 1) = to_point(points.col(Eigen::Index{i} * step));
     knots(i + 1) = i;
   }
   // Forms are looked for at 33 even places: those of the points.
