@@ -46,14 +46,14 @@ double penalty(const Discretization& discretization, const std::vector<Material>
   const int across = geometry::direction(face.side);
   const std::vector<double> breaks = patch.knots(across).breaks();
   geometry::Parameter<2> middle;
-  for (std::size_t d = 0; d < 2; ++d) {
-    const std::vector<double> along = patch.knots(geometry::tangents(face.side)[d]).breaks();
+  for (int d = 0; d < 2; ++d) {
+    const int direction = geometry::tangents(face.side)[static_cast<std::size_t>(d)];
+    const std::vector<double> along = patch.knots(direction).breaks();
     middle[d] = (along.front() + along.back()) / 2;
   }
   geometry::Parameter<3> behind = geometry::on_side(patch, face.side, middle);
   const Eigen::Vector3d on_face = patch.point(behind);
-  behind[static_cast<std::size_t>(across)] =
-      geometry::is_high(face.side) ? breaks[breaks.size() - 2] : breaks[1];
+  behind[across] = geometry::is_high(face.side) ? breaks[breaks.size() - 2] : breaks[1];
   const int degree = patch.knots(across).degree();
   return young(materials[p]) * (degree + 1) * (degree + 1) / (patch.point(behind) - on_face).norm();
 }
